@@ -1,0 +1,1 @@
+//! Closed-form solutions that tests, tables and sizing share.

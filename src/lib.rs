@@ -1,0 +1,20 @@
+//! Brinell: contact stresses of roller bearings by finite elements.
+//!
+//! A case file and a gmsh mesh go in; a certified contact-stress answer comes out. Data flows
+//! one way, and each floor of the library imports only from the floors below it:
+//!
+//! ```text
+//!  case.toml --case--> Scene <--mesh-- part.msh <-- gmsh <-- meshes/*.geo
+//!                        |
+//!                      solve      increments > Newton > linear solve
+//!                        |
+//!                     Results --certify--> balance, penetration, Coulomb violation
+//!                        |
+//!                      output --> table, summary.json, .vtu/.pvd
+//! ```
+
+pub mod analytic;
+pub mod material;
+pub mod mesh;
+pub mod results;
+pub mod scene;

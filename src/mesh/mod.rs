@@ -1,0 +1,85 @@
+//! Hexahedral meshes: bodies made of hexahedra, named surfaces made of their outer faces.
+
+/// An eight-node hexahedral mesh with named bodies and named surfaces.
+///
+/// Nodes of a hexahedron are in the order of gmsh, VTK, Abaqus and CalculiX:
+///
+/// ```text
+///         7--------6
+///        /|       /|        w
+///       4--------5 |        |  v
+///       | |      | |        | /
+///       | 3------|-2        |/
+///       |/       |/         +---- u
+///       0--------1
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mesh {
+    /// Where the mesh came from, for messages: a file name or a description.
+    pub source: String,
+    /// Node coordinates, in the length unit of the scene.
+    pub points: Vec<[f64; 3]>,
+    /// Node indices of each hexahedron; the elements of a body stand together.
+    pub hexes: Vec<[u32; 8]>,
+    /// The bodies, in the order of their elements. They cover all of `hexes`.
+    pub bodies: Vec<Body>,
+    /// Named surfaces.
+    pub surfaces: Vec<Surface>,
+    /// The fingerprint of the template parameters that made the mesh, where the file carries one.
+    pub fingerprint: Option<String>,
+}
+
+/// A physical volume.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Body {
+    pub name: String,
+    /// Its elements, as a range of [`Mesh::hexes`].
+    pub elements: std::ops::Range<usize>,
+}
+
+/// A physical surface: outer faces of hexahedra.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Surface {
+    pub name: String,
+    pub faces: Vec<Face>,
+}
+
+/// An outer face of a hexahedron, its nodes counter-clockwise seen from outside the body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Face {
+    pub nodes: [u32; 4],
+    /// The hexahedron it belongs to.
+    pub element: u32,
+}
+
+impl Mesh {
+    /// Index of the body called `name`.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|b| b.name == name)
+    }
+
+    /// The surface called `name`.
+    pub fn surface(&self, name: &str) -> Option<&Surface> {
+        self.surfaces.iter().find(|s| s.name == name)
+    }
+
+    /// The body that element `element` belongs to.
+    pub fn body_of(&self, element: usize) -> usize {
+        self.bodies.partition_point(|b| b.elements.end <= element)
+    }
+
+    /// Corner coordinates of element `element`.
+    pub fn corners(&self, element: usize) -> [[f64; 3]; 8] {
+        self.hexes[element].map(|n| self.points[n as usize])
+    }
+}
+
+impl Surface {
+    /// The nodes of the surface, ascending, each once.
+    pub fn nodes(&self) -> Vec<u32> {
+        let mut nodes: Vec<u32> = self.faces.iter().flat_map(|f| f.nodes).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        nodes
+    }
+}

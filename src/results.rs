@@ -1,0 +1,49 @@
+//! Fields of a solved scene.
+
+/// The converged state at the end of an increment, in the units of the scene.
+#[derive(Debug, Clone, Default)]
+pub struct State {
+    /// Step index and share of the step that is done, in (0, 1].
+    pub step: usize,
+    pub time: f64,
+    /// Displacement of every node.
+    pub displacement: Vec<[f64; 3]>,
+    /// Stress xx yy zz xy yz zx at the eight integration points of every element.
+    pub stress: Vec<[[f64; 6]; 8]>,
+    /// Equivalent plastic strain at the eight integration points of every element.
+    pub peeq: Vec<[f64; 8]>,
+    /// One field a contact pair, in the order of the scene.
+    pub contacts: Vec<ContactField>,
+    /// Travel of the rigid planes, in the order of the scene.
+    pub planes: Vec<PlaneField>,
+}
+
+/// What happens on the carrier surface of a contact pair, node by node.
+#[derive(Debug, Clone, Default)]
+pub struct ContactField {
+    /// Mesh nodes of the carrier surface, ascending.
+    pub nodes: Vec<u32>,
+    /// Contact pressure, compression positive.
+    pub pressure: Vec<f64>,
+    /// Gap, open positive; infinite where nothing is within reach.
+    pub gap: Vec<f64>,
+    /// Tangential traction on the lower body.
+    pub traction: Vec<[f64; 3]>,
+    /// Accumulated slip length.
+    pub slip: Vec<f64>,
+    /// 0 open, 1 stick, 2 slip.
+    pub status: Vec<u8>,
+    /// Area that each node stands for (the integral of its shape function over the covered area).
+    pub area: Vec<f64>,
+    /// Contact force of each node on the lower body.
+    pub force: Vec<[f64; 3]>,
+}
+
+/// A rigid plane in a converged state.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PlaneField {
+    /// Displacement of the plane, from the state in which all interfaces just touch.
+    pub travel: [f64; 3],
+    /// Total force on the plane (applied, or the reaction where held), modelled part only.
+    pub force: [f64; 3],
+}

@@ -1,0 +1,151 @@
+//! The model as the solver sees it: bodies, contact pairs, supports, loads and steps.
+//!
+//! A scene knows nothing of bearings, case files or units: all numbers are in one consistent
+//! unit system, whatever it is.
+
+use crate::material::Steel;
+use crate::mesh::Mesh;
+
+/// Everything the solver needs.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    pub name: String,
+    pub mesh: Mesh,
+    /// One steel a body, in the order of [`Mesh::bodies`].
+    pub materials: Vec<Steel>,
+    pub contacts: Vec<ContactPair>,
+    pub supports: Vec<Support>,
+    pub rigid_planes: Vec<RigidPlane>,
+    pub tractions: Vec<Traction>,
+    pub steps: Vec<Step>,
+    /// Axes (0, 1, 2) that the model is mirrored along: `[0, 1]` is a quarter model.
+    pub mirrors: Vec<usize>,
+    pub controls: Controls,
+}
+
+/// Two surfaces, or a surface and a rigid plane, that may touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactPair {
+    /// `<upper>-<lower>`.
+    pub name: String,
+    pub upper: Partner,
+    pub lower: Partner,
+    /// The side whose nodes carry the contact pressure; never a plane.
+    pub carrier: Side,
+    /// Coulomb's coefficient; zero makes no tangential unknowns.
+    pub friction: f64,
+    /// Multiplies the automatic penalty.
+    pub penalty_factor: f64,
+    /// Take a surface whose nodes lie on a circular cylinder, cone or sphere as that true shape
+    /// in the initial gap, not as its facets.
+    pub true_geometry: bool,
+}
+
+/// One side of a contact pair.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Partner {
+    /// A named surface of the mesh.
+    Surface(String),
+    /// A rigid half space behind the plane through `point`; `normal` is the outward unit normal.
+    Plane { point: [f64; 3], normal: [f64; 3] },
+}
+
+/// Which partner of a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    Upper,
+    Lower,
+}
+
+/// Prescribed displacement components on a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Support {
+    pub name: String,
+    pub surface: String,
+    /// Displacement of each component, `None` where free. Times the factor of the step.
+    pub components: [Option<f64>; 3],
+}
+
+/// A surface that translates as a rigid plane without rotating.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RigidPlane {
+    pub name: String,
+    pub surface: String,
+    pub motion: [PlaneMotion; 3],
+}
+
+/// What a rigid plane does along one axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlaneMotion {
+    /// Displaced by this much (times the factor of the step), all nodes alike.
+    Held(f64),
+    /// Free to move, all nodes alike, under this total force on the *modelled* part
+    /// (times the factor of the step).
+    Driven(f64),
+    /// Every node free.
+    Free,
+}
+
+/// A force per area on a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Traction {
+    pub name: String,
+    pub surface: String,
+    pub value: TractionValue,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TractionValue {
+    /// Compression positive, along the inward normal.
+    Pressure(f64),
+    /// In the directions of the axes.
+    Vector([f64; 3]),
+}
+
+/// One step: loads and prescribed displacements move linearly to these factors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    pub name: String,
+    /// Factor at the end of the step for every support, plane and traction not named below.
+    pub factor: f64,
+    /// Factors by name of support, plane or traction.
+    pub factors: Vec<(String, f64)>,
+}
+
+impl Step {
+    /// The factor that the support, plane or traction called `name` has at the end of the step.
+    pub fn factor_of(&self, name: &str) -> f64 {
+        let own = self.factors.iter().find(|(n, _)| n == name);
+        own.map_or(self.factor, |(_, factor)| *factor)
+    }
+}
+
+/// Numerical controls, all relative and without units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Controls {
+    /// Residual force relative to the applied force.
+    pub residual: f64,
+    /// Largest penetration relative to the approach of the bodies.
+    pub penetration: f64,
+    /// First increment, as a share of a step.
+    pub first_increment: f64,
+    /// Smallest increment, as a share of a step.
+    pub smallest_increment: f64,
+    /// Newton iterations an increment may take before it is cut back.
+    pub iterations: usize,
+    /// Integrate plasticity? `false` keeps every body elastic.
+    pub plasticity: bool,
+}
+
+impl Default for Controls {
+    fn default() -> Self {
+        Self {
+            residual: 1e-8,
+            penetration: 1e-5,
+            first_increment: 0.25,
+            smallest_increment: 1e-4,
+            iterations: 40,
+            plasticity: true,
+        }
+    }
+}

@@ -47,3 +47,20 @@ pub struct PlaneField {
     /// Total force on the plane (applied, or the reaction where held), modelled part only.
     pub force: [f64; 3],
 }
+
+impl ContactField {
+    /// A field on `nodes` that touches nowhere.
+    pub fn open(nodes: Vec<u32>) -> Self {
+        let count = nodes.len();
+        Self {
+            nodes,
+            pressure: vec![0.0; count],
+            gap: vec![f64::INFINITY; count],
+            traction: vec![[0.0; 3]; count],
+            slip: vec![0.0; count],
+            status: vec![0; count],
+            area: vec![0.0; count],
+            force: vec![[0.0; 3]; count],
+        }
+    }
+}

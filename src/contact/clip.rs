@@ -1,0 +1,62 @@
+//! Overlap of two convex polygons in a plane.
+
+pub type Point = [f64; 2];
+
+/// The part of `subject` inside `window`, both counter-clockwise and convex
+/// (Sutherland and Hodgman 1974). Empty where they do not overlap.
+pub fn intersect(subject: &[Point], window: &[Point]) -> Vec<Point> {
+    let mut polygon = subject.to_vec();
+    for (k, a) in window.iter().enumerate() {
+        let b = window[(k + 1) % window.len()];
+        let side = |p: &Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+        let mut next = Vec::with_capacity(polygon.len() + 2);
+        for (i, p) in polygon.iter().enumerate() {
+            let q = polygon[(i + 1) % polygon.len()];
+            let (sp, sq) = (side(p), side(&q));
+            if sp >= 0.0 {
+                next.push(*p);
+            }
+            if (sp > 0.0 && sq < 0.0) || (sp < 0.0 && sq > 0.0) {
+                let t = sp / (sp - sq);
+                next.push([p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])]);
+            }
+        }
+        polygon = next;
+        if polygon.len() < 3 {
+            return Vec::new();
+        }
+    }
+    polygon
+}
+
+/// Area of a polygon, positive if counter-clockwise.
+pub fn area(polygon: &[Point]) -> f64 {
+    let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    0.5 * pairs.map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: [Point; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+
+    #[test]
+    fn a_shifted_square_overlaps_in_a_quarter() {
+        let moved = UNIT.map(|p| [p[0] + 0.5, p[1] + 0.5]);
+        assert!((area(&intersect(&UNIT, &moved)) - 0.25).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_square_overlaps_itself_whole_and_its_neighbour_not_at_all() {
+        assert_eq!(area(&intersect(&UNIT, &UNIT)), 1.0);
+        let beside = UNIT.map(|p| [p[0] + 1.0, p[1]]);
+        assert!(area(&intersect(&UNIT, &beside)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_diamond_inside_stays_whole() {
+        let diamond = [[0.5, 0.1], [0.9, 0.5], [0.5, 0.9], [0.1, 0.5]];
+        assert!((area(&intersect(&diamond, &UNIT)) - 0.32).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,278 @@
+//! The constant contact operator of a pair: one row a carrier node.
+//!
+//! At carrier node A with hat function N_A the pair sees the weighted mean of the relative
+//! displacement, d_A = (1/w_A) ∫ N_A (u_carrier − u_opposite) dA, w_A = ∫ N_A dA, and likewise of
+//! the initial gap. A contact traction z_A (the force that the carrier puts on the other side,
+//! per area) acts on both sides with the same integrals, so that forces balance exactly and a
+//! uniform pressure passes the patch test on meshes that do not match.
+
+use super::search::FacetTree;
+use super::segment::{FacetPlane, SegmentPoint, interpolate};
+use crate::geometry::{Vec3, add, dot, scale, sub, tangents, unit};
+use crate::mesh::shape::{self, Shape};
+use crate::mesh::{Face, Mesh, Surface};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Contact row of one carrier node.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// The carrier node.
+    pub node: u32,
+    /// Area w_A that the node stands for, covered by the other side.
+    pub area: f64,
+    /// d_A = Σ coefficient · displacement over nodes of both sides (other side negative).
+    pub terms: Vec<(u32, f64)>,
+    /// Unit normal from the carrier to the other side, and two tangents.
+    pub normal: Vec3,
+    pub tangents: [Vec3; 2],
+    /// Initial gap, open positive.
+    pub gap: f64,
+    /// Stiffness per area of the material next to the contact: the scale of the penalty.
+    pub stiffness: f64,
+}
+
+/// The other side of a pair.
+pub enum Opposite<'a> {
+    Surface(&'a Surface),
+    /// A rigid half space; outward unit normal.
+    Plane { point: Vec3, normal: Vec3 },
+}
+
+/// What the integration needs to know of a pair.
+pub struct Pair<'a> {
+    pub mesh: &'a Mesh,
+    pub carrier: &'a Surface,
+    pub opposite: Opposite<'a>,
+    /// Replace facets by the cylinder, sphere or plane that they stand for.
+    pub true_geometry: bool,
+    /// Rows with a larger initial gap are left out.
+    pub reach: f64,
+    /// Young's modulus over 1 − ν² of each body.
+    pub moduli: &'a [f64],
+    /// Axes whose coordinate planes mirror the model.
+    pub mirrors: &'a [usize],
+}
+
+/// One side's faces with what is needed of them at a quadrature point.
+struct Side<'a> {
+    faces: &'a [Face],
+    corners: Vec<[Vec3; 4]>,
+    normals: Vec<Vec3>,
+    /// Stiffness per area of the element below each face.
+    stiffness: Vec<f64>,
+    shape: Shape,
+}
+
+/// What a facet pair adds to the row of a carrier node.
+#[derive(Default)]
+struct Accumulated {
+    area: f64,
+    terms: BTreeMap<u32, f64>,
+    normal: Vec3,
+    gap: Vec3,
+    stiffness: f64,
+}
+
+/// Integrates a pair. Also returns the smallest distance of the two sides at any quadrature
+/// point or facet corner (negative where they overlap), `None` where nothing is within reach.
+pub fn rows(pair: &Pair) -> (Vec<Row>, Option<f64>) {
+    let carrier = Side::new(pair, pair.carrier);
+    let opposite = match pair.opposite {
+        Opposite::Surface(surface) => Some(Side::new(pair, surface)),
+        Opposite::Plane { .. } => None,
+    };
+    let tree = opposite.as_ref().map(|side| FacetTree::new(&side.corners));
+    // In parallel over carrier facets; summed below in their order, whatever the thread count.
+    let pieces: Vec<_> = (0..carrier.faces.len())
+        .into_par_iter()
+        .map(|index| match (&pair.opposite, &opposite, &tree) {
+            (Opposite::Plane { point, normal }, _, _) => {
+                facet_on_plane(pair, &carrier, index, *point, *normal)
+            }
+            (_, Some(opposite), Some(tree)) => {
+                facet_on_surface(pair, &carrier, index, opposite, tree)
+            }
+            _ => (Vec::new(), f64::INFINITY),
+        })
+        .collect();
+    let mut nodes: BTreeMap<u32, Accumulated> = BTreeMap::new();
+    let mut closest = f64::INFINITY;
+    for (points, distance) in pieces {
+        closest = closest.min(distance);
+        for point in points {
+            point.add_to(&mut nodes);
+        }
+    }
+    let rows = nodes.into_iter().filter_map(|(node, sum)| sum.finish(node, pair)).collect();
+    (rows, closest.is_finite().then_some(closest))
+}
+
+/// A quadrature point with everything that its carrier nodes gather.
+struct Contribution {
+    carrier_nodes: [u32; 4],
+    opposite_nodes: Option<[u32; 4]>,
+    point: SegmentPoint,
+    gap: Vec3,
+    normal: Vec3,
+    stiffness: f64,
+}
+
+impl Contribution {
+    fn add_to(&self, nodes: &mut BTreeMap<u32, Accumulated>) {
+        for (a, shape) in self.carrier_nodes.iter().zip(self.point.carrier) {
+            let weight = shape * self.point.area;
+            let sum = nodes.entry(*a).or_default();
+            sum.area += weight;
+            sum.stiffness += weight * self.stiffness;
+            sum.normal = add(sum.normal, scale(self.normal, weight));
+            sum.gap = add(sum.gap, scale(self.gap, weight));
+            for (b, n) in self.carrier_nodes.iter().zip(self.point.carrier) {
+                *sum.terms.entry(*b).or_default() += weight * n;
+            }
+            for (b, n) in self.opposite_nodes.iter().flatten().zip(self.point.opposite) {
+                *sum.terms.entry(*b).or_default() -= weight * n;
+            }
+        }
+    }
+}
+
+impl Accumulated {
+    fn finish(self, node: u32, pair: &Pair) -> Option<Row> {
+        let mut normal = self.normal;
+        for &axis in pair.mirrors {
+            // On a mirror plane the other half turns the mean normal into the plane.
+            let x = pair.mesh.points[node as usize];
+            let size = x.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+            if x[axis].abs() <= 1e-9 * size {
+                normal[axis] = 0.0;
+            }
+        }
+        let normal = unit(normal)?;
+        if self.area <= 0.0 {
+            return None;
+        }
+        let gap = dot(self.gap, normal) / self.area;
+        (gap <= pair.reach).then(|| Row {
+            node,
+            area: self.area,
+            terms: self.terms.into_iter().map(|(n, c)| (n, c / self.area)).collect(),
+            normal,
+            tangents: tangents(normal),
+            gap,
+            stiffness: self.stiffness / self.area,
+        })
+    }
+}
+
+impl<'a> Side<'a> {
+    fn new(pair: &Pair, surface: &'a Surface) -> Self {
+        let mesh = pair.mesh;
+        let corners: Vec<[Vec3; 4]> =
+            surface.faces.iter().map(|f| f.nodes.map(|n| mesh.points[n as usize])).collect();
+        let normals = corners
+            .iter()
+            .map(|c| FacetPlane::new(c).map_or([0.0; 3], |plane| plane.normal))
+            .collect();
+        let stiffness = surface.faces.iter().zip(&corners).map(|(face, corners)| {
+            let thickness = depth(mesh, face, corners);
+            pair.moduli[mesh.body_of(face.element as usize)] / thickness
+        });
+        Self {
+            faces: &surface.faces,
+            stiffness: stiffness.collect(),
+            corners,
+            normals,
+            shape: if pair.true_geometry { shape::fit(mesh, surface) } else { Shape::Facets },
+        }
+    }
+
+    /// True position and outward normal at shape functions `n` of face `index`.
+    fn at(&self, index: usize, n: &[f64; 4]) -> (Vec3, Vec3) {
+        let point = interpolate(&self.corners[index], n);
+        self.shape.project(point).unwrap_or((point, self.normals[index]))
+    }
+}
+
+/// Depth of the element below a face: its volume over the face's area.
+fn depth(mesh: &Mesh, face: &Face, corners: &[Vec3; 4]) -> f64 {
+    let geometry = crate::fem::hex8::Geometry::new(&mesh.corners(face.element as usize));
+    let diagonals = crate::geometry::cross(sub(corners[2], corners[0]), sub(corners[3], corners[1]));
+    geometry.volume / (0.5 * crate::geometry::norm(diagonals))
+}
+
+fn facet_on_surface(
+    pair: &Pair,
+    carrier: &Side,
+    index: usize,
+    opposite: &Side,
+    tree: &FacetTree,
+) -> (Vec<Contribution>, f64) {
+    let mut out = Vec::new();
+    let mut closest = f64::INFINITY;
+    let corners = &carrier.corners[index];
+    let Some(plane) = FacetPlane::new(corners) else { return (out, closest) };
+    for other in tree.near(corners, pair.reach) {
+        if dot(plane.normal, opposite.normals[other]) > -0.3 {
+            continue;
+        }
+        for point in plane.overlap(&opposite.corners[other]) {
+            let (xs, ns) = carrier.at(index, &point.carrier);
+            let (xm, nm) = opposite.at(other, &point.opposite);
+            let gap = sub(xm, xs);
+            let distance = dot(gap, plane.normal);
+            if distance.abs() > 4.0 * pair.reach {
+                continue;
+            }
+            closest = closest.min(distance);
+            out.push(Contribution {
+                carrier_nodes: carrier.faces[index].nodes,
+                opposite_nodes: Some(opposite.faces[other].nodes),
+                point,
+                gap,
+                normal: sub(ns, nm),
+                stiffness: series(carrier.stiffness[index], opposite.stiffness[other]),
+            });
+        }
+    }
+    (out, closest)
+}
+
+fn facet_on_plane(
+    pair: &Pair,
+    carrier: &Side,
+    index: usize,
+    origin: Vec3,
+    normal: Vec3,
+) -> (Vec<Contribution>, f64) {
+    let mut closest = f64::INFINITY;
+    let Some(plane) = FacetPlane::new(&carrier.corners[index]) else {
+        return (Vec::new(), closest);
+    };
+    if dot(plane.normal, normal) > -0.3 {
+        return (Vec::new(), closest);
+    }
+    let mut out = Vec::new();
+    for point in plane.whole() {
+        let (x, _) = carrier.at(index, &point.carrier);
+        let distance = dot(sub(x, origin), normal);
+        if distance.abs() > 4.0 * pair.reach {
+            continue;
+        }
+        closest = closest.min(distance);
+        out.push(Contribution {
+            carrier_nodes: carrier.faces[index].nodes,
+            opposite_nodes: None,
+            point,
+            gap: scale(normal, -distance),
+            normal: scale(normal, -1.0),
+            stiffness: carrier.stiffness[index],
+        });
+    }
+    (out, closest)
+}
+
+/// Two layers in series.
+fn series(a: f64, b: f64) -> f64 {
+    a * b / (a + b)
+}

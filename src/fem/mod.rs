@@ -1,0 +1,6 @@
+//! Discretisation of the bodies: the hexahedron, its strains, and what is assembled from it.
+
+pub mod bbar;
+pub mod dofs;
+pub mod hex8;
+pub mod loads;

@@ -1,0 +1,43 @@
+//! Small vector arithmetic on `[f64; 3]`.
+
+pub type Vec3 = [f64; 3];
+
+pub fn add(a: Vec3, b: Vec3) -> Vec3 {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn scale(a: Vec3, s: f64) -> Vec3 {
+    [a[0] * s, a[1] * s, a[2] * s]
+}
+
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub fn norm(a: Vec3) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// `a` scaled to length one; `None` where it has no direction.
+pub fn unit(a: Vec3) -> Option<Vec3> {
+    let length = norm(a);
+    (length > 0.0 && length.is_finite()).then(|| scale(a, 1.0 / length))
+}
+
+/// Two unit vectors that make a right-handed frame with the unit vector `n`.
+pub fn tangents(n: Vec3) -> [Vec3; 2] {
+    // The axis least aligned with n, so that the cross product is well conditioned.
+    let least = (0..3).min_by(|i, j| n[*i].abs().total_cmp(&n[*j].abs())).unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[least] = 1.0;
+    let first = unit(cross(axis, n)).unwrap_or([1.0, 0.0, 0.0]);
+    [first, cross(n, first)]
+}

@@ -1,0 +1,6 @@
+//! Sparse symmetric linear algebra: pattern, ordering, factor, Krylov methods.
+
+pub mod cholesky;
+pub mod krylov;
+pub mod ordering;
+pub mod sparse;

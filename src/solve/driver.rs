@@ -1,0 +1,459 @@
+//! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
+
+use super::evaluate::{Evaluation, History};
+use super::model::{Counters, Model};
+use super::newton::{self, Failure, LinearSolver, Point};
+use super::observer::Observer;
+use super::start::{self, Closing};
+use crate::contact::law::Status;
+use crate::fem::bbar;
+use crate::fem::dofs::{Conflict, FIXED};
+use crate::linear::cholesky::FactorError;
+use crate::results::{ContactField, PlaneField, State};
+use crate::scene::{Partner, Scene, Side};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// What a solved scene leaves behind.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The state at the end of each step; after an interruption, the last accepted one.
+    pub states: Vec<State>,
+    pub counters: Counters,
+    /// Bodies that were moved into touch before the load.
+    pub closings: Vec<Closing>,
+    /// Contact pairs that never came within reach of each other.
+    pub untouched: Vec<String>,
+    /// Were all steps finished?
+    pub complete: bool,
+}
+
+/// Why a scene could not be solved. What was accepted before went to the observer.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum SolveError {
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Conflict(#[from] Conflict),
+    #[error("nothing is free to move: every displacement component is prescribed")]
+    #[diagnostic(code(brinell::solve::nothing_free), help("free a surface, or apply a load"))]
+    NothingFree,
+    #[error("{0}")]
+    #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
+    Factor(#[from] FactorError),
+    #[error("body `{body}` is free to move along {axis}: no support and no contact holds it")]
+    #[diagnostic(
+        code(brinell::solve::free_body),
+        help("support it, bring it into contact, or give the contact friction")
+    )]
+    FreeBody { body: String, axis: char },
+    #[error(
+        "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
+         iterations the residual was {residual:.1e} of the load and the largest contact violation \
+         {penetration:.1e} of the displacement"
+    )]
+    #[diagnostic(
+        code(brinell::solve::not_converged),
+        help(
+            "the states up to there are kept; a load beyond the plastic limit ends like this, \
+             otherwise try a smaller first increment or a finer mesh at the contact"
+        )
+    )]
+    NotConverged {
+        step: String,
+        percent: f64,
+        iterations: usize,
+        residual: f64,
+        penetration: f64,
+    },
+    #[error("{0}")]
+    Observer(Box<dyn std::error::Error + Send + Sync>),
+}
+
+/// Solves `scene`, telling `observer` of every iteration and increment.
+///
+/// The mesh of the scene may be moved: bodies that float are brought into touch first, and the
+/// displacements count from there.
+///
+/// # Errors
+/// [`SolveError`]; increments accepted before were handed to the observer.
+pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    let extent = start::extent(scene);
+    let closings = start::close_gaps(scene, 1e-10 * extent);
+    for c in &closings {
+        let s = c.shift;
+        observer.message(&format!(
+            "{} moved by [{:.3e}, {:.3e}, {:.3e}] to close its gap",
+            c.body, s[0], s[1], s[2]
+        ));
+    }
+    let model = Model::new(scene, 1e-3 * extent)?;
+    let mut run = Run::new(model, observer);
+    let untouched = run.untouched();
+    for name in &untouched {
+        run.observer.message(&format!("contact pair {name}: nothing is within reach"));
+    }
+    let complete = run.all_steps()?;
+    Ok(Solution { states: run.states, counters: run.counters, closings, untouched, complete })
+}
+
+struct Run<'a, 'o> {
+    model: Model<'a>,
+    observer: &'o mut dyn Observer,
+    solver: LinearSolver,
+    history: History,
+    point: Point,
+    /// Unknowns and multipliers of the accepted increment before this one, for extrapolation.
+    previous: Option<Point>,
+    counters: Counters,
+    states: Vec<State>,
+}
+
+impl<'a, 'o> Run<'a, 'o> {
+    fn new(model: Model<'a>, observer: &'o mut dyn Observer) -> Self {
+        let rows = model.rows.len();
+        let counters = Counters {
+            equations: model.dofs.len(),
+            factor_entries: model.symbolic.factor_entries(),
+            contact_rows: rows,
+            ..Counters::default()
+        };
+        Self {
+            history: History {
+                plastic: vec![None; model.yielding.len()],
+                slip_origin: vec![[0.0; 2]; rows],
+                slip: vec![0.0; rows],
+            },
+            point: Point {
+                step: 0,
+                time: 0.0,
+                x: vec![0.0; model.dofs.len()],
+                multipliers: vec![[0.0; 3]; rows],
+            },
+            solver: LinearSolver::default(),
+            previous: None,
+            states: Vec::new(),
+            counters,
+            model,
+            observer,
+        }
+    }
+
+    fn untouched(&self) -> Vec<String> {
+        let pairs = self.model.scene.contacts.iter().enumerate();
+        pairs
+            .filter(|(index, _)| !self.model.rows.iter().any(|r| r.pair == *index))
+            .map(|(_, pair)| pair.name.clone())
+            .collect()
+    }
+
+    /// Returns false where the observer cancelled.
+    fn all_steps(&mut self) -> Result<bool, SolveError> {
+        for step in 0..self.model.scene.steps.len() {
+            if !self.one_step(step)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
+        let controls = self.model.scene.controls;
+        let path_matters =
+            !self.model.yielding.is_empty() || self.model.rows.iter().any(|r| r.friction > 0.0);
+        let mut size = if path_matters { controls.first_increment } else { 1.0 };
+        let mut time = 0.0;
+        self.previous = None;
+        while time < 1.0 {
+            let target = if time + 1.001 * size >= 1.0 { 1.0 } else { time + size };
+            let mut trial = self.predict(step, time, target);
+            let glued = self.glued();
+            let before = self.counters.iterations;
+            let result = newton::balance(
+                &self.model,
+                &self.history,
+                &mut trial,
+                &glued,
+                &mut self.solver,
+                self.observer,
+                &mut self.counters,
+            );
+            match result {
+                Ok(evaluation) => {
+                    if self.widen_reach(&evaluation)? {
+                        continue;
+                    }
+                    let iterations = self.counters.iterations - before;
+                    let last = target >= 1.0;
+                    self.accept(trial, &evaluation, time, last)?;
+                    time = target;
+                    if iterations <= controls.iterations / 3 {
+                        size *= 1.5;
+                    }
+                }
+                Err(Failure::Cancelled) => return Ok(false),
+                Err(failure) => {
+                    size = 0.5 * (target - time);
+                    self.counters.cut_backs += 1;
+                    self.solver = LinearSolver::default();
+                    if size < controls.smallest_increment {
+                        return Err(self.give_up(failure, step, time, before));
+                    }
+                    self.previous = None;
+                    self.observer.message(&format!(
+                        "cut back to {:.3} % of the step: {}",
+                        100.0 * (time + size),
+                        describe(&failure)
+                    ));
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// First guess at `target`: on along the last increment.
+    fn predict(&self, step: usize, time: f64, target: f64) -> Point {
+        let mut guess = self.point.clone();
+        guess.step = step;
+        guess.time = target;
+        if let Some(previous) = &self.previous {
+            let ratio = (target - time) / (time - previous.time);
+            for (x, old) in guess.x.iter_mut().zip(&previous.x) {
+                *x += ratio * (*x - old);
+            }
+            for (m, old) in guess.multipliers.iter_mut().zip(&previous.multipliers) {
+                for i in 0..3 {
+                    m[i] += ratio * (m[i] - old[i]);
+                }
+                m[0] = m[0].max(0.0);
+            }
+        }
+        guess
+    }
+
+    /// Rows that the first predictor glues: those that all but touch, where nothing presses yet.
+    fn glued(&self) -> Vec<bool> {
+        if self.point.multipliers.iter().any(|m| m[0] > 0.0) {
+            return Vec::new();
+        }
+        let mut least = vec![f64::INFINITY; self.model.scene.contacts.len()];
+        for r in &self.model.rows {
+            least[r.pair] = least[r.pair].min(r.row.gap);
+        }
+        let near = 0.02 * self.model.reach;
+        self.model.rows.iter().map(|r| r.row.gap <= least[r.pair] + near).collect()
+    }
+
+    /// Prepares contact over a wider initial gap if the bodies came closer than was prepared for.
+    fn widen_reach(&mut self, evaluation: &Evaluation) -> Result<bool, SolveError> {
+        let approach = self
+            .model
+            .rows
+            .iter()
+            .zip(&evaluation.relative)
+            .map(|(r, d)| r.row.gap + d[0])
+            .fold(0.0, f64::max);
+        if approach <= self.model.reach {
+            return Ok(false);
+        }
+        let key = |r: &super::model::ContactRow| (r.pair, r.row.node);
+        let old: BTreeMap<_, usize> =
+            self.model.rows.iter().enumerate().map(|(i, r)| (key(r), i)).collect();
+        self.observer.message(&format!(
+            "bodies approach by {approach:.3e}, more than contact was prepared for: widened"
+        ));
+        let model = Model::new(self.model.scene, 2.0 * approach)?;
+        let map: Vec<Option<usize>> =
+            model.rows.iter().map(|r| old.get(&key(r)).copied()).collect();
+        fn carry<T: Copy + Default>(map: &[Option<usize>], from: &[T]) -> Vec<T> {
+            map.iter().map(|i| i.map_or(T::default(), |i| from[i])).collect()
+        }
+        self.point.multipliers = carry(&map, &self.point.multipliers);
+        self.history.slip_origin = carry(&map, &self.history.slip_origin);
+        self.history.slip = carry(&map, &self.history.slip);
+        self.previous = None;
+        self.solver = LinearSolver::default();
+        self.counters.contact_rows = model.rows.len();
+        self.counters.factor_entries = model.symbolic.factor_entries();
+        self.model = model;
+        Ok(true)
+    }
+
+    fn accept(
+        &mut self,
+        trial: Point,
+        evaluation: &Evaluation,
+        time_before: f64,
+        last: bool,
+    ) -> Result<(), SolveError> {
+        for answer in &evaluation.plastic {
+            self.history.plastic[answer.index] = Some(answer.points.clone());
+        }
+        for (index, (answer, d)) in
+            evaluation.contact.iter().zip(&evaluation.relative).enumerate()
+        {
+            if answer.status == Status::Slip {
+                self.history.slip[index] += d[1].hypot(d[2]);
+            }
+            for i in 0..2 {
+                self.history.slip_origin[index][i] += d[1 + i];
+            }
+        }
+        let mut accepted = trial;
+        accepted.multipliers = evaluation.contact.iter().map(|a| a.traction).collect();
+        let mut before = std::mem::replace(&mut self.point, accepted);
+        before.time = time_before;
+        self.previous = (time_before > 0.0).then_some(before);
+        let state = self.state(evaluation);
+        self.observer.increment(&state).map_err(SolveError::Observer)?;
+        // Keep the end of each step, and whatever came last.
+        let replace = self.states.last().is_some_and(|s| s.step == state.step);
+        if replace {
+            self.states.pop();
+        }
+        let _ = last;
+        self.states.push(state);
+        Ok(())
+    }
+
+    /// The accepted state in the terms of the scene.
+    fn state(&self, evaluation: &Evaluation) -> State {
+        let (model, point) = (&self.model, &self.point);
+        let displacement = model.displacement(&point.x, point.step, point.time);
+        let (stress, peeq) = self.stresses(&displacement);
+        State {
+            step: point.step,
+            time: point.time,
+            contacts: self.contact_fields(evaluation),
+            planes: self.plane_fields(&displacement),
+            displacement,
+            stress,
+            peeq,
+        }
+    }
+
+    fn stresses(&self, u: &[[f64; 3]]) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
+        let mesh = &self.model.scene.mesh;
+        let mut plastic = vec![None; mesh.hexes.len()];
+        for (element, history) in self.model.yielding.iter().zip(&self.history.plastic) {
+            plastic[*element as usize] = history.as_deref();
+        }
+        (0..mesh.hexes.len())
+            .into_par_iter()
+            .map(|element| {
+                let local = mesh.hexes[element].map(|n| u[n as usize]);
+                let geometry = self.model.geometry(element as u32);
+                let elastic = &self.model.elastic[mesh.body_of(element)];
+                let points = plastic[element].copied().unwrap_or_default();
+                let stress = std::array::from_fn(|k| {
+                    let mut strain = bbar::strain(&geometry, k, &local);
+                    for (e, p) in strain.iter_mut().zip(points[k].strain) {
+                        *e -= p;
+                    }
+                    elastic.stress(&strain)
+                });
+                (stress, points.map(|p| p.peeq))
+            })
+            .unzip()
+    }
+
+    fn contact_fields(&self, evaluation: &Evaluation) -> Vec<ContactField> {
+        let scene = self.model.scene;
+        let mut fields: Vec<ContactField> = scene
+            .contacts
+            .iter()
+            .map(|pair| {
+                let carrier = match pair.carrier {
+                    Side::Upper => &pair.upper,
+                    Side::Lower => &pair.lower,
+                };
+                let nodes = match carrier {
+                    Partner::Surface(name) => {
+                        scene.mesh.surface(name).map(|s| s.nodes()).unwrap_or_default()
+                    }
+                    Partner::Plane { .. } => Vec::new(),
+                };
+                ContactField::open(nodes)
+            })
+            .collect();
+        for (index, row) in self.model.rows.iter().enumerate() {
+            let field = &mut fields[row.pair];
+            let Ok(at) = field.nodes.binary_search(&row.row.node) else { continue };
+            let (answer, d) = (&evaluation.contact[index], &evaluation.relative[index]);
+            let sign = match scene.contacts[row.pair].carrier {
+                Side::Upper => 1.0,
+                Side::Lower => -1.0,
+            };
+            let [pressure, s, t] = answer.traction;
+            field.pressure[at] = pressure;
+            field.gap[at] = -d[0];
+            field.traction[at] = row.global(&[0.0, s, t]).map(|v| sign * v);
+            field.slip[at] = self.history.slip[index];
+            field.status[at] = answer.status as u8;
+            field.area[at] = row.row.area;
+            field.force[at] =
+                row.global(&answer.traction).map(|v| sign * v * row.row.area);
+        }
+        fields
+    }
+
+    fn plane_fields(&self, u: &[[f64; 3]]) -> Vec<PlaneField> {
+        let (model, point) = (&self.model, &self.point);
+        let planes = model.scene.rigid_planes.iter().zip(&model.dofs.planes);
+        planes
+            .map(|(plane, equations)| {
+                let node = model.scene.mesh.surface(&plane.surface).and_then(|s| s.faces.first());
+                let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
+                let factor = model.factor(&plane.name, point.step, point.time);
+                let force = std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
+                    (crate::scene::PlaneMotion::Driven(load), Some(_)) => factor * load,
+                    _ => 0.0,
+                });
+                PlaneField { travel, force }
+            })
+            .collect()
+    }
+
+    fn give_up(&self, failure: Failure, step: usize, time: f64, before: usize) -> SolveError {
+        match failure {
+            Failure::Runaway { node, axis } => self.free_body(node, axis),
+            Failure::Factor(FactorError::NotPositiveDefinite { equation }) => {
+                let found = self.model.dofs.equations.iter().enumerate().find_map(|(n, axes)| {
+                    axes.iter().position(|e| *e != FIXED && *e as usize == equation).map(|a| (n, a))
+                });
+                match found {
+                    Some((node, axis)) => self.free_body(node as u32, axis),
+                    None => SolveError::Factor(FactorError::NotPositiveDefinite { equation }),
+                }
+            }
+            Failure::Factor(error) => SolveError::Factor(error),
+            Failure::Slow { residual, penetration } => SolveError::NotConverged {
+                step: self.model.scene.steps[step].name.clone(),
+                percent: 100.0 * time,
+                iterations: self.counters.iterations - before,
+                residual,
+                penetration,
+            },
+            Failure::Cancelled => SolveError::NothingFree,
+        }
+    }
+
+    fn free_body(&self, node: u32, axis: usize) -> SolveError {
+        let mesh = &self.model.scene.mesh;
+        let element = mesh.hexes.iter().position(|h| h.contains(&node)).unwrap_or(0);
+        SolveError::FreeBody {
+            body: mesh.bodies[mesh.body_of(element)].name.clone(),
+            axis: ['x', 'y', 'z'][axis],
+        }
+    }
+}
+
+fn describe(failure: &Failure) -> String {
+    match failure {
+        Failure::Slow { residual, penetration } => format!(
+            "slow convergence (residual {residual:.1e}, contact violation {penetration:.1e})"
+        ),
+        Failure::Runaway { .. } => "displacements left the model".to_owned(),
+        Failure::Factor(error) => error.to_string(),
+        Failure::Cancelled => "cancelled".to_owned(),
+    }
+}

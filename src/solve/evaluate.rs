@@ -1,0 +1,263 @@
+//! Residual and tangent at a displacement.
+
+use super::model::Model;
+use crate::contact::law::{self, Answer, Status};
+use crate::fem::bbar::{self, ElementVector};
+use crate::linear::sparse::SymmetricMatrix;
+use crate::material::j2::{self, PlasticPoint};
+use rayon::prelude::*;
+
+/// Plastic history of an element's integration points; `None` while it never yielded.
+pub type PlasticElement = Option<Box<[PlasticPoint; 8]>>;
+
+/// What is carried from increment to increment.
+#[derive(Clone)]
+pub struct History {
+    /// Plastic state by element of [`Model::yielding`].
+    pub plastic: Vec<PlasticElement>,
+    /// Relative tangential displacement of each contact row at the last increment.
+    pub slip_origin: Vec<[f64; 2]>,
+    /// Accumulated slip length of each row.
+    pub slip: Vec<f64>,
+}
+
+/// An element that yields, or has yielded before.
+pub struct PlasticAnswer {
+    /// Position in [`Model::yielding`].
+    pub index: usize,
+    pub points: Box<[PlasticPoint; 8]>,
+    pub flows: [Option<j2::Flow>; 8],
+    /// Force that the plastic strain takes off the elastic answer.
+    relief: ElementVector,
+}
+
+/// Everything known at a trial displacement.
+pub struct Evaluation {
+    /// External minus internal minus contact forces.
+    pub residual: Vec<f64>,
+    /// Contact answers and relative displacements, row by row.
+    pub contact: Vec<Answer>,
+    pub relative: Vec<[f64; 3]>,
+    pub plastic: Vec<PlasticAnswer>,
+}
+
+/// A trial point: the unknowns, the contact multipliers, and where in the load history it is.
+pub struct Trial<'t> {
+    pub x: &'t [f64],
+    pub multipliers: &'t [[f64; 3]],
+    /// Rows that are glued for the first predictor, or empty.
+    pub glued: &'t [bool],
+    pub external: &'t [f64],
+    pub step: usize,
+    pub time: f64,
+}
+
+impl Model<'_> {
+    /// Residual, contact and plastic answers at a trial point.
+    pub fn evaluate(&self, history: &History, trial: &Trial) -> Evaluation {
+        let u = self.displacement(trial.x, trial.step, trial.time);
+        let mut internal = vec![0.0; self.dofs.len()];
+        self.pattern.multiply(&self.stiffness, trial.x, &mut internal);
+        let plastic = self.plastic_answers(history, &u);
+        let mut nodal = vec![[0.0; 3]; u.len()];
+        for answer in &plastic {
+            let nodes = self.scene.mesh.hexes[self.yielding[answer.index] as usize];
+            for (node, relief) in nodes.iter().zip(&answer.relief) {
+                for axis in 0..3 {
+                    nodal[*node as usize][axis] += relief[axis];
+                }
+            }
+        }
+        let (contact, relative) = self.contact_answers(history, trial, &u);
+        for (row, answer) in self.rows.iter().zip(&contact) {
+            if answer.status == Status::Open {
+                continue;
+            }
+            let force = row.global(&answer.traction).map(|t| t * row.row.area);
+            for (node, coefficient) in &row.row.terms {
+                for axis in 0..3 {
+                    nodal[*node as usize][axis] -= coefficient * force[axis];
+                }
+            }
+        }
+        let mut residual = self.dofs.gather(&nodal);
+        for ((r, external), internal) in residual.iter_mut().zip(trial.external).zip(internal) {
+            *r += external - internal;
+        }
+        Evaluation { residual, contact, relative, plastic }
+    }
+
+    fn plastic_answers(&self, history: &History, u: &[[f64; 3]]) -> Vec<PlasticAnswer> {
+        let mesh = &self.scene.mesh;
+        self.yielding
+            .par_iter()
+            .enumerate()
+            .filter_map(|(index, &element)| {
+                let nodes = mesh.hexes[element as usize];
+                let local = nodes.map(|n| u[n as usize]);
+                let body = mesh.body_of(element as usize);
+                let (steel, elastic) = (&self.scene.materials[body], &self.elastic[body]);
+                let geometry = self.geometry(element);
+                let old = history.plastic[index].as_deref();
+                let mut points = old.copied().unwrap_or_default();
+                let mut flows = [None; 8];
+                for k in 0..8 {
+                    let strain = bbar::strain(&geometry, k, &local);
+                    let update = j2::update(steel, elastic, &strain, &points[k]);
+                    points[k] = update.point;
+                    flows[k] = update.flow;
+                }
+                if old.is_none() && flows.iter().all(Option::is_none) {
+                    return None;
+                }
+                let mut relief = [[0.0; 3]; 8];
+                for (k, point) in points.iter().enumerate() {
+                    let stress = elastic.stress(&point.strain);
+                    bbar::add_stress_force(&geometry, k, &stress, &mut relief);
+                }
+                Some(PlasticAnswer { index, points: Box::new(points), flows, relief })
+            })
+            .collect()
+    }
+
+    fn contact_answers(
+        &self,
+        history: &History,
+        trial: &Trial,
+        u: &[[f64; 3]],
+    ) -> (Vec<Answer>, Vec<[f64; 3]>) {
+        self.rows
+            .par_iter()
+            .enumerate()
+            .map(|(index, row)| {
+                let d = row.relative(u);
+                let origin = if row.friction > 0.0 { history.slip_origin[index] } else { [0.0; 2] };
+                let measured = [d[0] - row.row.gap, d[1] - origin[0], d[2] - origin[1]];
+                let law = if trial.glued.get(index) == Some(&true) {
+                    law::glued
+                } else {
+                    law::traction
+                };
+                let answer =
+                    law(row.friction, row.penalty, &trial.multipliers[index], &measured);
+                (answer, measured)
+            })
+            .unzip()
+    }
+
+    /// Symmetric part of the tangent: bodies with what flows, contact without the coupling of
+    /// friction to pressure (see [`Model::add_coupling`]).
+    pub fn tangent(&self, evaluation: &Evaluation) -> SymmetricMatrix {
+        let mut matrix = self.stiffness.clone();
+        let changes: Vec<_> = evaluation
+            .plastic
+            .par_iter()
+            .filter(|a| a.flows.iter().any(Option::is_some))
+            .map(|answer| {
+                let element = self.yielding[answer.index];
+                let body = self.scene.mesh.body_of(element as usize);
+                let geometry = self.geometry(element);
+                let mut change = Box::new([[0.0; 24]; 24]);
+                for (k, flow) in answer.flows.iter().enumerate() {
+                    if let Some(flow) = flow {
+                        let volume = geometry.volumes[k];
+                        let factor = (flow.beta - 1.0) * self.elastic[body].shear * volume;
+                        bbar::add_deviatoric(&geometry, k, factor, &mut change);
+                        let factor = -flow.softening * volume;
+                        bbar::add_direction(&geometry, k, &flow.direction, factor, &mut change);
+                    }
+                }
+                (self.element_equations(element), change)
+            })
+            .collect();
+        for (equations, change) in changes {
+            self.pattern.add_block(&mut matrix, &equations, |i, j| change[i][j]);
+        }
+        for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
+            if answer.status != Status::Open {
+                row.add_stiffness(self, answer, &mut matrix);
+            }
+        }
+        matrix
+    }
+
+    /// Does friction couple to pressure anywhere, so that the tangent is unsymmetric?
+    pub fn is_unsymmetric(&self, evaluation: &Evaluation) -> bool {
+        let rows = self.rows.iter().zip(&evaluation.contact);
+        rows.into_iter().any(|(row, a)| row.friction > 0.0 && a.status == Status::Slip)
+    }
+
+    /// Adds the unsymmetric part of the tangent, slip traction by pressure, times `x` to `y`.
+    pub fn add_coupling(&self, evaluation: &Evaluation, x: &[f64], y: &mut [f64]) {
+        for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
+            if row.friction == 0.0 || answer.status != Status::Slip {
+                continue;
+            }
+            let mut closure = 0.0;
+            for (node, coefficient) in &row.row.terms {
+                for (axis, equation) in self.dofs.equations[*node as usize].iter().enumerate() {
+                    if let Some(value) = x.get(*equation as usize) {
+                        closure += coefficient * value * row.row.normal[axis];
+                    }
+                }
+            }
+            let slope = [0.0, answer.tangent[1][0], answer.tangent[2][0]];
+            let force = row.global(&slope).map(|t| t * closure * row.row.area);
+            for (node, coefficient) in &row.row.terms {
+                for (axis, equation) in self.dofs.equations[*node as usize].iter().enumerate() {
+                    if let Some(value) = y.get_mut(*equation as usize) {
+                        *value += coefficient * force[axis];
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl super::model::ContactRow {
+    /// Local components (normal, two tangents) as a vector.
+    pub fn global(&self, local: &[f64; 3]) -> [f64; 3] {
+        let (n, [s, t]) = (self.row.normal, self.row.tangents);
+        std::array::from_fn(|i| local[0] * n[i] + local[1] * s[i] + local[2] * t[i])
+    }
+
+    /// Relative displacement of the two sides at the row, in local components.
+    pub fn relative(&self, u: &[[f64; 3]]) -> [f64; 3] {
+        let mut d = [0.0; 3];
+        for (node, coefficient) in &self.row.terms {
+            for axis in 0..3 {
+                d[axis] += coefficient * u[*node as usize][axis];
+            }
+        }
+        use crate::geometry::dot;
+        [
+            dot(d, self.row.normal),
+            dot(d, self.row.tangents[0]),
+            dot(d, self.row.tangents[1]),
+        ]
+    }
+
+    /// Adds area · Cᵀ E C with the symmetric part of the law's tangent E.
+    fn add_stiffness(&self, model: &Model, answer: &Answer, matrix: &mut SymmetricMatrix) {
+        let frame = [self.row.normal, self.row.tangents[0], self.row.tangents[1]];
+        let e = &answer.tangent;
+        let mut global = [[0.0; 3]; 3];
+        for (i, row) in global.iter_mut().enumerate() {
+            for (j, value) in row.iter_mut().enumerate() {
+                *value = e[0][0] * frame[0][i] * frame[0][j];
+                for a in 1..3 {
+                    for b in 1..3 {
+                        *value += e[a][b] * frame[a][i] * frame[b][j];
+                    }
+                }
+                *value *= self.row.area;
+            }
+        }
+        let terms = &self.row.terms;
+        let equations: Vec<u32> =
+            terms.iter().flat_map(|(n, _)| model.dofs.equations[*n as usize]).collect();
+        model.pattern.add_block(matrix, &equations, |i, j| {
+            terms[i / 3].1 * terms[j / 3].1 * global[i % 3][j % 3]
+        });
+    }
+}

@@ -1,0 +1,17 @@
+//! The solution strategy: increments, Newton iterations, linear solves.
+//!
+//! Bodies are small-strain; contact is integrated once on the undeformed geometry, so that the
+//! sparsity pattern, the elastic stiffness and the contact operator are made once a scene. Each
+//! iteration changes only what yields, opens, sticks or slips.
+
+mod driver;
+mod evaluate;
+mod line_search;
+mod model;
+mod newton;
+mod observer;
+mod start;
+
+pub use driver::{Solution, SolveError, solve};
+pub use model::Counters;
+pub use observer::{Iteration, Observer, Silent};

@@ -1,0 +1,50 @@
+//! What a running solution tells the outside, and how it is stopped.
+
+use crate::results::State;
+
+/// One Newton iteration, all values relative where a tolerance is relative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Iteration {
+    pub step: usize,
+    /// Share of the step that this increment aims at.
+    pub time: f64,
+    pub iteration: usize,
+    /// Residual force over applied force.
+    pub residual: f64,
+    /// Work of the residual on the correction over the work of the loads.
+    pub energy: f64,
+    /// Contact nodes that carry pressure, and how many of them stick and slip.
+    pub active: usize,
+    pub sticking: usize,
+    pub slipping: usize,
+    /// Largest violation of a contact condition, as a length over the approach of the bodies.
+    pub penetration: f64,
+    /// Integration points that flow.
+    pub flowing: usize,
+    /// Krylov directions of the linear solve, and whether a new factor was made for it.
+    pub directions: usize,
+    pub refactored: bool,
+    /// Share of the correction that the line search took.
+    pub line_search: f64,
+}
+
+/// Listens to a solution.
+pub trait Observer {
+    /// After each Newton iteration.
+    fn iteration(&mut self, _: &Iteration) {}
+    /// After each accepted increment; an error stops the run and is passed on.
+    fn increment(&mut self, _: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        Ok(())
+    }
+    /// In words: cut-backs, gap closing, what was found.
+    fn message(&mut self, _: &str) {}
+    /// Asked between iterations.
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Listens to nothing.
+pub struct Silent;
+
+impl Observer for Silent {}

@@ -1,0 +1,165 @@
+//! The start: bodies that float until they touch are moved until they do.
+//!
+//! A force on a body that nothing holds has no equilibrium. So, before any load, every body that
+//! no support holds along the load is moved along it, one after the other from the supported ones
+//! outward, until it just touches. From there the displacements count.
+
+use super::model;
+use crate::geometry::{Vec3, dot, scale, unit};
+use crate::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
+
+/// How far a body was moved to close its gap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closing {
+    pub body: String,
+    pub shift: Vec3,
+}
+
+/// Direction of the resultant load, if there is one.
+pub fn load_direction(scene: &Scene) -> Option<Vec3> {
+    let mut force = [0.0; 3];
+    for plane in &scene.rigid_planes {
+        for (f, motion) in force.iter_mut().zip(plane.motion) {
+            if let PlaneMotion::Driven(load) = motion {
+                *f += load;
+            }
+        }
+    }
+    for traction in &scene.tractions {
+        let Some(surface) = scene.mesh.surface(&traction.surface) else { continue };
+        let mut nodal = vec![[0.0; 3]; scene.mesh.points.len()];
+        crate::fem::loads::add_traction(&scene.mesh, surface, traction.value, 1.0, &mut nodal);
+        for f in nodal {
+            force = crate::geometry::add(force, f);
+        }
+        if let TractionValue::Vector(_) = traction.value {
+            continue;
+        }
+    }
+    // A mirrored model carries no resultant across its mirrors.
+    for &axis in &scene.mirrors {
+        force[axis] = 0.0;
+    }
+    unit(force)
+}
+
+/// Moves floating bodies into touch and reports what was moved.
+pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
+    let Some(direction) = load_direction(scene) else { return Vec::new() };
+    let mut placed = held_bodies(scene, direction);
+    let mut closings = Vec::new();
+    while placed.iter().any(|p| !p) {
+        let Some((body, distance)) = nearest_floating(scene, &placed, direction) else { break };
+        placed[body] = true;
+        if distance.abs() > tolerance {
+            let shift = scale(direction, distance);
+            move_body(scene, body, shift);
+            closings.push(Closing { body: scene.mesh.bodies[body].name.clone(), shift });
+        }
+    }
+    closings
+}
+
+/// Bodies with a node whose displacement along the load is prescribed.
+fn held_bodies(scene: &Scene, direction: Vec3) -> Vec<bool> {
+    let mut held = vec![false; scene.mesh.bodies.len()];
+    let mut mark = |surface: &str, axis: usize| {
+        if direction[axis].abs() > 0.1
+            && let Some(surface) = scene.mesh.surface(surface)
+        {
+            for face in &surface.faces {
+                held[scene.mesh.body_of(face.element as usize)] = true;
+            }
+        }
+    };
+    for support in &scene.supports {
+        for axis in (0..3).filter(|a| support.components[*a].is_some()) {
+            mark(&support.surface, axis);
+        }
+    }
+    for plane in &scene.rigid_planes {
+        for axis in (0..3).filter(|a| matches!(plane.motion[*a], PlaneMotion::Held(_))) {
+            mark(&plane.surface, axis);
+        }
+    }
+    held
+}
+
+/// The floating body that touches what is placed after the shortest way, and that way along the
+/// load.
+fn nearest_floating(scene: &Scene, placed: &[bool], direction: Vec3) -> Option<(usize, f64)> {
+    let body_of = |partner: &Partner| match partner {
+        Partner::Surface(name) => {
+            let face = scene.mesh.surface(name)?.faces.first()?;
+            Some(Some(scene.mesh.body_of(face.element as usize)))
+        }
+        Partner::Plane { .. } => Some(None),
+    };
+    let mut best: Option<(usize, f64)> = None;
+    for pair in &scene.contacts {
+        let (Some(upper), Some(lower)) = (body_of(&pair.upper), body_of(&pair.lower)) else {
+            continue;
+        };
+        let is_placed = |body: Option<usize>| body.is_none_or(|b| placed[b]);
+        let body = match (is_placed(upper), is_placed(lower)) {
+            (true, false) => lower,
+            (false, true) => upper,
+            _ => continue,
+        };
+        let Some(body) = body else { continue };
+        if let Some(way) = way_to_touch(scene, pair, direction)
+            && best.is_none_or(|(_, b)| way.abs() < b.abs())
+        {
+            best = Some((body, way));
+        }
+    }
+    best
+}
+
+/// Distance along the load until the two sides touch.
+fn way_to_touch(scene: &Scene, pair: &crate::scene::ContactPair, direction: Vec3) -> Option<f64> {
+    let (carrier, other) = match pair.carrier {
+        Side::Upper => (&pair.upper, &pair.lower),
+        Side::Lower => (&pair.lower, &pair.upper),
+    };
+    let moduli = vec![1.0; scene.materials.len()];
+    let whole = extent(scene);
+    let mut reach = 1e-3 * whole;
+    while reach < 2.0 * whole {
+        let (rows, closest) =
+            model::pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
+        let first = rows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
+        if let (Some(distance), Some(row)) = (closest, first)
+            && distance <= reach
+        {
+            let lean = dot(row.normal, direction).abs();
+            return (lean > 0.1).then(|| distance / lean);
+        }
+        reach *= 8.0;
+    }
+    None
+}
+
+/// Diagonal of the box around the model.
+pub fn extent(scene: &Scene) -> f64 {
+    let span = |axis: usize| {
+        let (low, high) =
+            scene.mesh.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
+                (l.min(p[axis]), h.max(p[axis]))
+            });
+        high - low
+    };
+    span(0).hypot(span(1)).hypot(span(2))
+}
+
+fn move_body(scene: &mut Scene, body: usize, shift: Vec3) {
+    let mut moved = vec![false; scene.mesh.points.len()];
+    for element in scene.mesh.bodies[body].elements.clone() {
+        for node in scene.mesh.hexes[element] {
+            if !std::mem::replace(&mut moved[node as usize], true) {
+                let point = &mut scene.mesh.points[node as usize];
+                *point = crate::geometry::add(*point, shift);
+            }
+        }
+    }
+}

@@ -1,5 +1,9 @@
 //! Hexahedral meshes: bodies made of hexahedra, named surfaces made of their outer faces.
 
+pub mod block;
+pub mod hexahedron;
+pub mod surface;
+
 /// An eight-node hexahedral mesh with named bodies and named surfaces.
 ///
 /// Nodes of a hexahedron are in the order of gmsh, VTK, Abaqus and CalculiX:

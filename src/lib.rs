@@ -14,7 +14,12 @@
 //! ```
 
 pub mod analytic;
+pub mod contact;
+pub mod fem;
+pub mod geometry;
+pub mod linear;
 pub mod material;
 pub mod mesh;
 pub mod results;
 pub mod scene;
+pub mod solve;

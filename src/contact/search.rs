@@ -27,7 +27,7 @@ impl FacetTree {
             AABB::from_corners(low.map(|v| v - distance), high.map(|v| v + distance));
         let mut found: Vec<usize> = self
             .tree
-            .locate_in_envelope_intersecting(&envelope)
+            .locate_in_envelope_intersecting(envelope)
             .map(|facet| facet.data)
             .collect();
         found.sort_unstable();

@@ -3,7 +3,7 @@
 use super::ordering;
 use super::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky as sparse;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
@@ -89,11 +89,11 @@ impl Symbolic {
                 Default::default(),
             )
             .map_err(|error| match error {
-                sparse::LltError::Numeric(faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index }) => {
-                    let equation = self.inner.perm().map_or(index, |p| p.arrays().0[index.min(pattern.len() - 1)] as usize);
+                LltError::NonPositivePivot { index } => {
+                    let order = self.inner.perm().map(|p| p.arrays().0);
+                    let equation = order.and_then(|o| o.get(index)).map_or(index, |e| *e as usize);
                     FactorError::NotPositiveDefinite { equation }
                 }
-                _ => FactorError::Memory,
             })?;
         Ok(Factor { values })
     }

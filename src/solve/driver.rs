@@ -333,16 +333,17 @@ impl<'a, 'o> Run<'a, 'o> {
 
     fn stresses(&self, u: &[[f64; 3]]) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
         let mesh = &self.model.scene.mesh;
+        let model = &self.model;
         let mut plastic = vec![None; mesh.hexes.len()];
-        for (element, history) in self.model.yielding.iter().zip(&self.history.plastic) {
+        for (element, history) in model.yielding.iter().zip(&self.history.plastic) {
             plastic[*element as usize] = history.as_deref();
         }
         (0..mesh.hexes.len())
             .into_par_iter()
             .map(|element| {
                 let local = mesh.hexes[element].map(|n| u[n as usize]);
-                let geometry = self.model.geometry(element as u32);
-                let elastic = &self.model.elastic[mesh.body_of(element)];
+                let geometry = model.geometry(element as u32);
+                let elastic = &model.elastic[mesh.body_of(element)];
                 let points = plastic[element].copied().unwrap_or_default();
                 let stress = std::array::from_fn(|k| {
                     let mut strain = bbar::strain(&geometry, k, &local);

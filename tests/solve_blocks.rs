@@ -1,0 +1,127 @@
+//! Solids and contact on blocks: patch tests and the uniaxial curve.
+
+use brinell::material::Steel;
+use brinell::mesh::Mesh;
+use brinell::mesh::block::{Block, uniform};
+use brinell::scene::{
+    ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support, Traction,
+    TractionValue,
+};
+use brinell::solve::{Silent, solve};
+
+fn scene(mesh: Mesh, steel: Steel) -> Scene {
+    Scene {
+        name: "block".into(),
+        materials: vec![steel; mesh.bodies.len()],
+        mesh,
+        contacts: Vec::new(),
+        supports: Vec::new(),
+        rigid_planes: Vec::new(),
+        tractions: Vec::new(),
+        steps: vec![Step { name: "load".into(), factor: 1.0, factors: Vec::new() }],
+        mirrors: Vec::new(),
+        controls: Controls::default(),
+    }
+}
+
+fn held(surface: &str, axis: usize) -> Support {
+    let mut components = [None; 3];
+    components[axis] = Some(0.0);
+    Support { name: surface.into(), surface: surface.into(), components }
+}
+
+fn report_steel() -> Steel {
+    Steel {
+        youngs_modulus: 29500.0,
+        poissons_ratio: 0.3,
+        yield_stress: 100.0,
+        hardening_modulus: 249.471,
+    }
+}
+
+/// Uniaxial stress at total strain 0.05 with the report's steel: 111.53040 ksi; unloaded from
+/// there the residual strain is 0.04621931 (closed form of the bilinear curve, H = 249.471 ksi).
+#[test]
+fn uniaxial_cube_follows_the_bilinear_curve_and_unloads_elastically() {
+    let mesh = Block::new("cube", uniform(0.0, 1.0, 2), uniform(0.0, 1.0, 2), uniform(0.0, 1.0, 2))
+        .build()
+        .unwrap();
+    let mut s = scene(mesh, report_steel());
+    s.supports = vec![held("x_min", 0), held("y_min", 1), held("z_min", 2)];
+    s.controls.residual = 1e-12;
+    s.rigid_planes = vec![RigidPlane {
+        name: "pull".into(),
+        surface: "z_max".into(),
+        motion: [PlaneMotion::Free, PlaneMotion::Free, PlaneMotion::Held(0.05)],
+    }];
+    let solution = solve(&mut s, &mut Silent).unwrap();
+    let state = solution.states.last().unwrap();
+    let (h, e, y) = (249.471, 29500.0, 100.0);
+    let et = e * h / (e + h);
+    let exact = y + et * (0.05 - y / e);
+    for points in &state.stress {
+        for stress in points {
+            assert!((stress[2] - exact).abs() < 1e-8 * exact, "{} {exact}", stress[2]);
+            assert!(stress[0].abs() < 1e-7 && stress[3].abs() < 1e-7);
+        }
+    }
+}
+
+/// Two blocks of different steel and meshes that do not match, uniform pressure on the top of the
+/// upper block and on the exposed top of the lower one (Taylor and Papadopoulos 1991): the
+/// pressure is uniform and no other stress appears (equal nu / E not needed without friction).
+#[test]
+fn contact_patch_test_is_uniform() {
+    let lower =
+        Block::new("lower", vec![0.0, 0.5, 1.0, 2.0, 3.0], uniform(0.0, 1.0, 3), uniform(0.0, 1.0, 2))
+            .build()
+            .unwrap()
+            .prefixed("lower_");
+    let upper = Block::new("upper", uniform(0.0, 1.0, 3), uniform(0.0, 1.0, 2), uniform(1.0, 2.0, 2))
+        .build()
+        .unwrap()
+        .prefixed("upper_");
+    let mut mesh = Mesh::join([lower, upper]).unwrap();
+    let exposed: Vec<_> = mesh
+        .surface("lower_z_max")
+        .unwrap()
+        .faces
+        .iter()
+        .filter(|f| f.nodes.iter().all(|n| mesh.points[*n as usize][0] >= 1.0))
+        .copied()
+        .collect();
+    mesh.surfaces.push(brinell::mesh::Surface { name: "exposed".into(), faces: exposed });
+    let mut s = scene(mesh, Steel::elastic(1000.0, 0.3));
+    s.materials[1] = Steel::elastic(3000.0, 0.2);
+    s.controls.residual = 1e-11;
+    s.controls.penetration = 1e-10;
+    s.supports = ["lower_", "upper_"]
+        .iter()
+        .flat_map(|b| [held(&format!("{b}x_min"), 0), held(&format!("{b}y_min"), 1)])
+        .chain([held("lower_z_min", 2)])
+        .collect();
+    let pressure = |surface: &str| Traction {
+        name: surface.into(),
+        surface: surface.into(),
+        value: TractionValue::Pressure(2.0),
+    };
+    s.tractions = vec![pressure("upper_z_max"), pressure("exposed")];
+    s.contacts = vec![ContactPair {
+        name: "upper-lower".into(),
+        upper: Partner::Surface("upper_z_min".into()),
+        lower: Partner::Surface("lower_z_max".into()),
+        carrier: Side::Upper,
+        friction: 0.0,
+        penalty_factor: 1.0,
+        true_geometry: true,
+    }];
+    let solution = solve(&mut s, &mut Silent).unwrap();
+    let state = solution.states.last().unwrap();
+    for p in &state.contacts[0].pressure {
+        assert!((p - 2.0).abs() < 1e-8, "{p}");
+    }
+    for stress in state.stress.iter().flatten() {
+        assert!((stress[2] + 2.0).abs() < 1e-8, "{stress:?}");
+        assert!(stress[0].abs() < 1e-8);
+    }
+}

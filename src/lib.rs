@@ -16,5 +16,6 @@
 pub mod analytic;
 pub mod material;
 pub mod mesh;
+pub mod output;
 pub mod results;
 pub mod scene;

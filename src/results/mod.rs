@@ -4,6 +4,7 @@
 //! knows how the state was found or where the figures go.
 
 pub mod bore;
+pub mod dent;
 pub mod edges;
 pub mod hex;
 pub mod interface;

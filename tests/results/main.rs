@@ -2,6 +2,7 @@
 
 mod block;
 mod bore;
+mod dent;
 mod interface;
 mod recovery;
 mod summary;

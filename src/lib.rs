@@ -20,6 +20,7 @@ pub mod geometry;
 pub mod linear;
 pub mod material;
 pub mod mesh;
+pub mod output;
 pub mod results;
 pub mod scene;
 pub mod solve;

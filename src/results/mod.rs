@@ -1,4 +1,25 @@
-//! Fields of a solved scene.
+//! Fields of a solved scene, and the fields and scalars recovered from them.
+//!
+//! Everything here reads a [`Scene`](crate::scene::Scene) and a converged [`State`]; nothing here
+//! knows how the state was found or where the figures go.
+
+pub mod bore;
+pub mod dent;
+pub mod edges;
+pub mod hex;
+pub mod interface;
+pub mod line_load;
+pub mod load;
+pub mod peaks;
+pub mod quad;
+pub mod recovery;
+pub mod strain;
+pub mod strip;
+pub mod tensor;
+
+mod fit;
+
+pub use fit::Misfit;
 
 /// The converged state at the end of an increment, in the units of the scene.
 #[derive(Debug, Clone, Default)]

@@ -1,0 +1,69 @@
+//! Files that are either whole or not there.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use crate::results::Misfit;
+use thiserror::Error;
+
+/// Why something could not be put out.
+#[derive(Debug, Error)]
+pub enum OutputError {
+    #[error("cannot write {}: {source}", path.display())]
+    Write { path: PathBuf, source: io::Error },
+    #[error("cannot read {}: {source}", path.display())]
+    Read { path: PathBuf, source: io::Error },
+    #[error("{}: line {line} is not a line of a collection that Brinell wrote", path.display())]
+    NotACollection { path: PathBuf, line: usize },
+    #[error(transparent)]
+    Misfit(#[from] Misfit),
+    #[error("the mesh has no surface that carries the pressure of contact pair {pair}")]
+    NoCarrier { pair: String },
+}
+
+/// Writes a file under a temporary name in the same folder, makes it durable and renames it, so
+/// that an interrupted run never leaves half a file. Missing folders are made.
+///
+/// # Errors
+/// [`OutputError::Write`] names the path; the temporary file is removed and an older file of that
+/// name is left as it was.
+pub fn write_atomically(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    let failed = |source| OutputError::Write {
+        path: path.to_path_buf(),
+        source,
+    };
+    let Some(name) = path.file_name() else {
+        return Err(failed(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "it is not a file name",
+        )));
+    };
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(failed)?;
+    }
+    let mut temporary = name.to_os_string();
+    temporary.push(".tmp");
+    let temporary = path.with_file_name(temporary);
+    let written = write_through(&temporary, content).and_then(|()| fs::rename(&temporary, path));
+    written.map_err(|source| {
+        // The first error is the one to tell.
+        let _ = fs::remove_file(&temporary);
+        failed(source)
+    })
+}
+
+fn write_through(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut writer = BufWriter::new(File::create(path)?);
+    content(&mut writer)?;
+    let file = writer
+        .into_inner()
+        .map_err(io::IntoInnerError::into_error)?;
+    file.sync_all()
+}

@@ -1,0 +1,21 @@
+//! What people and other programs read: the terminal table, `summary.json` and VTK files.
+//!
+//! Nothing here knows how a scene is solved. Fields and scalars come from
+//! [`results`](crate::results); here they get names, units and a file format.
+
+pub mod encode;
+pub mod fields;
+pub mod file;
+pub mod grid;
+pub mod pvd;
+pub mod series;
+pub mod summary;
+pub mod table;
+pub mod text;
+pub mod units;
+pub mod warnings;
+
+pub use file::OutputError;
+pub use series::Series;
+pub use summary::{Summary, SummaryInputs};
+pub use units::UnitLabels;

@@ -1,0 +1,35 @@
+//! Names of units, for reading only: nothing is ever converted here.
+
+use serde::Serialize;
+
+/// What the case calls its units; figures come in these units.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct UnitLabels {
+    pub length: String,
+    pub force: String,
+    pub stress: String,
+}
+
+impl UnitLabels {
+    /// Labels from their names, such as `("in", "kip", "ksi")`.
+    pub fn new(length: &str, force: &str, stress: &str) -> Self {
+        Self {
+            length: length.to_string(),
+            force: force.to_string(),
+            stress: stress.to_string(),
+        }
+    }
+
+    pub fn area(&self) -> String {
+        format!("{}²", self.length)
+    }
+
+    pub fn volume(&self) -> String {
+        format!("{}³", self.length)
+    }
+
+    /// Force per length.
+    pub fn line_load(&self) -> String {
+        format!("{}/{}", self.force, self.length)
+    }
+}

@@ -1,0 +1,95 @@
+//! What a reader must know before trusting a figure.
+
+use serde::Serialize;
+
+use super::summary::{BodySummary, Summary};
+use super::text::percent;
+
+/// A sentence of warning.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Warning(pub String);
+
+/// Small-strain theory is good to about this strain.
+const SMALL_STRAIN: f64 = 0.02;
+
+/// Force that does not balance, or that stabilisation carries, is said from this share on.
+const NOTABLE_SHARE: f64 = 1e-3;
+
+/// The warnings that the figures of a summary call for.
+pub fn warnings(summary: &Summary) -> Vec<Warning> {
+    let mut list = Vec::new();
+    let mut warn = |text: String| list.push(Warning(text));
+    if !summary.converged {
+        warn("the solution has not converged: no figure here is an answer".to_string());
+    }
+    if let Some(strain) = summary.max_strain.filter(|s| *s > SMALL_STRAIN) {
+        let (strain, limit) = (percent(strain), percent(SMALL_STRAIN));
+        warn(format!(
+            "largest strain {strain}: small-strain theory is in doubt above {limit}"
+        ));
+    }
+    for (name, body) in &summary.bodies.0 {
+        body_warnings(name, body, &mut warn);
+    }
+    for (name, roller) in &summary.rollers.0 {
+        if roller.bore_mises.is_none() {
+            let why = match roller.bore_mises_nodal {
+                Some(_) => "the wall has yielded under the load or its shape is no bore",
+                None => "the mesh has no such surface",
+            };
+            warn(format!(
+                "{name}: no Mises stress from the strain of the bore: {why}"
+            ));
+        }
+    }
+    for (name, interface) in &summary.interfaces.0 {
+        let (Some(q), load) = (&interface.q, interface.normal_force.abs()) else {
+            continue;
+        };
+        if q.outside.abs() > NOTABLE_SHARE * load {
+            let share = percent(q.outside.abs() / load);
+            warn(format!(
+                "{name}: {share} of the load lies outside the slices of the line load"
+            ));
+        }
+    }
+    if let Some(share) = summary.checks.force_balance.filter(|s| *s > NOTABLE_SHARE) {
+        warn(format!(
+            "an interface misses the load by {}",
+            percent(share)
+        ));
+    }
+    if let Some(share) = summary
+        .checks
+        .stabilisation_share
+        .filter(|s| *s > NOTABLE_SHARE)
+    {
+        warn(format!(
+            "stabilisation carries {} of the load",
+            percent(share)
+        ));
+    }
+    list
+}
+
+fn body_warnings(name: &str, body: &BodySummary, warn: &mut impl FnMut(String)) {
+    let singular: Vec<&str> = ["centroid", "integration point", "nodal"]
+        .into_iter()
+        .zip(body.at_singular_edge.each())
+        .filter_map(|(measure, singular)| singular.then_some(measure))
+        .collect();
+    if !singular.is_empty() {
+        let measures = singular.join(", ");
+        warn(format!(
+            "{name}: the peak ({measures}) sits on a loaded edge, such as a square roller end; \
+             there elastic stress has no bound, so the value belongs to this mesh, not to the part"
+        ));
+    }
+    if body.peeq_max > 0.0 && body.elastic_mises_max.is_none() {
+        warn(format!(
+            "{name}: the peak has yielded, so it says nothing about the mesh; the elastic peak is \
+             not known"
+        ));
+    }
+}

@@ -1,0 +1,113 @@
+//! Loaded edges of contact surfaces, where elastic stresses are singular.
+//!
+//! A contact surface that ends while it still carries pressure, such as the end of a square
+//! roller, has no finite elastic stress there: a peak beside it grows with every refinement until
+//! plasticity bounds it.
+
+use std::collections::BTreeMap;
+
+use super::State;
+use super::hex::{diagonal, distance};
+use super::peaks::{Peak, Place};
+use crate::mesh::{Mesh, Surface};
+use crate::scene::{Partner, Scene, Side};
+
+/// Positions of the nodes on boundaries of contact surfaces that carry pressure, in the state.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LoadedEdges {
+    positions: Vec<[f64; 3]>,
+}
+
+/// The surface whose nodes carry the pressure of a pair; `None` where the mesh has none.
+pub fn carrier(scene: &Scene, pair: usize) -> Option<&Surface> {
+    let pair = scene.contacts.get(pair)?;
+    let partner = match pair.carrier {
+        Side::Upper => &pair.upper,
+        Side::Lower => &pair.lower,
+    };
+    match partner {
+        Partner::Surface(name) => scene.mesh.surface(name),
+        Partner::Plane { .. } => None,
+    }
+}
+
+impl LoadedEdges {
+    /// Finds the loaded edges of every contact pair; edges on mirror planes are none.
+    pub fn find(scene: &Scene, state: &State) -> Self {
+        let mut positions = Vec::new();
+        for (pair, field) in state.contacts.iter().enumerate() {
+            let Some(surface) = carrier(scene, pair) else {
+                continue;
+            };
+            let boundary = boundary_nodes(&scene.mesh, surface, &scene.mirrors);
+            for (node, pressure) in field.nodes.iter().zip(&field.pressure) {
+                if *pressure > 0.0 && boundary.binary_search(node).is_ok() {
+                    positions.push(moved(&scene.mesh, state, *node as usize));
+                }
+            }
+        }
+        Self { positions }
+    }
+
+    /// Does `peak` sit within an element's size of a loaded edge?
+    ///
+    /// The edge may be that of the other body: its end presses a singularity into this one too.
+    pub fn touches(&self, mesh: &Mesh, state: &State, peak: &Peak) -> bool {
+        let (element, offset) = match peak.place {
+            Place::Element(element) | Place::IntegrationPoint { element, .. } => {
+                (element, mean_displacement(mesh, state, element))
+            }
+            Place::Node(node) => {
+                let Some(element) = mesh.hexes.iter().position(|h| h.contains(&(node as u32)))
+                else {
+                    return false;
+                };
+                (element, state.displacement[node])
+            }
+        };
+        let at = [0, 1, 2].map(|i| peak.at[i] + offset[i]);
+        let reach = diagonal(&mesh.corners(element));
+        self.positions
+            .iter()
+            .any(|edge| distance(*edge, at) <= reach)
+    }
+}
+
+fn moved(mesh: &Mesh, state: &State, node: usize) -> [f64; 3] {
+    [0, 1, 2].map(|i| mesh.points[node][i] + state.displacement[node][i])
+}
+
+fn mean_displacement(mesh: &Mesh, state: &State, element: usize) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for node in mesh.hexes[element] {
+        for (s, u) in sum.iter_mut().zip(state.displacement[node as usize]) {
+            *s += 0.125 * u;
+        }
+    }
+    sum
+}
+
+/// Nodes on edges that only one face of the surface has, ascending; without mirror planes.
+fn boundary_nodes(mesh: &Mesh, surface: &Surface, mirrors: &[usize]) -> Vec<u32> {
+    let mut uses: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+    for face in &surface.faces {
+        for i in 0..4 {
+            let (a, b) = (face.nodes[i], face.nodes[(i + 1) % 4]);
+            *uses.entry((a.min(b), a.max(b))).or_default() += 1;
+        }
+    }
+    let once = uses.iter().filter(|(_, n)| **n == 1).map(|(edge, _)| *edge);
+    let mirrored = |a: u32, b: u32| {
+        let (a, b) = (mesh.points[a as usize], mesh.points[b as usize]);
+        let tolerance = 1e-6 * distance(a, b);
+        let on_plane = |axis: usize| a[axis].abs() <= tolerance && b[axis].abs() <= tolerance;
+        mirrors.iter().any(|axis| *axis < 3 && on_plane(*axis))
+    };
+    let mut nodes: Vec<u32> = once
+        .filter(|(a, b)| !mirrored(*a, *b))
+        .flat_map(|(a, b)| [a, b])
+        .collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}

@@ -1,0 +1,133 @@
+//! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
+
+use super::State;
+use super::hex::{GaussRule, centre};
+use super::load::copies;
+use super::recovery::Recovered;
+use super::tensor::mises;
+use crate::scene::Scene;
+
+/// What a peak was read from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The centre of an element.
+    Element(usize),
+    /// An integration point of an element.
+    IntegrationPoint { element: usize, point: usize },
+    /// A node of the mesh.
+    Node(usize),
+}
+
+/// A largest value and where it is. Of equal values the one with the lowest index counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    pub value: f64,
+    pub place: Place,
+    /// Undeformed coordinates of the place.
+    pub at: [f64; 3],
+}
+
+/// The peaks of one body; `None` for a body without elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyPeaks {
+    pub name: String,
+    /// Mises stress of the mean stress tensor of an element.
+    pub centroid: Option<Peak>,
+    /// Mises stress at an integration point.
+    pub integration_point: Option<Peak>,
+    /// Mises stress of the nodal average.
+    pub nodal: Option<Peak>,
+    /// Largest equivalent plastic strain at an integration point.
+    pub peeq_max: f64,
+    /// Volume of the integration points that have yielded, in the whole body.
+    pub yielded_volume: f64,
+    /// Volume of the whole body.
+    pub volume: f64,
+}
+
+/// The index of the largest value; of equal values the first. Passes over what is not a number.
+fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)> {
+    let mut best: Option<(usize, f64)> = None;
+    for (index, value) in values {
+        if !value.is_nan() && best.is_none_or(|(_, largest)| value > largest) {
+            best = Some((index, value));
+        }
+    }
+    best
+}
+
+/// Finds the peaks of every body, in the order of the mesh.
+pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPeaks> {
+    let mesh = &scene.mesh;
+    let rule = GaussRule::new();
+    let copies = copies(scene);
+    let nodal = nodal_peaks(scene, recovered);
+    let body_peaks = |(body, nodal): (&crate::mesh::Body, Option<Peak>)| {
+        let elements = body.elements.clone();
+        let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
+        let centroid = over(&recovered.mises_mean).map(|(element, value)| Peak {
+            value,
+            place: Place::Element(element),
+            at: centre(&mesh.corners(element)),
+        });
+        let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
+            let values = state.stress[element].iter().map(mises).enumerate();
+            let (point, value) = first_largest(values)?;
+            let at = rule.position(point, &mesh.corners(element));
+            Some(Peak {
+                value,
+                place: Place::IntegrationPoint { element, point },
+                at,
+            })
+        });
+        let (mut yielded, mut volume) = (0.0, 0.0);
+        for e in elements.clone() {
+            for (peeq, v) in state.peeq_of(e).iter().zip(recovered.volumes[e]) {
+                volume += v;
+                if *peeq > 0.0 {
+                    yielded += v;
+                }
+            }
+        }
+        BodyPeaks {
+            name: body.name.clone(),
+            centroid,
+            integration_point,
+            nodal,
+            peeq_max: over(&recovered.peeq).map_or(0.0, |(_, peeq)| peeq),
+            yielded_volume: copies * yielded,
+            volume: copies * volume,
+        }
+    };
+    mesh.bodies.iter().zip(nodal).map(body_peaks).collect()
+}
+
+/// The nodal peak of every body.
+fn nodal_peaks(scene: &Scene, recovered: &Recovered) -> Vec<Option<Peak>> {
+    let mut best: Vec<Option<Peak>> = vec![None; scene.mesh.bodies.len()];
+    for (point, &value) in recovered.mises_nodal.iter().enumerate() {
+        let Some(body) = recovered.points.body_of(point) else {
+            continue;
+        };
+        if !value.is_nan() && best[body].is_none_or(|peak| value > peak.value) {
+            let node = recovered.points.node[point] as usize;
+            let at = scene.mesh.points[node];
+            best[body] = Some(Peak {
+                value,
+                place: Place::Node(node),
+                at,
+            });
+        }
+    }
+    best
+}
+
+impl Peak {
+    /// The element the peak was read from; `None` for a nodal peak.
+    pub fn element(&self) -> Option<usize> {
+        match self.place {
+            Place::Element(element) | Place::IntegrationPoint { element, .. } => Some(element),
+            Place::Node(_) => None,
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Symmetric stress tensors in the order xx yy zz xy yz zx.
+
+/// Mises stress of a stress tensor.
+pub fn mises(s: &[f64; 6]) -> f64 {
+    let [xx, yy, zz, xy, yz, zx] = *s;
+    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+    (0.5 * normal + 3.0 * (xy * xy + yz * yz + zx * zx)).sqrt()
+}
+
+/// Mean of several stress tensors; zero for none.
+pub fn mean(tensors: &[[f64; 6]]) -> [f64; 6] {
+    let mut sum = [0.0; 6];
+    for tensor in tensors {
+        for (s, t) in sum.iter_mut().zip(tensor) {
+            *s += t;
+        }
+    }
+    sum.map(|s| s / tensors.len().max(1) as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mises_of_uniaxial_shear_and_hydrostatic_stress() {
+        assert_eq!(mises(&[0.0, -7.0, 0.0, 0.0, 0.0, 0.0]), 7.0);
+        assert!((mises(&[0.0, 0.0, 0.0, 0.0, 2.0, 0.0]) - 12f64.sqrt()).abs() < 1e-14);
+        assert_eq!(mises(&[3.0, 3.0, 3.0, 0.0, 0.0, 0.0]), 0.0);
+    }
+
+    #[test]
+    fn the_mean_is_taken_component_by_component() {
+        let mean = mean(&[
+            [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
+            [3.0, 2.0, 1.0, 0.0, 1.0, 2.0],
+        ]);
+        assert_eq!(mean, [2.0, 2.0, 2.0, 2.0, 3.0, 4.0]);
+    }
+}

@@ -1,0 +1,8 @@
+//! Recovered fields and scalars, the summary and the table, on states with known answers.
+
+mod block;
+mod bore;
+mod dent;
+mod interface;
+mod recovery;
+mod summary;

@@ -1,0 +1,207 @@
+use crate::block::{add_block, close, fill_stress, pressed, stack};
+use brinell::mesh::Mesh;
+use brinell::results::State;
+use brinell::results::edges::LoadedEdges;
+use brinell::results::peaks::{Place, peaks};
+use brinell::results::recovery::recover;
+use brinell::results::strain::largest_strain;
+use brinell::results::tensor::mises;
+
+/// A stress field that is trilinear in position: exactly recovered on boxes.
+fn trilinear(p: [f64; 3]) -> [f64; 6] {
+    let [x, y, z] = p;
+    [
+        10.0 + x,
+        2.0 * y - 3.0 * x * z,
+        -40.0 + 5.0 * z,
+        0.5 * x * y,
+        1.0 + y * z,
+        x * y * z,
+    ]
+}
+
+#[test]
+fn a_trilinear_stress_is_recovered_at_every_node() {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    fill_stress(&scene, &mut state, trilinear);
+    let recovered = recover(&scene.mesh, &state);
+    assert_eq!(recovered.nodal_stress.len(), scene.mesh.points.len());
+    for (stress, point) in recovered.nodal_stress.iter().zip(&scene.mesh.points) {
+        stress
+            .iter()
+            .zip(trilinear(*point))
+            .for_each(|(a, b)| close(*a, b));
+    }
+    for (m, stress) in recovered.mises_nodal.iter().zip(&recovered.nodal_stress) {
+        close(*m, mises(stress));
+    }
+    for (e, mean) in recovered.mises_mean.iter().enumerate() {
+        let corners = scene.mesh.corners(e);
+        let middle = [0, 1, 2].map(|i| corners.iter().map(|c| c[i]).sum::<f64>() / 8.0);
+        close(*mean, mises(&trilinear(middle)));
+        assert!(recovered.mises_max[e] > *mean);
+    }
+}
+
+#[test]
+fn volumes_are_those_of_the_bodies() {
+    let scene = stack();
+    let recovered = recover(&scene.mesh, &pressed(&scene));
+    let of_body = |b: usize| -> f64 {
+        scene.mesh.bodies[b]
+            .elements
+            .clone()
+            .flat_map(|e| recovered.volumes[e])
+            .sum()
+    };
+    close(of_body(0), 0.5);
+    close(of_body(1), 1.5);
+}
+
+#[test]
+fn stresses_are_not_averaged_across_bodies_that_share_nodes() {
+    let mut mesh = Mesh::default();
+    add_block(
+        &mut mesh,
+        "left",
+        [&[0.0, 1.0], &[0.0, 1.0], &[0.0, 1.0]],
+        |p| p,
+    );
+    add_block(
+        &mut mesh,
+        "right",
+        [&[1.0, 2.0], &[0.0, 1.0], &[0.0, 1.0]],
+        |p| p,
+    );
+    // Glue: the left nodes of the right body become the right nodes of the left one.
+    for (from, to) in [(8, 1), (10, 3), (12, 5), (14, 7)] {
+        mesh.hexes[1]
+            .iter_mut()
+            .filter(|n| **n == from)
+            .for_each(|n| *n = to);
+    }
+    let state = State {
+        stress: vec![
+            [[7.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 8],
+            [[0.0, 3.0, 0.0, 0.0, 0.0, 0.0]; 8],
+        ],
+        ..State::default()
+    };
+    let recovered = recover(&mesh, &state);
+    assert_eq!(recovered.points.node.len(), 20);
+    assert_eq!(recovered.points.node[16..], [1, 3, 5, 7]);
+    assert_eq!(recovered.points.body_of(16), Some(1));
+    assert_eq!(recovered.points.body_of(8), None);
+    for point in 0..20 {
+        let expected = match recovered.points.body_of(point) {
+            Some(0) => 7.0,
+            Some(_) => 3.0,
+            None => 0.0,
+        };
+        close(recovered.mises_nodal[point], expected);
+    }
+}
+
+#[test]
+fn peaks_are_found_per_body_and_ties_go_to_the_lowest_index() {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    fill_stress(&scene, &mut state, |_| [0.0, 0.0, -50.0, 0.0, 0.0, 0.0]);
+    let third = scene.mesh.bodies[1].elements.start + 2;
+    state.stress[third][5] = [0.0, 0.0, -130.0, 0.0, 0.0, 0.0];
+    state.peeq[third][5] = 1e-3;
+    state.peeq[third][6] = 2e-3;
+    let recovered = recover(&scene.mesh, &state);
+    let [block, plate] = peaks(&scene, &state, &recovered).try_into().unwrap();
+    assert_eq!(block.name, "block");
+    assert_eq!(block.centroid.map(|p| p.place), Some(Place::Element(0)));
+    let first = Place::IntegrationPoint {
+        element: 0,
+        point: 0,
+    };
+    assert_eq!(block.integration_point.map(|p| p.place), Some(first));
+    close(block.centroid.unwrap().value, 50.0);
+    assert_eq!(block.yielded_volume, 0.0);
+    close(block.volume, 4.0 * 0.5);
+    let peak = plate.integration_point.unwrap();
+    assert_eq!(
+        peak.place,
+        Place::IntegrationPoint {
+            element: third,
+            point: 5
+        }
+    );
+    assert_eq!(peak.element(), Some(third));
+    close(peak.value, 130.0);
+    close(plate.centroid.unwrap().value, 60.0);
+    close(plate.peeq_max, 2e-3);
+    // Two of eight points of an element 0.4 x 0.8 x 0.6, four times for the quarter model.
+    close(plate.yielded_volume, 4.0 * 0.4 * 0.8 * 0.6 * 2.0 / 8.0);
+    let node = plate.nodal.unwrap();
+    assert!(matches!(node.place, Place::Node(n) if scene.mesh.points[n] == node.at));
+}
+
+#[test]
+fn the_largest_strain_is_principal() {
+    let scene = stack();
+    let mut displacement = vec![[0.0; 3]; scene.mesh.points.len()];
+    for (u, [_, y, z]) in displacement.iter_mut().zip(&scene.mesh.points) {
+        // Pure shear of 0.03 beside a stretch of 0.01.
+        *u = [0.01 * u[0], 0.03 * z, 0.03 * y];
+    }
+    let (strain, _) = largest_strain(&scene.mesh, &displacement).unwrap();
+    close(strain, 0.03);
+}
+
+#[test]
+fn a_rotation_is_no_strain() {
+    let scene = stack();
+    let turn = |[x, y, _]: &[f64; 3]| [-1e-3 * y, 1e-3 * x, 0.0];
+    let displacement: Vec<[f64; 3]> = scene.mesh.points.iter().map(turn).collect();
+    let (strain, _) = largest_strain(&scene.mesh, &displacement).unwrap();
+    assert!(strain < 1e-15);
+}
+
+#[test]
+fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
+    let mut scene = stack();
+    // A square block on a larger plate is singular along its edges at x = 0.5 and y = 1.
+    let mut state = pressed(&scene);
+    let all = recover(&scene.mesh, &state);
+    let touches = |scene: &brinell::scene::Scene, state: &State, at: [f64; 3], body: usize| {
+        let mut stress = state.clone();
+        fill_stress(scene, &mut stress, |p| {
+            let d: f64 = (0..3).map(|i| (p[i] - at[i]).powi(2)).sum();
+            [100.0 / (0.01 + d), 0.0, 0.0, 0.0, 0.0, 0.0]
+        });
+        let recovered = recover(&scene.mesh, &stress);
+        let peak = peaks(scene, &stress, &recovered)[body].nodal.unwrap();
+        LoadedEdges::find(scene, state).touches(&scene.mesh, state, &peak)
+    };
+    assert!(touches(&scene, &state, [0.5, 1.0, 0.0], 0));
+    assert!(touches(&scene, &state, [0.4, 0.7, 0.0], 1));
+    assert!(!touches(&scene, &state, [0.0, 0.0, 1.0], 0));
+    // Without pressure at the edge there is nothing singular; mirror planes are no edges.
+    let field = &mut state.contacts[0];
+    for (node, p) in field.nodes.iter().zip(&mut field.pressure) {
+        let [x, y, _] = scene.mesh.points[*node as usize];
+        *p *= f64::from(u8::from(x < 0.4 && y < 0.9));
+    }
+    assert_eq!(LoadedEdges::find(&scene, &state), LoadedEdges::default());
+    scene.mirrors.clear();
+    assert_ne!(LoadedEdges::find(&scene, &state), LoadedEdges::default());
+    assert_eq!(all.mises_max.len(), scene.mesh.hexes.len());
+}
+
+#[test]
+fn a_state_of_another_scene_is_refused_by_name() {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    assert_eq!(state.check(&scene), Ok(()));
+    state.contacts[0].gap.pop();
+    let misfit = state.check(&scene).unwrap_err();
+    assert_eq!(misfit.what, "gap of block-plate");
+    state.contacts.clear();
+    assert_eq!(state.check(&scene).unwrap_err().what, "contacts");
+}

@@ -1,0 +1,227 @@
+use crate::block::{close, fill_stress, pressed, stack};
+use brinell::output::summary::{
+    Checks, Comparison, Counters, Figure, Measure, Summary, SummaryInputs, Timing,
+};
+use brinell::output::{UnitLabels, table};
+use brinell::results::State;
+use brinell::results::bore::Bore;
+use brinell::results::line_load::Slices;
+use brinell::results::peaks::peaks;
+use brinell::results::recovery::recover;
+use brinell::scene::Scene;
+use serde_json::Value;
+
+fn summarise(scene: &Scene, state: &State) -> Summary {
+    let recovered = recover(&scene.mesh, state);
+    let elastic = peaks(scene, state, &recovered);
+    let comparison = [Comparison {
+        what: "Mises, centroid, ksi".to_string(),
+        place: "overall".to_string(),
+        report: Some(Figure::Value(70.0)),
+        report_like: Some(33.2),
+        value: Some(93.125),
+        error: Some(1.25),
+        hertz: Some(f64::NAN),
+    }];
+    let slices = Slices {
+        axis: 1,
+        edges: vec![0.0, 0.24, 1.0],
+    };
+    Summary::new(&SummaryInputs {
+        case: "initial-centre",
+        units: UnitLabels::new("in", "kip", "ksi"),
+        scene,
+        state,
+        recovered: &recovered,
+        elastic: Some(&elastic),
+        converged: true,
+        counters: Counters {
+            dofs: 120,
+            iterations: 7,
+            factorisations: 2,
+        },
+        timing: Timing {
+            mesh_s: 0.5,
+            solve_s: 1.0,
+            total_s: 2.0,
+        },
+        peak_memory_bytes: Some(123_000_000),
+        measures: &[Measure {
+            slices: Some(slices),
+            strip: None,
+        }],
+        bores: &[Bore {
+            body: "block".to_string(),
+            surface: "none".to_string(),
+            axis: 1,
+        }],
+        checks: Checks {
+            stabilisation_share: Some(0.02),
+            ..Checks::default()
+        },
+        comparison: &comparison,
+        assumptions: &["plates L x L".to_string()],
+        left_out: &["friction of frictionless pairs".to_string()],
+    })
+    .unwrap()
+}
+
+fn loaded() -> (Scene, State) {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    fill_stress(&scene, &mut state, |[x, y, z]| {
+        let value = 50.0 / (0.2 + (x - 0.5).powi(2) + (y - 1.0).powi(2) + z * z);
+        [0.0, 0.0, -value, 0.0, 0.0, 0.0]
+    });
+    state.peeq[0][0] = 1e-3;
+    for (u, p) in state.displacement.iter_mut().zip(&scene.mesh.points) {
+        *u = [0.0, 0.0, -0.03 * p[2]];
+    }
+    (scene, state)
+}
+
+#[test]
+fn the_summary_has_every_key_and_no_nan() {
+    let (scene, state) = loaded();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("new/summary.json");
+    summarise(&scene, &state).write(&path).unwrap();
+    let text = std::fs::read_to_string(path).unwrap();
+    let json: Value = serde_json::from_str(&text).unwrap();
+    for key in [
+        "case",
+        "units",
+        "brinell_version",
+        "converged",
+        "dofs",
+        "elements",
+        "iterations",
+        "factorisations",
+        "timing",
+        "peak_memory_bytes",
+        "applied_load",
+        "descent",
+        "bodies",
+        "interfaces",
+        "rollers",
+        "checks",
+        "comparison",
+        "assumptions",
+        "left_out",
+    ] {
+        assert!(json.get(key).is_some(), "{key}");
+    }
+    for pointer in [
+        "/units/length",
+        "/timing/mesh_s",
+        "/timing/solve_s",
+        "/timing/total_s",
+        "/bodies/block/mises_max/centroid",
+        "/bodies/block/mises_max/integration_point",
+        "/bodies/block/mises_max/nodal",
+        "/bodies/block/at/nodal/2",
+        "/bodies/block/elastic_mises_max/nodal",
+        "/bodies/plate/peeq_max",
+        "/bodies/plate/yielded_volume",
+        "/interfaces/block-plate/force/2",
+        "/interfaces/block-plate/normal_force",
+        "/interfaces/block-plate/pressure_integral",
+        "/interfaces/block-plate/max_pressure",
+        "/interfaces/block-plate/max_penetration",
+        "/interfaces/block-plate/area",
+        "/interfaces/block-plate/status_counts/stick",
+        "/interfaces/block-plate/q/values/1",
+        "/checks/force_balance",
+        "/checks/max_penetration_relative",
+        "/checks/coulomb_violation",
+        "/checks/stabilisation_share",
+        "/comparison/0/report",
+        "/comparison/0/where",
+    ] {
+        assert!(
+            json.pointer(pointer).is_some_and(|v| !v.is_null()),
+            "{pointer}"
+        );
+    }
+    for pointer in [
+        "/rollers/block/bore_mises",
+        "/rollers/block/bore_mises_nodal",
+        "/comparison/0/hertz",
+        "/bodies/plate/elastic_mises_max",
+    ] {
+        assert_eq!(json.pointer(pointer), Some(&Value::Null), "{pointer}");
+    }
+    let bodies: Vec<&str> = text.lines().filter(|l| l.starts_with("    \"")).collect();
+    let place = |name: &str| bodies.iter().position(|l| l.contains(name));
+    assert!(
+        place("\"block\"") < place("\"plate\""),
+        "bodies stand in the order of the scene"
+    );
+}
+
+#[test]
+fn the_checks_are_computed_where_they_are_not_given() {
+    let (scene, mut state) = loaded();
+    state.contacts[0]
+        .force
+        .iter_mut()
+        .for_each(|f| f[2] *= 0.99);
+    let checks = summarise(&scene, &state).checks;
+    assert!((checks.force_balance.unwrap() - 0.01).abs() < 1e-12);
+    close(checks.max_penetration_relative.unwrap(), 1e-6 / 0.01);
+    assert_eq!(checks.coulomb_violation, Some(0.0));
+    assert_eq!(checks.stabilisation_share, Some(0.02));
+}
+
+#[test]
+fn the_table_shows_the_figures_and_what_to_beware_of() {
+    let (scene, state) = loaded();
+    let text = table::render(&summarise(&scene, &state));
+    for part in [
+        "initial-centre: converged",
+        "65.00 kip",
+        "0.01000 in",
+        "3.00 %",
+        "yielded in³",
+        "block-plate",
+        "93.12 ± 1.2",
+        "33.20",
+        "Line load from 0.00 on, kip/in",
+        "plates L x L",
+        "small-strain theory",
+        "square roller end",
+        "stabilisation carries 2.00 % of the load",
+        "no Mises stress from the strain of the bore",
+        "elastic",
+    ] {
+        assert!(text.contains(part), "{part} is missing in\n{text}");
+    }
+    let widest = text
+        .lines()
+        .map(|l| l.chars().count())
+        .filter(|n| *n < 150)
+        .max();
+    assert!(widest.is_some_and(|n| n <= 132), "{text}");
+}
+
+#[test]
+fn an_unconverged_run_says_so_first() {
+    let (scene, state) = loaded();
+    let mut summary = summarise(&scene, &state);
+    summary.converged = false;
+    assert!(table::render(&summary).starts_with("initial-centre: NOT CONVERGED\n"));
+    let warnings = brinell::output::warnings::warnings(&summary);
+    assert!(warnings[0].0.contains("has not converged"));
+}
+
+#[test]
+fn an_unwritable_place_is_named() {
+    let (scene, state) = loaded();
+    let folder = tempfile::tempdir().unwrap();
+    let blocked = folder.path().join("file");
+    std::fs::write(&blocked, "x").unwrap();
+    let error = summarise(&scene, &state)
+        .write(&blocked.join("summary.json"))
+        .unwrap_err();
+    assert!(error.to_string().contains("summary.json"), "{error}");
+}

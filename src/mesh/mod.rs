@@ -2,7 +2,6 @@
 
 pub mod block;
 pub mod hexahedron;
-pub mod shape;
 pub mod surface;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.

@@ -2,6 +2,7 @@
 
 pub mod block;
 pub mod hexahedron;
+pub mod msh;
 pub mod surface;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.

@@ -63,7 +63,6 @@ impl BodyQuality {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::mesh::block::{Block, uniform};
 
     /// Figures of a box of cells 1 x 2 x 4 sheared by 45 degrees, by hand.

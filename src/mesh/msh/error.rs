@@ -169,7 +169,10 @@ pub enum MeshError {
     #[error("{source_name}: there is no physical volume")]
     #[diagnostic(
         code(brinell::mesh::no_physical_volume),
-        help("name each body, in the .geo file: `Physical Volume(\"roller\") = {{1}};`")
+        help(
+            "name each body, in the .geo file: `Physical Volume(\"roller\") = {{1}};` (gmsh writes \
+             no groups to MSH 2.2 where `Mesh.SaveAll` is set)"
+        )
     )]
     NoPhysicalVolume { source_name: String },
 

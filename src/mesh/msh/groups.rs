@@ -92,16 +92,19 @@ impl<'a> Groups<'a> {
         if !blocks().any(|block| block.kind.dimension == 3) {
             return Err(MeshError::NoVolumes { source_name });
         }
-        let grouped = |block: &&Block| block.kind.dimension == 3 && !tags(raw, block).is_empty();
-        if !raw.entities.is_empty() || blocks().all(|b| b.group != Group::OfEntity) {
-            if !blocks().any(|block| grouped(&block)) {
-                return Err(MeshError::NoPhysicalVolume { source_name });
-            }
-        } else {
+        let by_entity = blocks().any(|block| block.group == Group::OfEntity);
+        if by_entity && raw.entities.is_empty() {
             return Err(MeshError::MissingSection {
                 source_name,
                 section: "Entities",
             });
+        }
+        let mut grouped = false;
+        for block in blocks().filter(|block| block.kind.dimension == 3) {
+            grouped |= !known_tags(raw, block, places)?.is_empty();
+        }
+        if !grouped {
+            return Err(MeshError::NoPhysicalVolume { source_name });
         }
         for block in blocks() {
             match block.kind.dimension {

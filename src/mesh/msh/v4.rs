@@ -24,7 +24,8 @@ pub(super) fn entities(cursor: &mut Cursor<'_>, raw: &mut Raw) -> Result<(), Mes
             for _ in 0..coordinates {
                 cursor.real("a bound of the entity")?;
             }
-            let physical = tags(cursor, "physical tags of the entity")?;
+            let mut physical = tags(cursor, "physical tags of the entity")?;
+            physical.retain(|tag| *tag != 0);
             if dimension > 0 {
                 tags(cursor, "bounding entities")?;
             }

@@ -5,6 +5,7 @@ pub mod gmsh;
 pub mod hexahedron;
 pub mod msh;
 pub mod quality;
+pub mod shape;
 pub mod surface;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.

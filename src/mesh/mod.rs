@@ -1,7 +1,11 @@
 //! Hexahedral meshes: bodies made of hexahedra, named surfaces made of their outer faces.
 
 pub mod block;
+pub mod gmsh;
 pub mod hexahedron;
+pub mod msh;
+pub mod quality;
+pub mod shape;
 pub mod surface;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.

@@ -145,12 +145,12 @@ fn another_version() {
     refused(
         spoiled(V4, "4.1 0", "4.1 7"),
         "version",
-        &["line 2", "encoding 7"],
+        &["line 2", "encoding `7`"],
     );
     refused(
         spoiled(V4, "0 8\n", "0 4\n"),
         "version",
-        &["line 2", "4 bytes"],
+        &["line 2", "`4` bytes"],
     );
 }
 

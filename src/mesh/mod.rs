@@ -3,6 +3,7 @@
 pub mod block;
 pub mod gmsh;
 pub mod hexahedron;
+pub mod join;
 pub mod msh;
 pub mod quality;
 pub mod shape;

@@ -4,7 +4,8 @@
 //! header of the file asks for; the layouts of [`v2`](super::v2) and [`v4`](super::v4) do not
 //! care which.
 
-use super::error::{At, MeshError, Place};
+use super::error::MeshError;
+use super::place::{At, Place};
 
 /// How numbers are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -293,7 +294,7 @@ impl<'a> Cursor<'a> {
 }
 
 /// What was found, for a message: short and printable.
-fn quoted(found: &[u8]) -> String {
+pub(super) fn quoted(found: &[u8]) -> String {
     const LONGEST: usize = 40;
     if found.is_empty() {
         return "nothing".to_owned();

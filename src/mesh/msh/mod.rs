@@ -13,10 +13,17 @@ mod binary;
 mod build;
 mod cursor;
 mod error;
+mod faces;
+mod file;
 mod groups;
+mod header;
+mod hexes;
 mod kind;
+mod names;
+mod place;
 mod raw;
 mod tags;
+mod usage;
 mod v2;
 mod v4;
 pub mod write;
@@ -26,10 +33,12 @@ use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
 
-pub use error::{At, MeshError, Place};
+pub use error::MeshError;
+pub use place::{At, Place};
 
 use super::Mesh;
 use cursor::{Cursor, Encoding};
+use header::{Version, find_fingerprint, mesh_format};
 use raw::{Places, Raw};
 
 /// What [`read_with_notes`] returns: a mesh, and what was changed in reading it.
@@ -108,12 +117,6 @@ fn inflate(bytes: &[u8], source: &str) -> Result<Vec<u8>, MeshError> {
     Ok(inflated)
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Version {
-    Two,
-    Four,
-}
-
 fn parse_plain(bytes: &[u8], source: &str) -> Result<Reading, MeshError> {
     if !bytes.trim_ascii_start().starts_with(b"$") {
         return Err(MeshError::NotMsh {
@@ -147,7 +150,7 @@ fn parse_plain(bytes: &[u8], source: &str) -> Result<Reading, MeshError> {
         seen.push(section);
         match (section, version) {
             ("MeshFormat", _) => version = Some(mesh_format(&mut cursor)?),
-            ("PhysicalNames", _) => groups::names(&mut cursor, &mut raw)?,
+            ("PhysicalNames", _) => names::read(&mut cursor, &mut raw)?,
             (_, None) => return Err(missing(source, "MeshFormat")),
             ("Nodes", Some(Version::Two)) => raw.nodes = v2::nodes(&mut cursor)?,
             ("Elements", Some(Version::Two)) => raw.elements = v2::elements(&mut cursor)?,
@@ -177,63 +180,5 @@ fn missing(source: &str, section: &'static str) -> MeshError {
     MeshError::MissingSection {
         source_name: source.to_owned(),
         section,
-    }
-}
-
-/// `$MeshFormat`: version, encoding, size of numbers.
-fn mesh_format(cursor: &mut Cursor<'_>) -> Result<Version, MeshError> {
-    cursor.begin("the version of the format")?;
-    let place = cursor.place();
-    let line = String::from_utf8_lossy(cursor.rest_of_line()).into_owned();
-    let words: Vec<&str> = line.split_whitespace().collect();
-    let [version, encoding, size] = words.as_slice() else {
-        let expected = "version, encoding and size of numbers".to_owned();
-        return Err(MeshError::Syntax {
-            place,
-            expected,
-            found: format!("`{line}`"),
-        });
-    };
-    let refused = |what: String| {
-        Err(MeshError::Version {
-            place: place.clone(),
-            what,
-        })
-    };
-    let version = match *version {
-        "2.2" => Version::Two,
-        "4.1" => Version::Four,
-        other => return refused(other.to_owned()),
-    };
-    match *encoding {
-        "0" => {}
-        "1" => {
-            cursor.encoding = Encoding::Binary { big_endian: false };
-            let one = cursor.int("the number one in binary")?;
-            match one {
-                1 => {}
-                0x0100_0000 => cursor.encoding = Encoding::Binary { big_endian: true },
-                _ => {
-                    return Err(
-                        cursor.syntax("the number one in binary", one.to_string().as_bytes())
-                    );
-                }
-            }
-        }
-        other => return refused(format!("with encoding {other}")),
-    }
-    if *size != "8" {
-        return refused(format!("with numbers of {size} bytes"));
-    }
-    Ok(version)
-}
-
-/// The fingerprint, in a line `brinell-fingerprint: <text>` of a `$Comments` section.
-fn find_fingerprint(comments: &[u8], raw: &mut Raw) {
-    for line in comments.split(|b| *b == b'\n') {
-        if let Some(text) = line.trim_ascii().strip_prefix(b"brinell-fingerprint:") {
-            let text = String::from_utf8_lossy(text.trim_ascii()).into_owned();
-            raw.fingerprint = Some(text).filter(|text| !text.is_empty());
-        }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::error::{At, Place};
 use super::kind::Kind;
+use super::place::{At, Place};
 
 /// A dimension (0 to 3) and the tag of an entity or physical group of it.
 pub(super) type Key = (u8, i64);

@@ -1,102 +1,144 @@
-//! Unilateral contact with Coulomb friction at one carrier node, in augmented-Lagrange form.
+//! Unilateral contact with Coulomb friction at one carrier node.
 //!
-//! With the multiplier λ and the relative displacement d (normal: closure beyond the gap,
-//! tangential: slip since the last increment), the traction is the projection of λ + ε d onto
-//! Coulomb's cone (Alart and Curnier 1991). At a fixed point z = λ the contact conditions hold
-//! exactly, whatever the penalty ε. Components: normal (compression positive), two tangents.
+//! A primal-dual active-set law (Hüeber and Wohlmuth 2005; Gitterle et al. 2010). Within an
+//! iteration the status of a node is fixed and its law is smooth: a closed node carries the
+//! augmented-Lagrange traction λ + ε d, in compression *or* tension; a sticking one carries shear
+//! likewise; a slipping one carries Coulomb's shear along a fixed direction. Between iterations
+//! λ takes the traction and the status is decided anew. When statuses rest and λ does, the contact
+//! conditions hold exactly, whatever the penalty ε.
+//!
+//! Components everywhere: normal (compression positive), two tangents. d is the closure beyond
+//! the gap and the slip since the last increment.
 
 /// State of a carrier node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Status {
     #[default]
     Open,
     Stick,
-    Slip,
+    /// Sliding, with the unit direction of the shear traction (zero without friction).
+    Slip([f64; 2]),
+}
+
+/// What a node's law depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Law {
+    /// Coulomb's coefficient.
+    pub friction: f64,
+    /// ε, traction per length.
+    pub penalty: f64,
+    /// Weight of d against λ where statuses are decided: the stiffness of the bodies there.
+    pub stiffness: f64,
 }
 
 /// Traction and its derivative by d.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Answer {
     pub traction: [f64; 3],
-    pub status: Status,
     pub tangent: [[f64; 3]; 3],
 }
 
-/// Projects `multiplier + penalty * d` onto the cone of `friction`.
-pub fn traction(friction: f64, penalty: f64, multiplier: &[f64; 3], d: &[f64; 3]) -> Answer {
-    let trial: [f64; 3] = std::array::from_fn(|i| multiplier[i] + penalty * d[i]);
-    let mut answer =
-        Answer { traction: [0.0; 3], status: Status::Open, tangent: [[0.0; 3]; 3] };
-    // A NaN must not pass for an open node.
-    if trial[0] <= 0.0 {
-        return answer;
+impl Law {
+    /// Traction of a node whose status is given.
+    pub fn traction(&self, status: Status, multiplier: &[f64; 3], d: &[f64; 3]) -> Answer {
+        let mut answer = Answer::default();
+        if status == Status::Open {
+            return answer;
+        }
+        let penalty = self.penalty;
+        let normal = multiplier[0] + penalty * d[0];
+        answer.traction[0] = normal;
+        answer.tangent[0][0] = penalty;
+        match status {
+            Status::Stick => {
+                for i in 1..3 {
+                    answer.traction[i] = multiplier[i] + penalty * d[i];
+                    answer.tangent[i][i] = penalty;
+                }
+            }
+            Status::Slip(e) => {
+                let trial = [1, 2].map(|i| multiplier[i] + self.stiffness * d[i]);
+                let bound = self.friction * normal;
+                // How fast the direction turns; never stiffer than sticking.
+                let turn = match bound / trial[0].hypot(trial[1]) {
+                    ratio if ratio > 0.0 => self.stiffness * ratio.min(1.0),
+                    _ => 0.0,
+                };
+                for i in 0..2 {
+                    answer.traction[1 + i] = bound * e[i];
+                    answer.tangent[1 + i][0] = self.friction * penalty * e[i];
+                    for j in 0..2 {
+                        let across = f64::from(u8::from(i == j)) - e[i] * e[j];
+                        answer.tangent[1 + i][1 + j] = turn * across;
+                    }
+                }
+            }
+            Status::Open => {}
+        }
+        answer
     }
-    answer.traction[0] = trial[0];
-    answer.tangent[0][0] = penalty;
-    answer.status = Status::Slip;
-    if friction == 0.0 {
-        return answer;
-    }
-    let (shear, bound) = (trial[1].hypot(trial[2]), friction * trial[0]);
-    if shear <= bound {
-        answer.status = Status::Stick;
-        answer.traction = trial;
-        answer.tangent[1][1] = penalty;
-        answer.tangent[2][2] = penalty;
-        return answer;
-    }
-    let e = [trial[1] / shear, trial[2] / shear];
-    for i in 0..2 {
-        answer.traction[1 + i] = bound * e[i];
-        answer.tangent[1 + i][0] = friction * penalty * e[i];
-        for j in 0..2 {
-            let projector = f64::from(u8::from(i == j)) - e[i] * e[j];
-            answer.tangent[1 + i][1 + j] = bound / shear * penalty * projector;
+
+    /// The status that the multiplier and d ask for.
+    pub fn decide(&self, multiplier: &[f64; 3], d: &[f64; 3]) -> Status {
+        let pressure = multiplier[0] + self.stiffness * d[0];
+        // Written so that a NaN does not pass for an open node.
+        if pressure <= 0.0 {
+            return Status::Open;
+        }
+        if self.friction == 0.0 {
+            return Status::Slip([0.0; 2]);
+        }
+        let trial = [1, 2].map(|i| multiplier[i] + self.stiffness * d[i]);
+        let shear = trial[0].hypot(trial[1]);
+        if shear <= self.friction * pressure {
+            Status::Stick
+        } else {
+            Status::Slip(trial.map(|t| t / shear))
         }
     }
-    answer
 }
 
-/// The traction of a node that is glued for one predictor step.
-pub fn glued(friction: f64, penalty: f64, multiplier: &[f64; 3], d: &[f64; 3]) -> Answer {
-    let mut answer = Answer {
-        traction: std::array::from_fn(|i| multiplier[i] + penalty * d[i]),
-        status: Status::Stick,
-        tangent: [[penalty, 0.0, 0.0], [0.0, penalty, 0.0], [0.0, 0.0, penalty]],
-    };
-    if friction == 0.0 {
-        answer.traction = [answer.traction[0], 0.0, 0.0];
-        answer.tangent[1][1] = 0.0;
-        answer.tangent[2][2] = 0.0;
+impl Status {
+    /// The same kind of status, whatever the direction of slip?
+    pub fn same_kind(&self, other: &Self) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
     }
-    answer
+
+    /// 0 open, 1 stick, 2 slip.
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::Open => 0,
+            Self::Stick => 1,
+            Self::Slip(_) => 2,
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const LAW: Law = Law { friction: 0.15, penalty: 1000.0, stiffness: 10.0 };
+
     #[test]
-    fn the_tangent_is_the_derivative_in_every_regime() {
-        let lambda = [10.0, 1.0, -0.5];
-        for d in [[0.01, 0.001, 0.002], [0.01, 0.3, -0.2], [-0.2, 0.0, 0.0]] {
-            let base = traction(0.15, 100.0, &lambda, &d);
-            for j in 0..3 {
-                let mut moved = d;
-                moved[j] += 1e-7;
-                let next = traction(0.15, 100.0, &lambda, &moved);
-                for i in 0..3 {
-                    let slope = (next.traction[i] - base.traction[i]) / 1e-7;
-                    assert!((slope - base.tangent[i][j]).abs() < 1e-3, "{i}{j} {:?}", base.status);
-                }
-            }
-        }
+    fn a_sticking_node_that_overloads_starts_to_slip_along_its_shear() {
+        let status = LAW.decide(&[10.0, 3.0, -4.0], &[0.0; 3]);
+        let Status::Slip(e) = status else { panic!("{status:?}") };
+        assert!((e[0] - 0.6).abs() < 1e-15 && (e[1] + 0.8).abs() < 1e-15);
+        let t = LAW.traction(status, &[10.0, 3.0, -4.0], &[0.0; 3]).traction;
+        assert!((t[1].hypot(t[2]) - 1.5).abs() < 1e-14);
     }
 
     #[test]
-    fn shear_never_exceeds_coulomb() {
-        let answer = traction(0.15, 100.0, &[10.0, 0.0, 0.0], &[0.0, 5.0, 5.0]);
-        assert_eq!(answer.status, Status::Slip);
-        assert!((answer.traction[1].hypot(answer.traction[2]) - 1.5).abs() < 1e-14);
+    fn a_slipping_node_that_turns_back_sticks() {
+        // Shear at the bound, relative motion against it.
+        assert_eq!(LAW.decide(&[10.0, 1.5, 0.0], &[0.0, -0.01, 0.0]), Status::Stick);
+        assert!(matches!(LAW.decide(&[10.0, 1.5, 0.0], &[0.0, 0.01, 0.0]), Status::Slip(_)));
+    }
+
+    #[test]
+    fn tension_opens_and_penetration_closes() {
+        assert_eq!(LAW.decide(&[-1.0, 0.0, 0.0], &[1e-6, 0.0, 0.0]), Status::Open);
+        assert_eq!(LAW.decide(&[0.0; 3], &[1e-6, 0.0, 0.0]), Status::Stick);
     }
 }

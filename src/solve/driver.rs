@@ -128,6 +128,7 @@ impl<'a, 'o> Run<'a, 'o> {
                 time: 0.0,
                 x: vec![0.0; model.dofs.len()],
                 multipliers: vec![[0.0; 3]; rows],
+                statuses: vec![Status::Open; rows],
             },
             solver: LinearSolver::default(),
             previous: None,
@@ -159,20 +160,19 @@ impl<'a, 'o> Run<'a, 'o> {
     fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
         let controls = self.model.scene.controls;
         let path_matters =
-            !self.model.yielding.is_empty() || self.model.rows.iter().any(|r| r.friction > 0.0);
+            !self.model.yielding.is_empty() || self.model.rows.iter().any(|r| r.law.friction > 0.0);
         let mut size = if path_matters { controls.first_increment } else { 1.0 };
         let mut time = 0.0;
         self.previous = None;
         while time < 1.0 {
             let target = if time + 1.001 * size >= 1.0 { 1.0 } else { time + size };
             let mut trial = self.predict(step, time, target);
-            let glued = self.glued();
+            self.touch(&mut trial);
             let before = self.counters.iterations;
             let result = newton::balance(
                 &self.model,
                 &self.history,
                 &mut trial,
-                &glued,
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,
@@ -230,17 +230,20 @@ impl<'a, 'o> Run<'a, 'o> {
         guess
     }
 
-    /// Rows that the first predictor glues: those that all but touch, where nothing presses yet.
-    fn glued(&self) -> Vec<bool> {
-        if self.point.multipliers.iter().any(|m| m[0] > 0.0) {
-            return Vec::new();
-        }
-        let mut least = vec![f64::INFINITY; self.model.scene.contacts.len()];
-        for r in &self.model.rows {
+    /// Where nothing presses yet, lets the rows carry that all but touch: bodies float until then.
+    fn touch(&self, trial: &mut Point) {
+        let mut pressed = vec![false; self.model.scene.contacts.len()];
+        let mut least = vec![f64::INFINITY; pressed.len()];
+        for (r, multiplier) in self.model.rows.iter().zip(&trial.multipliers) {
+            pressed[r.pair] |= multiplier[0] > 0.0;
             least[r.pair] = least[r.pair].min(r.row.gap);
         }
         let near = 0.02 * self.model.reach;
-        self.model.rows.iter().map(|r| r.row.gap <= least[r.pair] + near).collect()
+        for (r, status) in self.model.rows.iter().zip(&mut trial.statuses) {
+            if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
+                *status = if r.law.friction > 0.0 { Status::Stick } else { Status::Slip([0.0; 2]) };
+            }
+        }
     }
 
     /// Prepares contact over a wider initial gap if the bodies came closer than was prepared for.
@@ -268,6 +271,7 @@ impl<'a, 'o> Run<'a, 'o> {
             map.iter().map(|i| i.map_or(T::default(), |i| from[i])).collect()
         }
         self.point.multipliers = carry(&map, &self.point.multipliers);
+        self.point.statuses = carry(&map, &self.point.statuses);
         self.history.slip_origin = carry(&map, &self.history.slip_origin);
         self.history.slip = carry(&map, &self.history.slip);
         self.previous = None;
@@ -288,19 +292,15 @@ impl<'a, 'o> Run<'a, 'o> {
         for answer in &evaluation.plastic {
             self.history.plastic[answer.index] = Some(answer.points.clone());
         }
-        for (index, (answer, d)) in
-            evaluation.contact.iter().zip(&evaluation.relative).enumerate()
-        {
-            if answer.status == Status::Slip {
+        for (index, (status, d)) in trial.statuses.iter().zip(&evaluation.relative).enumerate() {
+            if matches!(status, Status::Slip(_)) {
                 self.history.slip[index] += d[1].hypot(d[2]);
             }
             for i in 0..2 {
                 self.history.slip_origin[index][i] += d[1 + i];
             }
         }
-        let mut accepted = trial;
-        accepted.multipliers = evaluation.contact.iter().map(|a| a.traction).collect();
-        let mut before = std::mem::replace(&mut self.point, accepted);
+        let mut before = std::mem::replace(&mut self.point, trial);
         before.time = time_before;
         self.previous = (time_before > 0.0).then_some(before);
         let state = self.state(evaluation);
@@ -389,7 +389,7 @@ impl<'a, 'o> Run<'a, 'o> {
             field.gap[at] = -d[0];
             field.traction[at] = row.global(&[0.0, s, t]).map(|v| sign * v);
             field.slip[at] = self.history.slip[index];
-            field.status[at] = answer.status as u8;
+            field.status[at] = self.point.statuses[index].code();
             field.area[at] = row.row.area;
             field.force[at] =
                 row.global(&answer.traction).map(|v| sign * v * row.row.area);

@@ -1,7 +1,7 @@
 //! Residual and tangent at a displacement.
 
 use super::model::Model;
-use crate::contact::law::{self, Answer, Status};
+use crate::contact::law::{Answer, Status};
 use crate::fem::bbar::{self, ElementVector};
 use crate::linear::sparse::SymmetricMatrix;
 use crate::material::j2::{self, PlasticPoint};
@@ -45,8 +45,7 @@ pub struct Evaluation {
 pub struct Trial<'t> {
     pub x: &'t [f64],
     pub multipliers: &'t [[f64; 3]],
-    /// Rows that are glued for the first predictor, or empty.
-    pub glued: &'t [bool],
+    pub statuses: &'t [Status],
     pub external: &'t [f64],
     pub step: usize,
     pub time: f64,
@@ -69,8 +68,8 @@ impl Model<'_> {
             }
         }
         let (contact, relative) = self.contact_answers(history, trial, &u);
-        for (row, answer) in self.rows.iter().zip(&contact) {
-            if answer.status == Status::Open {
+        for ((row, answer), status) in self.rows.iter().zip(&contact).zip(trial.statuses) {
+            if *status == Status::Open {
                 continue;
             }
             let force = row.global(&answer.traction).map(|t| t * row.row.area);
@@ -131,15 +130,10 @@ impl Model<'_> {
             .enumerate()
             .map(|(index, row)| {
                 let d = row.relative(u);
-                let origin = if row.friction > 0.0 { history.slip_origin[index] } else { [0.0; 2] };
+                let origin = history.slip_origin[index];
                 let measured = [d[0] - row.row.gap, d[1] - origin[0], d[2] - origin[1]];
-                let law = if trial.glued.get(index) == Some(&true) {
-                    law::glued
-                } else {
-                    law::traction
-                };
-                let answer =
-                    law(row.friction, row.penalty, &trial.multipliers[index], &measured);
+                let status = trial.statuses[index];
+                let answer = row.law.traction(status, &trial.multipliers[index], &measured);
                 (answer, measured)
             })
             .unzip()
@@ -147,7 +141,7 @@ impl Model<'_> {
 
     /// Symmetric part of the tangent: bodies with what flows, contact without the coupling of
     /// friction to pressure (see [`Model::add_coupling`]).
-    pub fn tangent(&self, evaluation: &Evaluation) -> SymmetricMatrix {
+    pub fn tangent(&self, evaluation: &Evaluation, statuses: &[Status]) -> SymmetricMatrix {
         let mut matrix = self.stiffness.clone();
         let changes: Vec<_> = evaluation
             .plastic
@@ -173,8 +167,8 @@ impl Model<'_> {
         for (equations, change) in changes {
             self.pattern.add_block(&mut matrix, &equations, |i, j| change[i][j]);
         }
-        for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
-            if answer.status != Status::Open {
+        for ((row, answer), status) in self.rows.iter().zip(&evaluation.contact).zip(statuses) {
+            if *status != Status::Open {
                 row.add_stiffness(self, answer, &mut matrix);
             }
         }
@@ -183,14 +177,13 @@ impl Model<'_> {
 
     /// Does friction couple to pressure anywhere, so that the tangent is unsymmetric?
     pub fn is_unsymmetric(&self, evaluation: &Evaluation) -> bool {
-        let rows = self.rows.iter().zip(&evaluation.contact);
-        rows.into_iter().any(|(row, a)| row.friction > 0.0 && a.status == Status::Slip)
+        evaluation.contact.iter().any(couples)
     }
 
     /// Adds the unsymmetric part of the tangent, slip traction by pressure, times `x` to `y`.
     pub fn add_coupling(&self, evaluation: &Evaluation, x: &[f64], y: &mut [f64]) {
         for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
-            if row.friction == 0.0 || answer.status != Status::Slip {
+            if !couples(answer) {
                 continue;
             }
             let mut closure = 0.0;
@@ -212,6 +205,10 @@ impl Model<'_> {
             }
         }
     }
+}
+
+fn couples(answer: &Answer) -> bool {
+    answer.tangent[1][0] != 0.0 || answer.tangent[2][0] != 0.0
 }
 
 impl super::model::ContactRow {

@@ -1,6 +1,7 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
 use super::driver::SolveError;
+use crate::contact::law::Law;
 use crate::contact::mortar::{self, Opposite, Row};
 use crate::fem::bbar::{self, ElementVector};
 use crate::fem::dofs::{DofMap, FIXED, Source};
@@ -40,9 +41,7 @@ pub struct Counters {
 pub struct ContactRow {
     pub row: Row,
     pub pair: usize,
-    pub friction: f64,
-    /// Penalty per area.
-    pub penalty: f64,
+    pub law: Law,
 }
 
 /// The scene, discretised.
@@ -215,8 +214,11 @@ fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
         };
         let (rows, _) = pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
         all.extend(rows.into_iter().map(|row| ContactRow {
-            penalty: PENALTY * pair.penalty_factor * row.stiffness,
-            friction: pair.friction,
+            law: Law {
+                friction: pair.friction,
+                penalty: PENALTY * pair.penalty_factor * row.stiffness,
+                stiffness: row.stiffness,
+            },
             pair: index,
             row,
         }));

@@ -1,9 +1,9 @@
 //! Newton iterations of one increment.
 //!
-//! Each iteration solves for the displacements at fixed contact multipliers and statuses; as soon
-//! as the statuses rest, the multipliers take the contact tractions (augmented Lagrange). Both
-//! together are a primal-dual active-set method on a positive definite system: it ends when
-//! forces balance *and* contact conditions hold, whatever the penalty.
+//! Each iteration solves for the displacements with the contact statuses fixed; then the
+//! multipliers take the contact tractions (augmented Lagrange) and the statuses are decided anew.
+//! Both together are a primal-dual active-set method on a positive definite system: it ends when
+//! forces balance, contact conditions hold *and* statuses rest, whatever the penalty.
 
 use super::evaluate::{Evaluation, History, Trial};
 use super::line_search;
@@ -19,7 +19,9 @@ pub struct Point {
     pub step: usize,
     pub time: f64,
     pub x: Vec<f64>,
+    /// Contact tractions and statuses, row by row.
     pub multipliers: Vec<[f64; 3]>,
+    pub statuses: Vec<Status>,
 }
 
 /// Why an increment was given up.
@@ -37,8 +39,8 @@ pub enum Failure {
 #[derive(Default)]
 pub struct LinearSolver {
     factor: Option<Factor>,
-    /// Statuses and number of flowing points that the factor was made for.
-    made_for: (Vec<Status>, usize),
+    /// Status codes and number of flowing points that the factor was made for.
+    made_for: (Vec<u8>, usize),
 }
 
 /// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
@@ -52,11 +54,12 @@ impl LinearSolver {
         &mut self,
         model: &Model,
         evaluation: &Evaluation,
+        statuses: &[Status],
         tolerance: f64,
         counters: &mut Counters,
     ) -> Result<(Vec<f64>, usize, bool), FactorError> {
-        let matrix = model.tangent(evaluation);
-        let statuses: Vec<Status> = evaluation.contact.iter().map(|a| a.status).collect();
+        let matrix = model.tangent(evaluation, statuses);
+        let statuses: Vec<u8> = statuses.iter().map(Status::code).collect();
         let flowing = flowing(evaluation);
         let stale = self.made_for != (statuses.clone(), flowing) || self.factor.is_none();
         if stale {
@@ -93,13 +96,11 @@ fn flowing(evaluation: &Evaluation) -> usize {
     evaluation.plastic.iter().flat_map(|a| &a.flows).filter(|f| f.is_some()).count()
 }
 
-/// Brings `point` into balance at its time. `glued` marks the rows that the very first predictor
-/// holds together (bodies float until they touch).
+/// Brings `point` into balance at its time, starting from its statuses.
 pub fn balance(
     model: &Model,
     history: &History,
     point: &mut Point,
-    glued: &[bool],
     solver: &mut LinearSolver,
     observer: &mut dyn Observer,
     counters: &mut Counters,
@@ -108,41 +109,43 @@ pub fn balance(
     let external = model.external(point.step, point.time);
     let reference = reference_force(model).max(f64::MIN_POSITIVE);
     let limit = 10.0 * size(model);
-    let mut glued = glued;
-    let mut statuses: Vec<Status> = Vec::new();
-    let mut last = Iteration {
-        step: point.step,
-        time: point.time,
-        iteration: 0,
-        residual: 1.0,
-        energy: 1.0,
-        active: 0,
-        sticking: 0,
-        slipping: 0,
-        penetration: 0.0,
-        flowing: 0,
-        directions: 0,
-        refactored: false,
-        line_search: 1.0,
-    };
-    let mut evaluation = evaluate(model, history, point, &point.x, glued, &external, counters);
+    let mut last = Iteration { step: point.step, time: point.time, ..Iteration::default() };
+    let mut evaluation = evaluate(model, history, point, &point.x, &external, counters);
     loop {
-        let next: Vec<Status> = evaluation.contact.iter().map(|a| a.status).collect();
-        let settled = next == statuses && glued.is_empty();
-        statuses = next;
+        let residual = norm(&evaluation.residual) / reference;
+        let tolerance = (0.05 * controls.residual / residual).clamp(1e-12, 1e-4);
+        let (dx, directions, refactored) = solver
+            .solve(model, &evaluation, &point.statuses, tolerance, counters)
+            .map_err(Failure::Factor)?;
+        let step =
+            |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
+        let start = dot(&evaluation.residual, &dx);
+        evaluation = evaluate(model, history, point, &step(1.0), &external, counters);
+        // With the statuses fixed only yielding is left for the line search to see.
+        last.line_search = if evaluation.plastic.is_empty() {
+            1.0
+        } else {
+            let full = dot(&evaluation.residual, &dx);
+            line_search::search(start, full, |s| {
+                evaluation = evaluate(model, history, point, &step(s), &external, counters);
+                dot(&evaluation.residual, &dx)
+            })
+        };
+        point.x = step(last.line_search);
+        counters.iterations += 1;
+        last.iteration += 1;
+        last.energy = start.abs() / (reference * norm(&point.x)).max(f64::MIN_POSITIVE);
+        (last.directions, last.refactored) = (directions, refactored);
+        if let Some((node, axis)) = runaway(model, &point.x, limit) {
+            return Err(Failure::Runaway { node, axis });
+        }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
-        if settled && last.penetration > controls.penetration {
-            point.multipliers = evaluation.contact.iter().map(|a| a.traction).collect();
-            evaluation = evaluate(model, history, point, &point.x, glued, &external, counters);
-            last.residual = norm(&evaluation.residual) / reference;
-        }
-        count(&mut last, model, &evaluation);
-        if last.iteration > 0 {
-            observer.iteration(&last);
-        }
-        let done = last.residual <= controls.residual && last.penetration <= controls.penetration;
-        if done && glued.is_empty() {
+        last.changed = update_contact(model, point, &evaluation);
+        count(&mut last, model, point, &evaluation);
+        observer.iteration(&last);
+        let balanced = last.residual <= controls.residual;
+        if balanced && last.changed == 0 && last.penetration <= controls.penetration {
             return Ok(evaluation);
         }
         if observer.cancelled() {
@@ -152,36 +155,23 @@ pub fn balance(
             let Iteration { residual, penetration, .. } = last;
             return Err(Failure::Slow { residual, penetration });
         }
-        let tolerance = (0.05 * controls.residual / last.residual).clamp(1e-12, 1e-4);
-        let (dx, directions, refactored) = solver
-            .solve(model, &evaluation, tolerance, counters)
-            .map_err(Failure::Factor)?;
-        let start = dot(&evaluation.residual, &dx);
-        let step = |s: f64| -> Vec<f64> {
-            point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect()
-        };
-        let was_glued = !glued.is_empty();
-        glued = &[];
-        evaluation = evaluate(model, history, point, &step(1.0), glued, &external, counters);
-        last.line_search = 1.0;
-        if !was_glued {
-            let full = dot(&evaluation.residual, &dx);
-            last.line_search = line_search::search(start, full, |s| {
-                evaluation = evaluate(model, history, point, &step(s), glued, &external, counters);
-                dot(&evaluation.residual, &dx)
-            });
-        }
-        last.energy = start.abs() / (reference * norm(&point.x)).max(f64::MIN_POSITIVE);
-        let x = step(last.line_search);
-        point.x = x;
-        last.iteration += 1;
-        last.directions = directions;
-        last.refactored = refactored;
-        counters.iterations += 1;
-        if let Some((node, axis)) = runaway(model, &point.x, limit) {
-            return Err(Failure::Runaway { node, axis });
-        }
+        evaluation = evaluate(model, history, point, &point.x, &external, counters);
     }
+}
+
+/// Multipliers take the tractions, statuses are decided anew; returns how many changed.
+fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> usize {
+    let mut changed = 0;
+    for (index, row) in model.rows.iter().enumerate() {
+        let traction = evaluation.contact[index].traction;
+        let status = row.law.decide(&traction, &evaluation.relative[index]);
+        if !status.same_kind(&point.statuses[index]) {
+            changed += 1;
+        }
+        point.statuses[index] = status;
+        point.multipliers[index] = if status == Status::Open { [0.0; 3] } else { traction };
+    }
+    changed
 }
 
 fn evaluate(
@@ -189,16 +179,15 @@ fn evaluate(
     history: &History,
     point: &Point,
     x: &[f64],
-    glued: &[bool],
     external: &[f64],
     counters: &mut Counters,
 ) -> Evaluation {
     counters.plastic_updates += 8 * model.yielding.len();
-    counters.friction_updates += model.rows.iter().filter(|r| r.friction > 0.0).count();
+    counters.friction_updates += model.rows.iter().filter(|r| r.law.friction > 0.0).count();
     let trial = Trial {
         x,
         multipliers: &point.multipliers,
-        glued,
+        statuses: &point.statuses,
         external,
         step: point.step,
         time: point.time,
@@ -213,17 +202,17 @@ fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
     let worst = rows
         .map(|((row, answer), multiplier)| {
             let d: f64 = (0..3).map(|i| (answer.traction[i] - multiplier[i]).powi(2)).sum();
-            d.sqrt() / row.penalty
+            d.sqrt() / row.law.penalty
         })
         .fold(0.0, f64::max);
     let travel = point.x.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     if worst == 0.0 { 0.0 } else { worst / travel.max(f64::MIN_POSITIVE) }
 }
 
-fn count(last: &mut Iteration, model: &Model, evaluation: &Evaluation) {
-    let with = |status| evaluation.contact.iter().filter(|a| a.status == status).count();
-    (last.sticking, last.slipping) = (with(Status::Stick), with(Status::Slip));
-    last.active = model.rows.len() - with(Status::Open);
+fn count(last: &mut Iteration, model: &Model, point: &Point, evaluation: &Evaluation) {
+    let with = |code| point.statuses.iter().filter(|s| s.code() == code).count();
+    (last.sticking, last.slipping) = (with(1), with(2));
+    last.active = model.rows.len() - with(0);
     last.flowing = flowing(evaluation);
 }
 

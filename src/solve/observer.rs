@@ -3,7 +3,7 @@
 use crate::results::State;
 
 /// One Newton iteration, all values relative where a tolerance is relative.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Iteration {
     pub step: usize,
     /// Share of the step that this increment aims at.
@@ -17,6 +17,8 @@ pub struct Iteration {
     pub active: usize,
     pub sticking: usize,
     pub slipping: usize,
+    /// Contact nodes whose status changed in this iteration.
+    pub changed: usize,
     /// Largest violation of a contact condition, as a length over the approach of the bodies.
     pub penetration: f64,
     /// Integration points that flow.

@@ -18,3 +18,4 @@ pub mod material;
 pub mod mesh;
 pub mod results;
 pub mod scene;
+pub mod units;

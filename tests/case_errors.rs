@@ -135,11 +135,11 @@ fn a_wrong_type() {
     );
     refused(
         &with(BEARING, "[mesh]", "[[mesh]]"),
-        &["`mesh", "a table is wanted"],
+        &["`mesh", "a table is wanted, this is an array"],
     );
     refused(
         &with(SCENE, "[[support]]", "[support]"),
-        &["`support", "an array is wanted"],
+        &["`support", "an array is wanted", "[[support]]"],
     );
     refused(
         &with(SCENE, "\"base\"", "[\"base\"]"),

@@ -195,10 +195,12 @@ impl<'a> Table<'a> {
 
     /// The tables of `[[key]]`; none where the key is missing.
     pub fn tables(&self, key: &str) -> Result<Vec<Table<'a>>, CaseError> {
-        match self.get(key) {
-            Some(field) => field.list()?.iter().map(Field::table).collect(),
-            None => Ok(Vec::new()),
-        }
+        let Some(field) = self.get(key) else {
+            return Ok(Vec::new());
+        };
+        let help = format!("each begins with a line [[{}]]", self.path(key));
+        let items = field.list().map_err(|error| error.help(help))?;
+        items.iter().map(Field::table).collect()
     }
 }
 
@@ -225,11 +227,12 @@ impl<'a> Field<'a> {
     }
 
     pub fn wrong_type(&self, wanted: &str) -> CaseError {
-        let found = self.value.get_ref().type_str();
-        self.place().error(
-            ErrorKind::WrongType,
-            format!("{wanted} is wanted, this is a {found}"),
-        )
+        let found = match self.raw().type_str() {
+            vowel if vowel.starts_with(['a', 'i', 'o']) => format!("an {vowel}"),
+            other => format!("a {other}"),
+        };
+        let why = format!("{wanted} is wanted, this is {found}");
+        self.place().error(ErrorKind::WrongType, why)
     }
 
     pub fn located<T>(&self, value: T) -> Located<T> {

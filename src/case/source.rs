@@ -54,10 +54,12 @@ impl Place {
             .text()
             .get(self.span.clone())
             .unwrap_or_default();
-        let named = match text {
-            "" => self.key.clone(),
-            _ if text.len() > 60 || text.contains('\n') => self.key.clone(),
-            _ => format!("{} = {text}", self.key),
+        // The value is told where it is short, and not where it is the key itself or the header
+        // of its table.
+        let is_key = self.key.ends_with(text.trim_matches(['[', ']']));
+        let named = match is_key || text.len() > 60 || text.contains('\n') {
+            true => self.key.clone(),
+            false => format!("{} = {text}", self.key),
         };
         let error = CaseError::new(kind, format!("`{named}`: {why}"));
         match self.span.is_empty() {

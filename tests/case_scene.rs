@@ -4,9 +4,10 @@ mod case_kit;
 
 use std::path::Path;
 
-use brinell::case::{Case, Kind, MisesRead, RollerEnd, read};
+use brinell::case::template::RollerEnd;
+use brinell::case::{Case, Kind, MisesRead, read};
 use brinell::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
-use case_kit::{BEARING, SCENE, blocks, good, mesh, stack, with};
+use case_kit::{BEARING, SCENE, blocks, good, mesh, render, stack, with};
 
 fn bearing(case: &Case) -> &brinell::case::BearingCase {
     match &case.kind {
@@ -100,7 +101,7 @@ fn the_two_meanings_of_an_offset() {
             "\"0 in\"",
             &format!("\"2.5 in\"\noffset_is = \"{is}\""),
         );
-        bearing(&good(&text)).offset
+        bearing(&good(&text)).geometry.offset
     };
     assert_eq!((of("roller"), of("bearing")), (2.5, 1.25));
 }
@@ -118,12 +119,14 @@ fn dimensions_of_a_bearing() {
         "plate_thickness = \"1 in\"",
         &format!("plate_thickness = {thick}"),
     ));
-    let bearing = bearing(&case);
-    assert_eq!(bearing.roller_wall, None);
-    assert_eq!(bearing.roller_end, RollerEnd::Crown(2e-4));
-    assert_eq!(bearing.plate_size, [9.0, 10.0]);
-    assert_eq!(bearing.plate_thickness, [1.0, 2.0, 3.0]);
-    assert_eq!(bearing.slope, 4f64.to_radians());
+    let geometry = &bearing(&case).geometry;
+    assert_eq!(geometry.wall, None);
+    assert_eq!(geometry.end, RollerEnd::Crown(2e-4));
+    assert_eq!(geometry.plan, [9.0, 10.0]);
+    assert_eq!(geometry.upper_thickness, 1.0);
+    assert_eq!(geometry.intermediate_thickness, 2.0);
+    assert_eq!(geometry.lower_thickness, 3.0);
+    assert_eq!(geometry.slope, 4f64.to_radians());
 }
 
 #[test]
@@ -189,6 +192,34 @@ fn assumptions_are_named_and_say_whether_they_were_given() {
     assert!(!given("steel.hardening.strain_is"));
     assert!(given("mesh.preset"));
     assert!(case.discrepancies.is_empty());
+}
+
+#[test]
+fn a_case_can_be_changed_from_outside() {
+    let mut case = good(&format!("{BEARING}growth = 1.5\n"));
+    case.set_preset("report-like").unwrap();
+    case.set_full().unwrap();
+    assert_eq!(bearing(&case).mesh.preset.name(), "report-like");
+    assert!(bearing(&case).mesh.overrides.is_empty());
+    assert!(bearing(&case).is_whole() && case.model().mirrors.is_empty());
+    let value = |key: &str| {
+        &case
+            .assumptions
+            .iter()
+            .find(|a| a.key == key)
+            .unwrap()
+            .value
+    };
+    assert_eq!(value("mesh.preset"), "report-like");
+    assert_eq!(value("bearing.full"), "the whole bearing");
+    let error = good(BEARING).set_preset("h0025").unwrap_err();
+    assert!(render(&error).contains("did you mean `h025`?"));
+    let error = good(SCENE).set_full().unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("`two blocks` is a general scene")
+    );
 }
 
 #[test]
@@ -301,13 +332,11 @@ fn shipped_cases() {
         for (place, offset) in [("centre", 0.0), ("offset-1.25", 1.25), ("offset-2.5", 2.5)] {
             let case = read(&folder.join(format!("{design}-{place}.toml"))).unwrap();
             let bearing = bearing(&case);
-            assert_eq!((bearing.roller_length, bearing.offset), (length, offset));
+            let geometry = &bearing.geometry;
+            assert_eq!((geometry.length, geometry.offset), (length, offset));
             assert_eq!((bearing.load, bearing.friction), (65.0, 0.15));
-            assert_eq!(
-                (bearing.roller_diameter, bearing.roller_wall),
-                (3.0, Some(0.75))
-            );
-            assert_eq!(bearing.full, offset > 0.0);
+            assert_eq!((geometry.diameter, geometry.wall), (3.0, Some(0.75)));
+            assert_eq!(bearing.is_whole(), offset > 0.0);
             assert!(case.discrepancies.len() >= 4);
         }
     }
@@ -320,7 +349,7 @@ fn shipped_cases() {
     assert!(printed.contains(&("overall", 70.0)) && printed.contains(&("rollers", 49.0)));
 
     let prototype = read(Path::new("cases/prototype-1.toml")).unwrap();
-    assert_eq!(bearing(&prototype).roller_length, 17.0);
+    assert_eq!(bearing(&prototype).geometry.length, 17.0);
     let h = read(Path::new("cases/problem-h.toml")).unwrap();
     assert_eq!(h.model().mirrors, [0]);
     assert_eq!(

@@ -6,11 +6,11 @@
 
 use super::assumption::Assumption;
 use super::error::{CaseError, ErrorKind};
-use super::mesh_choice::BearingMesh;
+use super::mesh_choice;
 use super::parse::{Field, Table};
 use super::source::Located;
 use super::steel::Steels;
-use super::template::BODIES;
+use super::template::{BODIES, BearingGeometry, MeshRequest, RollerEnd};
 use crate::units::Dimension;
 
 const KEYS: &[&str] = &[
@@ -31,42 +31,17 @@ const KEYS: &[&str] = &[
     "unload_to",
 ];
 
-/// The shape of the ends of a roller.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RollerEnd {
-    /// A sharp edge.
-    Square,
-    /// The edge rounded with this radius.
-    Radius(f64),
-    /// A logarithmic crown that has dropped this much at the ends.
-    Crown(f64),
-}
-
-/// A bearing, in the units of its case; angles in radians.
+/// A bearing, in the units of its case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BearingCase {
+    pub geometry: BearingGeometry,
+    pub mesh: MeshRequest,
     /// Vertical, on the whole bearing.
     pub load: f64,
     /// Coulomb's coefficient, on all four interfaces.
     pub friction: f64,
-    pub roller_diameter: f64,
-    /// `None` for a solid roller.
-    pub roller_wall: Option<f64>,
-    pub roller_length: f64,
-    pub roller_end: RollerEnd,
-    /// s, the distance of the roller axes from the centre of the intermediate plate.
-    pub offset: f64,
-    /// Of the two faces on either side of each V line.
-    pub slope: f64,
-    /// Upper, intermediate (where its V lines cross), lower.
-    pub plate_thickness: [f64; 3],
-    /// Plates along x and along y.
-    pub plate_size: [f64; 2],
-    /// Is the whole bearing modelled, or a quarter?
-    pub full: bool,
     /// The share of the load that is left after unloading; `None` where it stays on.
     pub unload_to: Option<f64>,
-    pub mesh: BearingMesh,
     pub steels: Steels,
 }
 
@@ -85,12 +60,12 @@ impl BearingCase {
         let wall = reader.wall(diameter.value)?;
         let length = reader.positive("roller_length", Dimension::LENGTH)?.value;
         let slope = reader.slope()?;
-        let plate_thickness = reader.thicknesses()?;
-        let plate_size = reader.plate_size(length)?;
+        let [upper_thickness, intermediate_thickness, lower_thickness] = reader.thicknesses()?;
+        let plan = reader.plate_size(length)?;
         let end = reader.end(diameter.value, wall, length)?;
         let offset = reader.offset()?;
         let reach = offset.value + diameter.value / 2.0 * slope.sin();
-        check_offset(&offset, reach, length, plate_size, &table)?;
+        check_offset(&offset, reach, length, plan, &table)?;
         check_grip(&friction, offset.value, slope)?;
         let full = reader.full(offset.value)?;
         let unload_to = reader.unload()?;
@@ -99,27 +74,42 @@ impl BearingCase {
         for body in BODIES {
             steels.of(body)?;
         }
-        Ok(Self {
-            load: load.value,
-            friction: friction.value,
-            roller_diameter: diameter.value,
-            roller_wall: wall,
-            roller_length: length,
-            roller_end: end,
-            offset: offset.value,
+        let geometry = BearingGeometry {
+            diameter: diameter.value,
+            wall,
+            length,
             slope,
-            plate_thickness,
-            plate_size,
-            full,
+            offset: offset.value,
+            intermediate_thickness,
+            upper_thickness,
+            lower_thickness,
+            plan,
+            end,
+        };
+        let mesh = mesh_choice::request(root, full, assumptions)?;
+        let (load, friction) = (load.value, friction.value);
+        Ok(Self {
+            geometry,
+            mesh,
+            load,
+            friction,
             unload_to,
-            mesh: BearingMesh::read(root, assumptions)?,
             steels,
         })
     }
 
+    /// Is the whole bearing modelled, or a quarter?
+    pub fn is_whole(&self) -> bool {
+        self.mesh.full || !self.geometry.is_centred()
+    }
+
     /// Axes of the symmetry planes.
     pub fn mirrors(&self) -> Vec<usize> {
-        if self.full { Vec::new() } else { vec![0, 1] }
+        if self.is_whole() {
+            Vec::new()
+        } else {
+            vec![0, 1]
+        }
     }
 }
 

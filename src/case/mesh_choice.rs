@@ -6,7 +6,7 @@ use super::assumption::Assumption;
 use super::error::{CaseError, ErrorKind};
 use super::parse::Table;
 use super::source::Located;
-use super::template::{MESH_KEYS, PRESETS};
+use super::template::{Kind, MESH_KEYS, MeshKey, MeshRequest, Preset};
 use crate::units::Dimension;
 
 /// A mesh file of a general scene.
@@ -16,14 +16,6 @@ pub struct MeshFile {
     pub path: Located<PathBuf>,
     /// Turns the coordinates of the file into the length unit of the case.
     pub scale: f64,
-}
-
-/// How the bearing template is to be meshed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BearingMesh {
-    pub preset: &'static str,
-    /// Keys of [`MESH_KEYS`] with their values, lengths in the unit of the case.
-    pub overrides: Vec<(&'static str, f64)>,
 }
 
 impl MeshFile {
@@ -46,44 +38,48 @@ impl MeshFile {
     }
 }
 
-impl BearingMesh {
-    pub(super) fn read(root: &Table, assumptions: &mut Vec<Assumption>) -> Result<Self, CaseError> {
-        let mut mesh = Self {
-            preset: PRESETS[0],
-            overrides: Vec::new(),
-        };
-        let mut given = false;
-        if let Some(field) = root.get("mesh") {
-            let mut keys = vec!["preset"];
-            keys.extend(MESH_KEYS.iter().map(|(key, _)| *key));
-            let table = field.table()?.only(&keys)?;
-            if let Some(field) = table.get("preset") {
-                mesh.preset = field.choice(&PRESETS.map(|name| (name, name)))?.value;
-                given = true;
-            }
-            for (key, dimension) in MESH_KEYS {
-                let Some(field) = table.get(key) else {
-                    continue;
-                };
-                let value = field.quantity(dimension)?.positive()?;
-                let value = match key {
-                    "fine_elements" | "fine_layers" => field.count()?.value as f64,
-                    "growth" | "depth_growth" | "along_growth" => {
-                        value
-                            .require(|ratio| *ratio >= 1.0, "must be 1 or more")?
-                            .value
-                    }
-                    _ => value.value,
-                };
-                mesh.overrides.push((key, value));
-            }
+/// Reads `[mesh]` of a bearing.
+pub(super) fn request(
+    root: &Table,
+    full: bool,
+    assumptions: &mut Vec<Assumption>,
+) -> Result<MeshRequest, CaseError> {
+    let mut request = MeshRequest {
+        full,
+        ..MeshRequest::default()
+    };
+    let mut given = false;
+    if let Some(field) = root.get("mesh") {
+        let mut keys = vec!["preset"];
+        keys.extend(MESH_KEYS.iter().map(|key| key.key));
+        let table = field.table()?.only(&keys)?;
+        if let Some(field) = table.get("preset") {
+            request.preset = field.choice(&Preset::ALL.map(|p| (p.name(), p)))?.value;
+            given = true;
         }
-        let changed = match mesh.overrides.len() {
-            0 => mesh.preset.to_string(),
-            n => format!("{}, {n} of its sizes overridden", mesh.preset),
-        };
-        let why = "peak stresses near a contact line depend on the mesh";
-        assumptions.push(Assumption::new("mesh.preset", changed, why, given));
-        Ok(mesh)
+        for MeshKey { key, kind, .. } in MESH_KEYS {
+            let Some(field) = table.get(key) else {
+                continue;
+            };
+            let value = match kind {
+                Kind::Length => field.quantity(Dimension::LENGTH)?.positive()?.value,
+                Kind::Count => field.count()?.value as f64,
+                Kind::Ratio => {
+                    field
+                        .ratio()?
+                        .require(|r| *r >= 1.0, "must be 1 or more")?
+                        .value
+                }
+            };
+            request.overrides.push((key.to_string(), value));
+        }
     }
+    let name = request.preset.name();
+    let text = match request.overrides.len() {
+        0 => name.to_string(),
+        n => format!("{name}, {n} of its numbers overridden"),
+    };
+    let why = "peak stresses near a contact line depend on the mesh";
+    assumptions.push(Assumption::new("mesh.preset", text, why, given));
+    Ok(request)
 }

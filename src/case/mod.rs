@@ -8,6 +8,7 @@
 mod assumption;
 mod bearing_case;
 mod bearing_model;
+mod change;
 mod comparison;
 mod contact;
 mod controls;
@@ -28,13 +29,13 @@ pub mod template;
 use std::path::{Path, PathBuf};
 
 pub use assumption::Assumption;
-pub use bearing_case::{BearingCase, RollerEnd};
+pub use bearing_case::BearingCase;
 pub use comparison::{Comparison, Measure, MisesRead, Printed};
 pub use contact::Contact;
 pub use error::{CaseError, ErrorKind};
 pub use general::GeneralCase;
 pub use load::Loads;
-pub use mesh_choice::{BearingMesh, MeshFile};
+pub use mesh_choice::MeshFile;
 pub use model::Model;
 pub use reference::Discrepancy;
 pub use source::{Located, Place, Source};
@@ -147,7 +148,7 @@ impl Case {
             }
         };
         let comparison = Comparison::read(root, &mut assumptions)?;
-        let displaced = matches!(&kind, Kind::Bearing(bearing) if bearing.offset > 0.0);
+        let displaced = matches!(&kind, Kind::Bearing(bearing) if !bearing.geometry.is_centred());
         let study = reference.as_deref().unwrap_or_default();
         let case = Self {
             title,

@@ -27,24 +27,32 @@ DefineConstant[
 
   // 1: equal elements of the largest sizes, and node rows only on the centre lines.
   Uniform = {0, Choices{0, 1}, Name "Mesh/Uniform"}
-  // Element size across the contact lines, on the roller and on the plates.
+  // Element size across the contact lines, on the rollers and on the plates: a little unlike, so
+  // that the nodes of the two sides do not meet.
   RollerSize = {0.025, Name "Mesh/Size across contact lines, rollers"}
   PlateSize = {0.0265, Name "Mesh/Size across contact lines, plates"}
-  // Elements of that size on either side of a contact line.
+  // Elements of that size on either side of a contact line, and below a contact face.
   FineElements = {2, Name "Mesh/Fine elements each side"}
-  // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
-  Growth = {1.7, Name "Mesh/Growth across"}
-  DepthGrowth = {1.8, Name "Mesh/Growth into the depth"}
-  AlongGrowth = {1.4, Name "Mesh/Growth along"}
+  FineLayers = {1, Name "Mesh/Fine layers"}
   // Element size along a roller where the other one crosses, and at its ends.
   CrossingSize = {0.1, Name "Mesh/Size at the crossing"}
   EndSize = {0.15, Name "Mesh/Size at the roller ends"}
-  // Largest elements: around and along the rollers, in plan, through the wall and the plates.
+  // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
+  Growth = {2, Name "Mesh/Growth across"}
+  DepthGrowth = {2, Name "Mesh/Growth into the depth"}
+  AlongGrowth = {1.5, Name "Mesh/Growth along"}
+  // Largest elements: around, along and through the wall of the rollers; in plan in the flat and
+  // in the intermediate plates; through the plates.
   AroundCap = {0.5, Name "Mesh/Largest around"}
   AlongCap = {0.5, Name "Mesh/Largest along"}
-  PlanCap = {0.8, Name "Mesh/Largest in plan"}
-  WallCap = {0.15, Name "Mesh/Largest through the wall"}
-  DepthCap = {0.25, Name "Mesh/Largest through the plates"}
+  WallCap = {0.2, Name "Mesh/Largest through the wall"}
+  PlanCap = {1, Name "Mesh/Largest in plan, flat plates"}
+  MiddleCap = {0.7, Name "Mesh/Largest in plan, intermediate plate"}
+  DepthCap = {0.3, Name "Mesh/Largest through the plates"}
+  // Fewest elements: through the wall, through each plate, along half a roller (centred).
+  WallLeast = {5, Name "Mesh/Fewest through the wall"}
+  DepthLeast = {5, Name "Mesh/Fewest through the plates"}
+  AlongLeast = {12, Name "Mesh/Fewest along half a roller"}
 ];
 
 Include "spacing.geo";
@@ -78,8 +86,6 @@ sp_growth = Growth;
 sp_cap = AroundCap;
 Half = Pi * Radius;
 Contact = Slope * Radius;
-Quarter = Half / 2;
-sp_least[] = {};
 If (!Solid)
   If (Uniform)
     If (Whole)
@@ -89,14 +95,14 @@ If (!Solid)
       sp_at[] = {0, Half};
       Blocks[] = {0, 1};
     EndIf
-    sp_size[] = {AroundCap, AroundCap, AroundCap};
+    sp_size[] = {sp_any, sp_any, sp_any};
   ElseIf (!Whole)
     sp_at[] = {0, Contact, Half};
-    sp_size[] = {AroundCap, RollerSize, RollerSize};
+    sp_size[] = {sp_any, RollerSize, RollerSize};
     Blocks[] = {0, 2};
   ElseIf (Centred)
     sp_at[] = {-Half, -Contact, 0, Contact, Half};
-    sp_size[] = {RollerSize, RollerSize, AroundCap, RollerSize, RollerSize};
+    sp_size[] = {RollerSize, RollerSize, sp_any, RollerSize, RollerSize};
     Blocks[] = {0, 2, 4};
   Else
     sp_at[] = {-Half, Contact, Half};
@@ -114,14 +120,103 @@ If (!Solid)
   For i In {0 : #Blocks[] - 1}
     ro_block[] += sp_stop[Blocks[i]];
   EndFor
+Else
+  // The core of a solid roller has four sides: bottom, right, top and left, which meet at 45
+  // degrees. The right and left sides hold no contact lines.
+  If (Uniform)
+    BottomAt[] = {-Half / 4, 0, Half / 4};
+    BottomSize[] = {sp_any, sp_any, sp_any};
+    TopSize[] = {sp_any, sp_any, sp_any};
+  ElseIf (Centred)
+    BottomAt[] = {-Half / 4, -Contact, 0, Contact, Half / 4};
+    BottomSize[] = {sp_any, RollerSize, sp_any, RollerSize, sp_any};
+    TopSize[] = {sp_any, RollerSize, sp_any};
+  Else
+    BottomAt[] = {-Half / 4, Contact, Half / 4};
+    BottomSize[] = {sp_any, RollerSize, sp_any};
+    TopSize[] = {sp_any, RollerSize, sp_any};
+  EndIf
+  TopAt[] = {3 * Half / 4, Half, 5 * Half / 4};
+  If (!Whole)
+    // The half from the bottom round to the top.
+    First = (#BottomAt[] - 1) / 2;
+    BottomAt[] = BottomAt[{First : #BottomAt[] - 1}];
+    BottomSize[] = BottomSize[{First : #BottomSize[] - 1}];
+    TopAt[] = {TopAt[0], TopAt[1]};
+    TopSize[] = {TopSize[0], TopSize[1]};
+  EndIf
+  BottomLeast[] = {1, 1, 1, 1};
+  TopLeast[] = {1, 1, 1, 1};
+  sp_fine[] = {FineElements, FineElements, FineElements, FineElements, FineElements};
+
+  // Bottom and top face each other across the core and need as many elements as each other:
+  // the one with fewer gets more in its outer intervals in the second pass.
+  For Pass In {0 : 1}
+    sp_at[] = BottomAt[];
+    sp_size[] = BottomSize[];
+    sp_least[] = BottomLeast[];
+    Call Spacing;
+    Bottom[] = sp_node[];
+    BottomStop[] = sp_stop[];
+    sp_at[] = TopAt[];
+    sp_size[] = TopSize[];
+    sp_least[] = TopLeast[];
+    Call Spacing;
+    Top[] = sp_node[];
+    TopStop[] = sp_stop[];
+    If (Pass == 0)
+      BottomLast = #BottomStop[] - 2;
+      TopLast = #TopStop[] - 2;
+      For i In {0 : BottomLast}
+        BottomLeast[i] = BottomStop[i + 1] - BottomStop[i];
+      EndFor
+      For i In {0 : TopLast}
+        TopLeast[i] = TopStop[i + 1] - TopStop[i];
+      EndFor
+      More = #Top[] - #Bottom[];
+      Share = Whole ? Floor(Fabs(More) / 2) : 0;
+      If (More > 0)
+        BottomLeast[0] += Share;
+        BottomLeast[BottomLast] += More - Share;
+      ElseIf (More < 0)
+        TopLeast[0] += Share;
+        TopLeast[TopLast] += -More - Share;
+      EndIf
+    EndIf
+  EndFor
+  sp_at[] = {Half / 4, 3 * Half / 4};
+  sp_size[] = {sp_any, sp_any};
+  sp_least[] = {1};
+  Call Spacing;
+  Side[] = sp_node[];
+
+  ro_phi[] = {};
+  For i In {0 : #Bottom[] - 1}
+    ro_phi[] += Bottom[i] / Radius;
+  EndFor
+  ro_block[] = {0, #ro_phi[] - 1};
+  For i In {1 : #Side[] - 1}
+    ro_phi[] += Side[i] / Radius;
+  EndFor
+  ro_block[] += #ro_phi[] - 1;
+  For i In {1 : #Top[] - 1}
+    ro_phi[] += Top[i] / Radius;
+  EndFor
+  ro_block[] += #ro_phi[] - 1;
+  If (Whole)
+    For i In {1 : #Side[] - 1}
+      ro_phi[] += Side[i] / Radius + Pi;
+    EndFor
+    ro_block[] += #ro_phi[] - 1;
+  EndIf
 EndIf
 
 // Through the wall, from the inside out.
 ro_inner = Solid ? 0.5 * Radius : Radius - Wall;
 sp_at[] = {ro_inner, Radius};
-sp_size[] = {WallCap, RollerSize};
-sp_fine[] = {1, 1};
-sp_least[] = {1};
+sp_size[] = {sp_any, RollerSize};
+sp_fine[] = {1, FineLayers};
+sp_least[] = {WallLeast};
 sp_cap = WallCap;
 sp_growth = DepthGrowth;
 Call Spacing;
@@ -148,6 +243,9 @@ Else
 EndIf
 sp_fine[] = {1, 1, 1};
 sp_least[] = {1, 1};
+If (Centred)
+  sp_least[] = {AlongLeast, AlongLeast};
+EndIf
 Call Spacing;
 ro_c[] = sp_node[];
 
@@ -186,13 +284,13 @@ For Plate In {0 : 1}
   sp_growth = Growth;
   If (!Whole)
     sp_at[] = {0, PlanAcross / 2};
-    sp_size[] = {PlateSize, PlanCap};
+    sp_size[] = {PlateSize, sp_any};
   ElseIf (Uniform)
     sp_at[] = {CentreAcross - PlanAcross / 2, CentreAcross, CentreAcross + PlanAcross / 2};
-    sp_size[] = {PlanCap, PlanCap, PlanCap};
+    sp_size[] = {sp_any, sp_any, sp_any};
   Else
     sp_at[] = {CentreAcross - PlanAcross / 2, Offset, CentreAcross + PlanAcross / 2};
-    sp_size[] = {PlanCap, PlateSize, PlanCap};
+    sp_size[] = {sp_any, PlateSize, sp_any};
   EndIf
   sp_fine[] = {FineElements, FineElements, FineElements};
   sp_least[] = {1, 1};
@@ -209,7 +307,7 @@ For Plate In {0 : 1}
   If (Whole)
     If (Outside)
       sp_at[] += -PlanAlong / 2;
-      sp_size[] += PlanCap;
+      sp_size[] += sp_any;
     EndIf
     sp_at[] += -Far;
     sp_size[] += EndSize;
@@ -220,7 +318,7 @@ For Plate In {0 : 1}
   sp_size[] += EndSize;
   If (Outside)
     sp_at[] += PlanAlong / 2;
-    sp_size[] += PlanCap;
+    sp_size[] += sp_any;
   EndIf
   sp_fine[] = {1, 1, 1, 1, 1};
   sp_least[] = {1, 1, 1, 1};
@@ -229,9 +327,9 @@ For Plate In {0 : 1}
 
   // Through the thickness, from the contact face.
   sp_at[] = {0, Thickness};
-  sp_size[] = {PlateSize, DepthCap};
-  sp_fine[] = {1, 1};
-  sp_least[] = {1};
+  sp_size[] = {PlateSize, sp_any};
+  sp_fine[] = {FineLayers, 1};
+  sp_least[] = {DepthLeast};
   sp_cap = DepthCap;
   sp_growth = DepthGrowth;
   Call Spacing;
@@ -275,27 +373,27 @@ EndFor
 // The intermediate plate. Its two directions play the same parts, so one rule serves both.
 For Direction In {0 : 1}
   Plan = Direction ? PlanY : PlanX;
-  sp_cap = PlanCap;
+  sp_cap = MiddleCap;
   sp_growth = Growth;
   If (Uniform)
     sp_at[] = {0, Plan / 2};
-    sp_size[] = {PlanCap, PlanCap};
+    sp_size[] = {sp_any, sp_any};
     sp_fine[] = {1, 1};
     Ridge = 0;
     If (Whole)
       sp_at[] = {-Plan / 2, 0, Plan / 2};
-      sp_size[] += PlanCap;
+      sp_size[] += sp_any;
       sp_fine[] += 1;
       Ridge = 1;
     EndIf
   ElseIf (Centred)
     sp_at[] = {0, VLine, Plan / 2};
-    sp_size[] = {PlanCap, PlateSize, PlanCap};
+    sp_size[] = {sp_any, PlateSize, sp_any};
     sp_fine[] = {1, FineElements, 1};
     Ridge = 0;
     If (Whole)
       sp_at[] = {-Plan / 2, -VLine, 0, VLine, Plan / 2};
-      sp_size[] = {PlanCap, PlateSize, PlanCap, PlateSize, PlanCap};
+      sp_size[] = {sp_any, PlateSize, sp_any, PlateSize, sp_any};
       sp_fine[] = {1, FineElements, 1, FineElements, 1};
       Ridge = 2;
     EndIf
@@ -303,11 +401,11 @@ For Direction In {0 : 1}
     // The rollers bear on one slope near their far ends: refined there too.
     Outside = (Plan / 2 > RollerLength / 2 * (1 + 1e-9)) && (RollerLength / 2 > VLine * (1 + 1e-9));
     sp_at[] = {-Plan / 2, 0, VLine};
-    sp_size[] = {PlanCap, PlanCap, PlateSize};
+    sp_size[] = {sp_any, sp_any, PlateSize};
     sp_fine[] = {1, 1, FineElements};
     If (Outside)
       sp_at[] += {RollerLength / 2, Plan / 2};
-      sp_size[] += {EndSize, PlanCap};
+      sp_size[] += {EndSize, sp_any};
       sp_fine[] += {1, 1};
     Else
       sp_at[] += Plan / 2;
@@ -334,8 +432,8 @@ EndFor
 
 sp_at[] = {0, MiddleThickness};
 sp_size[] = {PlateSize, PlateSize};
-sp_fine[] = {1, 1};
-sp_least[] = {1};
+sp_fine[] = {FineLayers, FineLayers};
+sp_least[] = {DepthLeast};
 sp_cap = DepthCap;
 sp_growth = DepthGrowth;
 Call Spacing;

@@ -4,7 +4,7 @@
 // and growing geometrically away from them.
 //
 //   in   sp_at[]    stops, ascending; the first and the last are the ends of the line
-//        sp_size[]  wanted element size at each stop
+//        sp_size[]  wanted element size at each stop; sp_any where the stop wants none
 //        sp_fine[]  elements of that size on either side of each stop
 //        sp_least[] fewest elements in each interval between stops
 //        sp_cap     largest element
@@ -15,6 +15,8 @@
 //
 // The elements at a stop keep their size; what does not fit is taken up by a smaller growth.
 // An interval too short for its fine elements is divided evenly.
+
+sp_any = 1e30;
 
 Macro Spacing
   sp_node[] = {sp_at[0]};
@@ -28,8 +30,8 @@ Macro Spacing
         sp_node[] += sp_at[sp_k] + sp_length * sp_i / sp_n;
       EndFor
     Else
-      sp_a = Min(sp_size[sp_k], sp_cap);
-      sp_b = Min(sp_size[sp_k + 1], sp_cap);
+      sp_a = sp_size[sp_k];
+      sp_b = sp_size[sp_k + 1];
       sp_fa = sp_fine[sp_k];
       sp_fb = sp_fine[sp_k + 1];
 
@@ -39,15 +41,14 @@ Macro Spacing
       sp_sum = 0;
       For sp_i In {1 : 1000}
         If (sp_sum < sp_length * (1 - 1e-9) || sp_na + sp_nb < sp_least[sp_k])
-          sp_next_a = Min(sp_cap, sp_a * sp_growth ^ Max(0, sp_na + 1 - sp_fa));
-          sp_next_b = Min(sp_cap, sp_b * sp_growth ^ Max(0, sp_nb + 1 - sp_fb));
+          sp_next_a = sp_a * sp_growth ^ Max(0, sp_na + 1 - sp_fa);
+          sp_next_b = sp_b * sp_growth ^ Max(0, sp_nb + 1 - sp_fb);
           If (sp_next_a <= sp_next_b * (1 + 1e-9))
             sp_na += 1;
-            sp_sum += sp_next_a;
           Else
             sp_nb += 1;
-            sp_sum += sp_next_b;
           EndIf
+          sp_sum += Min(sp_cap, Min(sp_next_a, sp_next_b));
         EndIf
       EndFor
 

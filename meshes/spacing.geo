@@ -9,7 +9,8 @@
 //        sp_least[] fewest elements in each interval between stops
 //        sp_cap     largest element
 //        sp_growth  largest ratio of neighbouring elements
-//        sp_uniform 1: elements of size sp_cap, as nearly as they fit; sizes are not looked at
+//        sp_uniform 1: elements of size sp_cap, as nearly as they fit, a half rounded up (in any
+//                   unit); sizes are not looked at
 //   out  sp_node[]  node positions
 //        sp_stop[]  index of each stop in sp_node[]
 //
@@ -24,7 +25,7 @@ Macro Spacing
   For sp_k In {0 : #sp_at[] - 2}
     sp_length = sp_at[sp_k + 1] - sp_at[sp_k];
     If (sp_uniform)
-      sp_n = Max(sp_least[sp_k], Floor(sp_length / sp_cap + 0.5));
+      sp_n = Max(sp_least[sp_k], Floor(sp_length / sp_cap + 0.5 + 1e-6));
       sp_n = Max(1, sp_n);
       For sp_i In {1 : sp_n}
         sp_node[] += sp_at[sp_k] + sp_length * sp_i / sp_n;

@@ -14,6 +14,7 @@
 //! ```
 
 pub mod analytic;
+pub mod case;
 pub mod material;
 pub mod mesh;
 pub mod results;

@@ -319,18 +319,18 @@ fn an_impossible_bearing() {
     let set = |old: &str, new: &str| with(BEARING, old, new);
     refused(
         &set("\"0.75 in\"", "\"-0.75 in\""),
-        &["bearing.roller_wall = \"-0.75 in\"", "positive", ":8"],
+        &["bearing.roller_wall = \"-0.75 in\"", "0.03 and 1.47", ":8"],
     );
     refused(
         &set("\"0.75 in\"", "\"1.5 in\""),
         &[
             "bearing.roller_wall = \"1.5 in\"",
-            "half of the roller diameter, 1.5 in",
+            "0.01 and 0.49 diameters",
         ],
     );
     refused(
         &set("\"3 in\"", "0"),
-        &["bearing.roller_diameter = 0", "must be positive"],
+        &["bearing.roller_diameter = 0", "must be more than 0"],
     );
     refused(
         &set("0.15", "-0.15"),
@@ -342,30 +342,38 @@ fn an_impossible_bearing() {
     );
     refused(
         &set("\"4 deg\"", "\"0 deg\""),
-        &["bearing.slope = \"0 deg\"", "less than 45 deg"],
+        &["bearing.slope = \"0 deg\"", "between 0.05 and 45 deg"],
     );
     refused(
         &set("\"4 deg\"", "50"),
-        &["bearing.slope = 50", "less than 45 deg"],
+        &["bearing.slope = 50", "between 0.05 and 45 deg"],
     );
     refused(
         &set("\"0 in\"", "\"-1 in\""),
-        &["bearing.offset = \"-1 in\"", "not be negative"],
+        &["bearing.offset = \"-1 in\"", "must be at least 0"],
     );
     refused(
         &set("\"0 in\"", "\"4 in\""),
-        &["bearing.offset = \"4 in\"", "no longer cross"],
+        &["bearing.offset = \"4 in\"", "must cross each other"],
     );
     refused(
         &set("\"0 in\"", "\"3.95 in\""),
-        &[
-            "beyond the edge of the plate at 4 in",
-            "touch its slope 4.05463 in off",
-        ],
+        &["bearing.offset = \"3.95 in\"", "less than 3.89536"],
     );
     refused(
         &set("\"1 in\"", "\"0 in\""),
         &["bearing.plate_thickness = \"0 in\""],
+    );
+    refused(
+        &set("offset =", "plate_size = \"0.2 in\"\noffset ="),
+        &[
+            "bearing.plate_size = \"0.2 in\"",
+            "rest on the intermediate plate",
+        ],
+    );
+    refused(
+        &set("\"1 in\"", "{ upper = 1, intermediate = 1, lower = -1 }"),
+        &["bearing.plate_thickness.lower = -1", ":12"],
     );
     refused(
         &set("\"1 in\"", "{ upper = 1, lower = 1 }"),
@@ -389,11 +397,11 @@ fn an_impossible_bearing() {
     );
     refused(
         &end("{ radius = 0.8 }"),
-        &["bearing.roller_end.radius = 0.8", "less than 0.75 in"],
+        &["bearing.roller_end.radius = 0.8", "at most 0.375"],
     );
     refused(
         &end("{ crown = 0 }"),
-        &["bearing.roller_end.crown = 0", "must be positive"],
+        &["bearing.roller_end.crown = 0", "must be more than 0"],
     );
     refused(&end("{ }"), &["one of radius and crown"]);
 }
@@ -420,11 +428,11 @@ fn an_impossible_mesh_preset() {
     let with_size = |line: &str| format!("{BEARING}{line}\n");
     refused(
         &with_size("roller_size = \"0 in\""),
-        &["mesh.roller_size = \"0 in\"", "positive"],
+        &["mesh.roller_size = \"0 in\"", "1e-4 diameters", ":22"],
     );
     refused(
         &with_size("growth = 0.5"),
-        &["mesh.growth = 0.5", "1 or more"],
+        &["mesh.growth = 0.5", "between 1 and 10"],
     );
     refused(
         &with_size("fine_layers = 1.5"),

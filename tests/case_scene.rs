@@ -4,8 +4,8 @@ mod case_kit;
 
 use std::path::Path;
 
-use brinell::case::template::RollerEnd;
-use brinell::case::{Case, Kind, MisesRead, read};
+use brinell::case::bearing::{RollerEnd, TEMPLATE_FILES};
+use brinell::case::{Case, Kind, MisesRead, interfaces, read};
 use brinell::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
 use case_kit::{BEARING, SCENE, blocks, good, mesh, render, stack, with};
 
@@ -220,6 +220,23 @@ fn a_case_can_be_changed_from_outside() {
             .to_string()
             .contains("`two blocks` is a general scene")
     );
+}
+
+#[test]
+fn the_template_has_the_names_that_the_case_uses() {
+    let (_, template) = TEMPLATE_FILES[0];
+    let sides = interfaces::INTERFACES
+        .iter()
+        .flat_map(|i| [i.upper, i.lower]);
+    let faces = [interfaces::TOP, interfaces::BOTTOM];
+    let surfaces = sides.chain(faces).chain(interfaces::SYMMETRIES);
+    for (kind, name) in surfaces
+        .map(|name| ("Surface", name))
+        .chain(interfaces::BODIES.map(|name| ("Volume", name)))
+    {
+        let line = format!("Physical {kind}(\"{name}\") =");
+        assert!(template.contains(&line), "`{line}` is not in the template");
+    }
 }
 
 #[test]

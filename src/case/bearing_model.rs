@@ -2,10 +2,10 @@
 
 use super::bearing_case::BearingCase;
 use super::contact::Contact;
+use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
 use super::load::{Loads, modelled_share};
 use super::model::Model;
 use super::source::{Located, Place, Source};
-use super::template::{BOTTOM, INTERFACES, SYMMETRIES, TOP};
 use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
 
 /// The name of the rigid plane that carries the load.
@@ -35,7 +35,7 @@ impl BearingCase {
             value,
             place: place.clone(),
         };
-        let pair = |interface: &super::template::Interface| Contact {
+        let pair = |interface: &Interface| Contact {
             name: Located {
                 value: interface.name.to_string(),
                 place: place.clone(),

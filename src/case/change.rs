@@ -1,8 +1,8 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
+use super::bearing::{MeshRequest, Preset};
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
-use super::template::Preset;
 use super::{BearingCase, Case, Kind};
 
 impl Case {
@@ -10,7 +10,7 @@ impl Case {
     /// place of those of its own preset are dropped.
     ///
     /// # Errors
-    /// Where there is no such preset, or the case is a general scene, which has a mesh file.
+    /// Where there is no such preset, it does not fit the bearing, or the case is a general scene, which has a mesh file.
     pub fn set_preset(&mut self, name: &str) -> Result<(), CaseError> {
         let names = || Preset::ALL.iter().map(|preset| preset.name());
         let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
@@ -22,8 +22,15 @@ impl Case {
             CaseError::new(ErrorKind::Value, message).help(advice(name, names()))
         })?;
         let bearing = self.bearing_mut("a mesh preset")?;
-        bearing.mesh.preset = preset;
-        bearing.mesh.overrides.clear();
+        let request = MeshRequest {
+            preset,
+            overrides: Vec::new(),
+            full: bearing.mesh.full,
+        };
+        request
+            .check(&bearing.geometry)
+            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
+        bearing.mesh = request;
         self.note("mesh.preset", preset.name());
         Ok(())
     }

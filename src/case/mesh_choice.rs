@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use super::assumption::Assumption;
+use super::bearing::{Kind, MESH_KEYS, MeshKey, MeshRequest, Preset};
 use super::error::{CaseError, ErrorKind};
 use super::parse::Table;
 use super::source::Located;
-use super::template::{Kind, MESH_KEYS, MeshKey, MeshRequest, Preset};
 use crate::units::Dimension;
 
 /// A mesh file of a general scene.
@@ -62,14 +62,9 @@ pub(super) fn request(
                 continue;
             };
             let value = match kind {
-                Kind::Length => field.quantity(Dimension::LENGTH)?.positive()?.value,
+                Kind::Length => field.quantity(Dimension::LENGTH)?.value,
                 Kind::Count => field.count()?.value as f64,
-                Kind::Ratio => {
-                    field
-                        .ratio()?
-                        .require(|r| *r >= 1.0, "must be 1 or more")?
-                        .value
-                }
+                Kind::Ratio => field.ratio()?.value,
             };
             request.overrides.push((key.to_string(), value));
         }

@@ -6,14 +6,17 @@
 //! angles into radians. Every mistake is a [`CaseError`] that marks the culprit in the file.
 
 mod assumption;
+pub mod bearing;
 mod bearing_case;
 mod bearing_model;
+mod bearing_reader;
 mod change;
 mod comparison;
 mod contact;
 mod controls;
 mod error;
 mod general;
+pub mod interfaces;
 mod load;
 mod mesh_choice;
 mod model;
@@ -24,7 +27,6 @@ mod reference;
 mod source;
 mod steel;
 mod surface;
-pub mod template;
 
 use std::path::{Path, PathBuf};
 
@@ -163,7 +165,7 @@ impl Case {
             source: root.source().clone(),
         };
         if let Kind::Bearing(_) = case.kind {
-            case.check_comparison(&template::BODIES)?;
+            case.check_comparison(&interfaces::BODIES)?;
         }
         Ok(case)
     }

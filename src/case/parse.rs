@@ -193,6 +193,22 @@ impl<'a> Table<'a> {
         })
     }
 
+    /// The place of the value at the dotted `path`, or of the nearest value around it where the
+    /// file does not go so deep.
+    pub fn deepest(&self, path: &str) -> Place {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        let Some(field) = self.get(first) else {
+            return Place {
+                key: self.path(path),
+                ..self.place()
+            };
+        };
+        match field.table() {
+            Ok(table) if !rest.is_empty() => table.deepest(rest),
+            _ => field.place(),
+        }
+    }
+
     /// The tables of `[[key]]`; none where the key is missing.
     pub fn tables(&self, key: &str) -> Result<Vec<Table<'a>>, CaseError> {
         let Some(field) = self.get(key) else {

@@ -1,5 +1,12 @@
 //! Hexahedral meshes: bodies made of hexahedra, named surfaces made of their outer faces.
 
+pub mod block;
+pub mod gmsh;
+pub mod hexahedron;
+pub mod msh;
+pub mod quality;
+pub mod surface;
+
 /// An eight-node hexahedral mesh with named bodies and named surfaces.
 ///
 /// Nodes of a hexahedron are in the order of gmsh, VTK, Abaqus and CalculiX:

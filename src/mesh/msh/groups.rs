@@ -1,0 +1,311 @@
+//! Physical groups: their names, and which elements belong to them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::cursor::Cursor;
+use super::error::MeshError;
+use super::kind::{HEXAHEDRON, QUADRILATERAL};
+use super::raw::{Block, Group, Key, Places, Raw};
+
+/// What entities and physical groups are called, by dimension.
+pub(super) const ENTITIES: [&str; 4] = ["point", "curve", "surface", "volume"];
+
+/// `$PhysicalNames`: lines `dimension tag "name"`, in text even in a binary file.
+pub(super) fn names(cursor: &mut Cursor<'_>, raw: &mut Raw) -> Result<(), MeshError> {
+    cursor.skip_blank();
+    cursor.begin("the number of physical names")?;
+    let count = cursor.text_size("the number of physical names")?;
+    cursor.rest_of_line();
+    for _ in 0..count {
+        cursor.skip_blank();
+        let mark = cursor.begin("a physical name")?;
+        let rest = cursor.rest();
+        if rest.starts_with(b"$End") {
+            return Err(cursor.syntax("a physical name", b"the end of the section"));
+        }
+        let line = cursor.rest_of_line();
+        let Some((key, name)) = name(line) else {
+            let place = cursor.place_of(mark);
+            let expected = "`dimension tag \"name\"`".to_owned();
+            let found = format!("`{}`", String::from_utf8_lossy(line).escape_debug());
+            return Err(MeshError::Syntax {
+                place,
+                expected,
+                found,
+            });
+        };
+        if let Some((first, _)) = raw.names.insert(key, (mark, name)) {
+            let (place, first) = (cursor.place_of(mark), cursor.at(first));
+            let what = [
+                "physical point",
+                "physical curve",
+                "physical surface",
+                "physical volume",
+            ][usize::from(key.0)];
+            return Err(MeshError::DuplicateTag {
+                place,
+                what,
+                tag: key.1.to_string(),
+                first,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn name(line: &[u8]) -> Option<(Key, String)> {
+    let line = std::str::from_utf8(line).ok()?;
+    let (numbers, name) = line.strip_suffix('"')?.split_once('"')?;
+    let mut numbers = numbers.split_whitespace();
+    let dimension: u8 = numbers.next()?.parse().ok().filter(|d| *d <= 3)?;
+    let tag: i32 = numbers.next()?.parse().ok()?;
+    let key = (dimension, i64::from(tag).abs());
+    numbers.next().is_none().then(|| (key, name.to_owned()))
+}
+
+/// The name of a group, or one made of its tag.
+pub(super) fn name_of(raw: &Raw, (dimension, tag): Key) -> String {
+    match raw.names.get(&(dimension, tag)) {
+        Some((_, name)) if !name.trim().is_empty() => name.clone(),
+        _ => format!("{}_{tag}", ENTITIES[usize::from(dimension.min(3))]),
+    }
+}
+
+/// The runs of elements sorted by physical groups.
+#[derive(Default)]
+pub(super) struct Groups<'a> {
+    /// Physical tag and hexahedra of each physical volume, in order of first appearance.
+    pub volumes: Vec<(i64, Vec<&'a Block>)>,
+    /// Quadrilaterals of each physical surface, by physical tag.
+    pub surfaces: BTreeMap<i64, Vec<&'a Block>>,
+    /// Elements of physical points and curves.
+    pub lower: Vec<(Key, &'a Block)>,
+}
+
+impl<'a> Groups<'a> {
+    /// Sorts the elements of `raw`. Every volume element must be a hexahedron of exactly one
+    /// physical volume, every surface element in a physical surface a quadrilateral.
+    pub fn new(raw: &'a Raw, places: &Places<'_>) -> Result<Self, MeshError> {
+        let mut groups = Self::default();
+        let blocks = || raw.elements.blocks.iter().filter(|block| block.count > 0);
+        let source_name = places.source.to_owned();
+        if !blocks().any(|block| block.kind.dimension == 3) {
+            return Err(MeshError::NoVolumes { source_name });
+        }
+        let by_entity = blocks().any(|block| block.group == Group::OfEntity);
+        if by_entity && raw.entities.is_empty() {
+            return Err(MeshError::MissingSection {
+                source_name,
+                section: "Entities",
+            });
+        }
+        let mut grouped = false;
+        for block in blocks().filter(|block| block.kind.dimension == 3) {
+            grouped |= !known_tags(raw, block, places)?.is_empty();
+        }
+        if !grouped {
+            return Err(MeshError::NoPhysicalVolume { source_name });
+        }
+        for block in blocks() {
+            match block.kind.dimension {
+                3 => groups.add_volume(raw, block, places)?,
+                2 => groups.add_surface(raw, block, places)?,
+                dimension => {
+                    let keys = known_tags(raw, block, places)?
+                        .into_iter()
+                        .map(|t| (dimension, t));
+                    groups.lower.extend(keys.map(|key| (key, block)));
+                }
+            }
+        }
+        groups.complete(raw, places)?;
+        groups.named_apart(raw, places)?;
+        Ok(groups)
+    }
+
+    fn add_volume(
+        &mut self,
+        raw: &Raw,
+        block: &'a Block,
+        places: &Places<'_>,
+    ) -> Result<(), MeshError> {
+        let (place, element) = first(raw, block, places);
+        let tags = known_tags(raw, block, places)?;
+        let [tag] = tags.as_slice() else {
+            let entity = entity(block);
+            if tags.is_empty() {
+                return Err(MeshError::UngroupedVolume {
+                    place,
+                    element,
+                    entity,
+                });
+            }
+            let names: Vec<_> = tags
+                .iter()
+                .map(|t| format!("`{}`", name_of(raw, (3, *t))))
+                .collect();
+            let names = names.join(", ");
+            return Err(MeshError::SeveralVolumes {
+                place,
+                element,
+                entity,
+                names,
+            });
+        };
+        if block.kind.code != HEXAHEDRON {
+            let (body, kind) = (name_of(raw, (3, *tag)), block.kind.name);
+            return Err(MeshError::NotHexahedron {
+                place,
+                element,
+                body,
+                kind,
+            });
+        }
+        match self.volumes.iter_mut().find(|(other, _)| other == tag) {
+            Some((_, blocks)) => blocks.push(block),
+            None => self.volumes.push((*tag, vec![block])),
+        }
+        Ok(())
+    }
+
+    fn add_surface(
+        &mut self,
+        raw: &Raw,
+        block: &'a Block,
+        places: &Places<'_>,
+    ) -> Result<(), MeshError> {
+        for tag in known_tags(raw, block, places)? {
+            if block.kind.code != QUADRILATERAL {
+                let (place, element) = first(raw, block, places);
+                let (surface, kind) = (name_of(raw, (2, tag)), block.kind.name);
+                return Err(MeshError::NotQuadrilateral {
+                    place,
+                    element,
+                    surface,
+                    kind,
+                });
+            }
+            self.surfaces.entry(tag).or_default().push(block);
+        }
+        Ok(())
+    }
+
+    /// Refuses physical volumes and surfaces that have a name but no elements, and entities in
+    /// them that have no elements: a part of the body would be missing.
+    fn complete(&self, raw: &Raw, places: &Places<'_>) -> Result<(), MeshError> {
+        let empty = |dimension: u8, tag: i64, part: String| {
+            let (name, kind) = (
+                name_of(raw, (dimension, tag)),
+                ENTITIES[usize::from(dimension)],
+            );
+            let source_name = places.source.to_owned();
+            Err(MeshError::EmptyGroup {
+                source_name,
+                kind,
+                name,
+                tag,
+                part,
+            })
+        };
+        let named: BTreeSet<Key> = raw.names.keys().copied().filter(|key| key.0 >= 2).collect();
+        for (dimension, tag) in named {
+            let there = match dimension {
+                2 => self.surfaces.contains_key(&tag),
+                _ => self.volumes.iter().any(|(other, _)| *other == tag),
+            };
+            if !there {
+                return empty(dimension, tag, String::new());
+            }
+        }
+        let meshed: BTreeSet<Key> = raw
+            .elements
+            .blocks
+            .iter()
+            .filter(|block| block.count > 0)
+            .map(|block| (block.kind.dimension, block.entity))
+            .collect();
+        let mut entities: Vec<_> = raw.entities.iter().filter(|(key, _)| key.0 >= 2).collect();
+        entities.sort_unstable();
+        for (key, (_, tags)) in entities {
+            if let (Some(tag), false) = (tags.first(), meshed.contains(key)) {
+                let part = format!(" in {} {}", ENTITIES[usize::from(key.0)], key.1);
+                return empty(key.0, *tag, part);
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses two physical volumes, or two physical surfaces, of one name.
+    fn named_apart(&self, raw: &Raw, places: &Places<'_>) -> Result<(), MeshError> {
+        let volumes = self.volumes.iter().map(|(tag, _)| (3, *tag));
+        let mut seen = BTreeSet::new();
+        for key in volumes.chain(self.surfaces.keys().map(|tag| (2, *tag))) {
+            let (kind, name) = (ENTITIES[usize::from(key.0)], name_of(raw, key));
+            if !seen.insert((key.0, name.clone())) {
+                let source_name = places.source.to_owned();
+                return Err(MeshError::DuplicateName {
+                    source_name,
+                    kind,
+                    name,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Physical tags of a run, each once; none where its entity is unknown.
+fn tags(raw: &Raw, block: &Block) -> Vec<i64> {
+    let mut tags = match block.group {
+        Group::Tag(0) => Vec::new(),
+        Group::Tag(tag) => vec![tag],
+        Group::OfEntity => {
+            let key = (block.kind.dimension, block.entity);
+            raw.entities
+                .get(&key)
+                .map(|(_, tags)| tags.clone())
+                .unwrap_or_default()
+        }
+    };
+    tags.sort_unstable();
+    tags.dedup();
+    tags
+}
+
+/// Physical tags of a run, whose entity must be known.
+fn known_tags(raw: &Raw, block: &Block, places: &Places<'_>) -> Result<Vec<i64>, MeshError> {
+    let key = (block.kind.dimension, block.entity);
+    if block.group == Group::OfEntity && !raw.entities.contains_key(&key) {
+        let (place, _) = first(raw, block, places);
+        return Err(MeshError::UnknownEntity {
+            place,
+            entity: entity(block),
+        });
+    }
+    Ok(tags(raw, block))
+}
+
+fn entity(block: &Block) -> String {
+    format!(
+        "{} {}",
+        ENTITIES[usize::from(block.kind.dimension)],
+        block.entity
+    )
+}
+
+/// Place and tag of the first element of a run.
+fn first(raw: &Raw, block: &Block, places: &Places<'_>) -> (super::Place, u64) {
+    let mark = raw
+        .elements
+        .marks
+        .get(block.first)
+        .copied()
+        .unwrap_or_default();
+    let tag = raw
+        .elements
+        .tags
+        .get(block.first)
+        .copied()
+        .unwrap_or_default();
+    (places.place("Elements", mark), tag)
+}

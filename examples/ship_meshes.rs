@@ -2,13 +2,13 @@
 //! `cargo run --release --example ship_meshes`.
 
 use std::path::Path;
-use std::process::Command;
 
 use brinell::case::bearing::{
     BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, gmsh_parameters, write_template,
     write_with_fingerprint,
 };
-use miette::{IntoDiagnostic, Result, ensure};
+use brinell::mesh::gmsh;
+use miette::{IntoDiagnostic, Result};
 
 const OUT: &str = "meshes/section-2.6.2";
 
@@ -29,12 +29,7 @@ fn main() -> Result<()> {
                     ..MeshRequest::default()
                 };
                 request.check(&geometry)?;
-                let mut gmsh = Command::new("gmsh");
-                gmsh.arg(&template).args(["-3", "-v", "2", "-o"]).arg(&raw);
-                for (name, value) in gmsh_parameters(&geometry, &request) {
-                    gmsh.args(["-setnumber", &name, &value.to_string()]);
-                }
-                ensure!(gmsh.status().into_diagnostic()?.success(), "gmsh failed");
+                gmsh::run(&template, &gmsh_parameters(&geometry, &request), &raw)?;
                 let fingerprint = fingerprint(&geometry, &request);
                 write_with_fingerprint(&raw, &fingerprint, &out).into_diagnostic()?;
                 let size = std::fs::metadata(&out).into_diagnostic()?.len();

@@ -250,6 +250,7 @@ Call Spacing;
 ro_c[] = sp_node[];
 
 ro_solid = Solid;
+ro_split = Centred && Whole;
 ro_radius = Radius;
 ro_a = Offset;
 ro_z = AxisHeight;

@@ -10,6 +10,9 @@
 //        ro_radius
 //        ro_inner           radius of the bore; of a solid roller, the half-diagonal of the core
 //        ro_solid           1: the inside is filled with a core of hexahedra
+//        ro_split           1: the core of a solid whole is parted along the plane a = ro_a, so
+//                           that each side is the mesh of a half; needs rows at 0 and Pi, and
+//                           as many elements on either side of them
 //        ro_phi[]           angles of the node rows: 0 to Pi for a half, else a full turn
 //        ro_block[]         indices in ro_phi[] where blocks begin and end. A solid half has
 //                           three blocks (meeting at 45 and 135 degrees), a solid whole has four
@@ -47,6 +50,18 @@ Macro Ro_Inner
     ro_side = ro_t - Pi / 2 * Floor(ro_t / (Pi / 2) + 0.5);
     ro_rho = ro_inner * (1 + Cos(Pi / 4) / Cos(ro_side)) / 2;
   EndIf
+Return
+
+// Ro_Core: a face of the core inside the curves ro_loop[], with corners ro_q0 .. ro_q3.
+Macro Ro_Core
+  ro_sides[] += #ro_loop[];
+  ro_l = newll;
+  Curve Loop(ro_l) = ro_loop[];
+  ro_f = news;
+  Plane Surface(ro_f) = {ro_l};
+  Transfinite Surface {ro_f} = {ro_q0, ro_q1, ro_q2, ro_q3};
+  Recombine Surface {ro_f};
+  ro_start[] += ro_f;
 Return
 
 Macro Roller
@@ -157,17 +172,22 @@ Macro Roller
   EndFor
 
   If (ro_solid)
-    ro_loop[] = ro_lin[];
-    For ro_m In {0 : #ro_lin[] - 1}
-      ro_kind[] += 0;
-    EndFor
-    If (ro_half)
-      // The side in the cut plane, from the top down, with as many elements as the side facing it.
+    If (ro_half || ro_split)
+      // The diameter, from the top down, with as many elements as the side that faces it.
+      ro_bottom = 0;
+      ro_summit = 0;
+      For ro_m In {0 : ro_last}
+        If (Fabs(ro_phi[ro_m]) < 1e-9)
+          ro_bottom = ro_m;
+        ElseIf (Fabs(ro_phi[ro_m] - Pi) < 1e-9)
+          ro_summit = ro_m;
+        EndIf
+      EndFor
       ro_n1 = ro_block[2] - ro_block[1];
       ro_t = 0;
       Call Ro_Inner;
       ro_low = ro_rho;
-      ro_p = ro_pin[ro_last];
+      ro_p = ro_pin[ro_summit];
       ro_diameter[] = {};
       For ro_m In {1 : ro_n1}
         If (ro_m < ro_n1)
@@ -175,29 +195,61 @@ Macro Roller
           ro_t = 0;
           Call Ro_Point;
         Else
-          ro_n = ro_pin[0];
+          ro_n = ro_pin[ro_bottom];
         EndIf
         ro_l = newl;
         Line(ro_l) = {ro_p, ro_n};
         ro_diameter[] += ro_l;
-        ro_kind[] += 3;
         ro_p = ro_n;
       EndFor
       Transfinite Curve {ro_diameter[]} = 2;
-      ro_loop[] += ro_diameter[];
+
+      // The half on the side of +a.
+      ro_loop[] = {};
+      For ro_m In {ro_bottom : ro_summit - 1}
+        ro_loop[] += ro_lin[ro_m];
+        ro_kind[] += 0;
+      EndFor
+      For ro_m In {0 : ro_n1 - 1}
+        ro_loop[] += ro_diameter[ro_m];
+        ro_kind[] += ro_half ? 3 : 0;
+      EndFor
+      ro_q0 = ro_pin[ro_bottom];
+      ro_q1 = ro_pin[ro_block[1]];
+      ro_q2 = ro_pin[ro_block[2]];
+      ro_q3 = ro_pin[ro_summit];
+      Call Ro_Core;
+      If (ro_split)
+        ro_loop[] = {};
+        For ro_m In {ro_summit : ro_last - 1}
+          ro_loop[] += ro_lin[ro_m];
+          ro_kind[] += 0;
+        EndFor
+        For ro_m In {0 : ro_bottom - 1}
+          ro_loop[] += ro_lin[ro_m];
+          ro_kind[] += 0;
+        EndFor
+        For ro_m In {ro_n1 - 1 : 0 : -1}
+          ro_loop[] += -ro_diameter[ro_m];
+          ro_kind[] += 0;
+        EndFor
+        ro_q0 = ro_pin[ro_summit];
+        ro_q1 = ro_pin[ro_block[3]];
+        ro_q2 = ro_pin[ro_block[0]];
+        ro_q3 = ro_pin[ro_bottom];
+        Call Ro_Core;
+      EndIf
+    Else
+      ro_loop[] = ro_lin[];
+      For ro_m In {0 : #ro_lin[] - 1}
+        ro_kind[] += 0;
+      EndFor
+      ro_q0 = ro_pin[ro_block[0]];
+      ro_q1 = ro_pin[ro_block[1]];
+      ro_q2 = ro_pin[ro_block[2]];
+      ro_q3 = ro_pin[ro_block[3]];
+      Call Ro_Core;
     EndIf
-    ro_sides[] += #ro_loop[];
-    ro_l = newll;
-    Curve Loop(ro_l) = ro_loop[];
-    ro_f = news;
-    Plane Surface(ro_f) = {ro_l};
-    ro_p0 = ro_pin[ro_block[0]];
-    ro_p1 = ro_pin[ro_block[1]];
-    ro_p2 = ro_pin[ro_block[2]];
-    ro_p3 = ro_pin[ro_block[3]];
-    Transfinite Surface {ro_f} = {ro_p0, ro_p1, ro_p2, ro_p3};
-    Recombine Surface {ro_f};
-    ro_start[] += ro_f;
   EndIf
 
   // Along the axis.

@@ -55,3 +55,27 @@ impl RollerEnd {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fillet_is_a_quarter_circle() {
+        let end = RollerEnd::Radius(0.25);
+        assert_eq!(end.drop_at(3.75, 8.0, 1.5), 0.0);
+        assert_eq!(end.drop_at(-4.0, 8.0, 1.5), 0.25);
+        let along = 3.75 + 0.25 * 0.6;
+        assert!((end.drop_at(along, 8.0, 1.5) - 0.25 * 0.2).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_crown_starts_in_the_middle_and_ends_at_its_drop() {
+        let end = RollerEnd::Crown(0.002);
+        assert_eq!(end.drop_at(0.0, 8.0, 1.5), 0.0);
+        assert!((end.drop_at(4.0, 8.0, 1.5) - 0.002).abs() < 1e-17);
+        assert_eq!(end.drop_at(-3.0, 8.0, 1.5), end.drop_at(3.0, 8.0, 1.5));
+        // Flat in the middle: a quarter of the way out, a hundredth of the drop.
+        assert!(end.drop_at(1.0, 8.0, 1.5) < 0.02 * 0.002);
+    }
+}

@@ -58,6 +58,81 @@ pub fn write_with_fingerprint(raw_msh: &Path, fingerprint: &str, out: &Path) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::bearing::Preset;
+    use crate::case::bearing::geometry::tests::initial;
+
+    #[test]
+    fn one_bearing_has_one_fingerprint_in_any_unit() {
+        let inch = initial();
+        let mut millimetre = inch.clone();
+        for length in [
+            &mut millimetre.diameter,
+            &mut millimetre.length,
+            &mut millimetre.intermediate_thickness,
+            &mut millimetre.upper_thickness,
+            &mut millimetre.lower_thickness,
+        ] {
+            *length *= 25.4;
+        }
+        millimetre.wall = Some(0.75 * 25.4);
+        millimetre.plan = [8.0 * 25.4; 2];
+        for preset in Preset::ALL {
+            let request = MeshRequest {
+                preset,
+                ..MeshRequest::default()
+            };
+            let print = fingerprint(&inch, &request);
+            assert_eq!(print, fingerprint(&millimetre, &request));
+            assert_eq!(print.len(), 16);
+        }
+    }
+
+    #[test]
+    fn whatever_changes_the_mesh_changes_the_fingerprint() {
+        let request = MeshRequest::default();
+        let mut seen = vec![fingerprint(&initial(), &request)];
+        let mut longer = initial();
+        longer.length += 1e-6;
+        seen.push(fingerprint(&longer, &request));
+        let mut solid = initial();
+        solid.wall = None;
+        seen.push(fingerprint(&solid, &request));
+        for preset in [Preset::H0125, Preset::Resolved { level: 1 }] {
+            let request = MeshRequest {
+                preset,
+                ..MeshRequest::default()
+            };
+            seen.push(fingerprint(&initial(), &request));
+        }
+        let full = MeshRequest {
+            full: true,
+            ..MeshRequest::default()
+        };
+        seen.push(fingerprint(&initial(), &full));
+        let finer = MeshRequest {
+            overrides: vec![("end_size".into(), 0.1)],
+            ..MeshRequest::default()
+        };
+        seen.push(fingerprint(&initial(), &finer));
+        let count = seen.len();
+        seen.sort();
+        seen.dedup();
+        assert_eq!(seen.len(), count);
+    }
+
+    #[test]
+    fn a_displaced_bearing_is_whole_whether_asked_for_or_not() {
+        let mut displaced = initial();
+        displaced.offset = 1.25;
+        let prints = [false, true].map(|full| {
+            let request = MeshRequest {
+                full,
+                ..MeshRequest::default()
+            };
+            fingerprint(&displaced, &request)
+        });
+        assert_eq!(prints[0], prints[1]);
+    }
 
     #[test]
     fn hash_is_that_of_the_published_test_vectors() {

@@ -208,3 +208,83 @@ impl BearingGeometry {
         )
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// The initial design of the reference study, in inches.
+    pub fn initial() -> BearingGeometry {
+        BearingGeometry {
+            diameter: 3.0,
+            wall: Some(0.75),
+            length: 8.0,
+            slope: 4f64.to_radians(),
+            offset: 0.0,
+            intermediate_thickness: 1.0,
+            upper_thickness: 1.0,
+            lower_thickness: 1.0,
+            plan: [8.0, 8.0],
+            end: RollerEnd::Square,
+        }
+    }
+
+    #[test]
+    fn a_roller_touches_its_slopes_and_cuts_none() {
+        for offset in [0.0, 1.25, 2.5] {
+            let bearing = BearingGeometry {
+                offset,
+                ..initial()
+            };
+            let [sine, cosine] = [bearing.slope.sin(), bearing.slope.cos()];
+            // Distance of the axis from the plane of the slope on the side `side`.
+            let distance = |side: f64| {
+                let up = bearing.axis_height() - bearing.intermediate_thickness / 2.0;
+                up * cosine - side * offset * sine
+            };
+            assert!((distance(1.0) - bearing.radius()).abs() < 1e-14);
+            assert!(distance(-1.0) >= bearing.radius() - 1e-14);
+            assert_eq!(bearing.v_lines().len(), if offset == 0.0 { 2 } else { 1 });
+            assert!((bearing.v_line() - offset - 0.104_634_7).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn impossible_bearings_are_refused_by_name() {
+        type Spoil = fn(&mut BearingGeometry);
+        let spoilt: [(&str, Spoil); 14] = [
+            ("roller_diameter", |b| b.diameter = 0.0),
+            ("roller_length", |b| b.length = -1.0),
+            ("roller_length", |b| b.length = f64::NAN),
+            ("plate_thickness.upper", |b| b.upper_thickness = -1.0),
+            ("plate_thickness.intermediate", |b| {
+                b.intermediate_thickness = 0.0
+            }),
+            ("plate_thickness.lower", |b| {
+                b.lower_thickness = f64::INFINITY
+            }),
+            ("roller_wall", |b| b.wall = Some(1.6)),
+            ("slope", |b| b.slope = 45f64.to_radians()),
+            ("slope", |b| b.slope = 0.0),
+            ("offset", |b| b.offset = 4.0),
+            ("offset", |b| b.offset = -0.1),
+            ("plate_size", |b| b.plan[1] = 0.2),
+            ("roller_end.radius", |b| b.end = RollerEnd::Radius(0.8)),
+            ("roller_end.crown", |b| b.end = RollerEnd::Crown(-1.0)),
+        ];
+        assert!(initial().check().is_ok());
+        for (key, spoil) in spoilt {
+            let mut bearing = initial();
+            spoil(&mut bearing);
+            let error = bearing.check().expect_err(key);
+            assert_eq!(error.key, key, "{error}");
+        }
+        let mut thick = initial();
+        thick.wall = Some(2.0);
+        let text = thick.check().expect_err("too thick").to_string();
+        assert_eq!(
+            text,
+            "roller_wall = 2: must lie between 0.03 and 1.47 (0.01 and 0.49 diameters)"
+        );
+    }
+}

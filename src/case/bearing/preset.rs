@@ -243,3 +243,48 @@ impl FromStr for Preset {
     help("one of: h025, h0125, resolved, report-like")
 )]
 pub struct UnknownPreset(pub String);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::geometry::tests::initial;
+
+    #[test]
+    fn presets_go_by_their_names() {
+        for preset in Preset::ALL {
+            assert_eq!(preset.to_string().parse(), Ok(preset));
+        }
+        assert!("h05".parse::<Preset>().is_err());
+        assert_eq!(Preset::default().sizes(&initial()).roller_size, 0.025);
+    }
+
+    #[test]
+    fn overrides_take_the_place_of_the_preset() {
+        let request = MeshRequest {
+            overrides: vec![("roller_size".into(), 0.05), ("growth".into(), 1.3)],
+            ..MeshRequest::default()
+        };
+        let sizes = request.sizes(&initial());
+        assert_eq!([sizes.roller_size, sizes.growth], [0.05, 1.3]);
+        assert!((sizes.plate_size - 0.053).abs() < 1e-12);
+        assert!(request.check(&initial()).is_ok());
+    }
+
+    #[test]
+    fn impossible_sizes_are_refused_by_name() {
+        for (key, value) in [
+            ("roller_size", 0.0),
+            ("end_size", -1.0),
+            ("growth", 0.9),
+            ("fine_layers", 0.0),
+            ("depth_cap", f64::NAN),
+        ] {
+            let request = MeshRequest {
+                overrides: vec![(key.into(), value)],
+                ..MeshRequest::default()
+            };
+            let error = request.check(&initial()).expect_err(key);
+            assert_eq!(error.key, key);
+        }
+    }
+}

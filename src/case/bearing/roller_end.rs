@@ -51,3 +51,45 @@ fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
     nodes.dedup();
     nodes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::geometry::tests::initial;
+    use crate::mesh::Body;
+
+    #[test]
+    fn outer_nodes_drop_bore_nodes_stay() {
+        let mut bearing = initial();
+        bearing.offset = 2.5;
+        bearing.end = RollerEnd::Crown(0.01);
+        for roller in Roller::BOTH {
+            let centre = bearing.roller_centre(roller);
+            let at = |radius: f64, along: f64| {
+                let mut point = centre;
+                point[roller.across()] += 0.6 * radius;
+                point[2] -= 0.8 * radius;
+                point[roller.axis()] = along;
+                point
+            };
+            // Only the points matter: one element with repeated nodes.
+            let before = vec![at(1.5, 4.0), at(0.75, 4.0), at(1.125, 4.0), at(1.5, 0.0)];
+            let mut mesh = Mesh {
+                points: before.clone(),
+                hexes: vec![[0, 1, 2, 3, 0, 1, 2, 3]],
+                bodies: vec![Body {
+                    name: roller.body().into(),
+                    elements: 0..1,
+                }],
+                ..Mesh::default()
+            };
+            shape_roller_ends(&mut mesh, &bearing);
+            let wanted = [at(1.49, 4.0), before[1], at(1.12, 4.0), before[3]];
+            for (point, wanted) in mesh.points.iter().zip(wanted) {
+                for (a, b) in point.iter().zip(wanted) {
+                    assert!((a - b).abs() < 1e-14, "{point:?} {wanted:?}");
+                }
+            }
+        }
+    }
+}

@@ -7,7 +7,7 @@ use std::path::Path;
 use brinell::case::bearing::{RollerEnd, TEMPLATE_FILES};
 use brinell::case::{Case, Kind, MisesRead, interfaces, read};
 use brinell::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
-use case_kit::{BEARING, SCENE, blocks, good, mesh, render, stack, with};
+use case_kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
 
 fn bearing(case: &Case) -> &brinell::case::BearingCase {
     match &case.kind {
@@ -22,7 +22,7 @@ fn scene(text: &str) -> Scene {
 
 #[test]
 fn a_centred_bearing_is_a_quarter_model() {
-    let scene = good(BEARING).scene(stack(4.0, 0.0)).unwrap();
+    let scene = good(BEARING).scene(centred()).unwrap();
     assert_eq!(scene.name, "a bearing");
     assert_eq!(scene.mirrors, [0, 1]);
     let names: Vec<_> = scene
@@ -75,22 +75,42 @@ fn a_centred_bearing_is_a_quarter_model() {
 }
 
 #[test]
-fn a_displaced_or_full_bearing_is_whole() {
-    let displaced = with(BEARING, "\"0 in\"", "\"2.5 in\"\nunload = true");
-    let full = with(BEARING, "\"0 in\"", "\"0 in\"\nfull = true");
-    for text in [&displaced, &full] {
-        let scene = good(text).scene(stack(4.0, -4.0)).unwrap();
-        assert!(scene.mirrors.is_empty());
-        assert_eq!(scene.supports.len(), 1);
-        assert_eq!(scene.rigid_planes[0].motion[2], PlaneMotion::Driven(-65.0));
-    }
-    let scene = good(&displaced).scene(stack(4.0, -4.0)).unwrap();
-    let steps: Vec<_> = scene
-        .steps
-        .iter()
-        .map(|step| (&*step.name, step.factor))
-        .collect();
+fn a_displaced_bearing_is_whole() {
+    let text = with(BEARING, "\"0 in\"", "\"2.5 in\"\nunload = true");
+    let scene = good(&text).scene(displaced()).unwrap();
+    assert!(scene.mirrors.is_empty());
+    assert_eq!(scene.supports.len(), 1);
+    assert_eq!(scene.rigid_planes[0].motion[2], PlaneMotion::Driven(-65.0));
+    let steps: Vec<_> = scene.steps.iter().map(|s| (&*s.name, s.factor)).collect();
     assert_eq!(steps, [("load", 1.0), ("unload", 1e-3)]);
+}
+
+#[test]
+fn a_mesh_of_another_bearing_is_not_used() {
+    let refused = |text: &str, mesh| {
+        let error = good(text).scene(mesh).unwrap_err();
+        assert!(render(&error).contains("brinell::case::mesh"));
+        error.to_string()
+    };
+    let longer = with(BEARING, "\"8 in\"", "\"9 in\"");
+    assert!(refused(&longer, centred()).contains("of another bearing or preset"));
+    let full = with(BEARING, "\"0 in\"", "\"0 in\"\nfull = true");
+    assert!(refused(&full, centred()).contains("of another bearing or preset"));
+    assert!(refused(BEARING, blocks()).contains("carries no fingerprint"));
+}
+
+#[test]
+fn rollers_get_their_ends() {
+    let crowned = with(
+        BEARING,
+        "offset =",
+        "roller_end = { crown = \"1 mil\" }\noffset =",
+    );
+    let square = good(BEARING).scene(centred()).unwrap().mesh;
+    let shaped = good(&crowned).scene(centred()).unwrap().mesh;
+    let moved = square.points.iter().zip(&shaped.points);
+    let farthest = moved.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]));
+    assert!((farthest.fold(0.0, f64::max) - 0.001).abs() < 1e-9);
 }
 
 #[test]
@@ -131,7 +151,7 @@ fn dimensions_of_a_bearing() {
 
 #[test]
 fn hardening_from_its_second_point() {
-    let steel = |text: &str| good(text).scene(stack(4.0, 0.0)).unwrap().materials[0];
+    let steel = |text: &str| good(text).scene(centred()).unwrap().materials[0];
     let total = steel(BEARING);
     assert!(
         (total.hardening_modulus - 249.471).abs() < 5e-4,
@@ -160,15 +180,13 @@ fn steels_of_single_bodies() {
         "{BEARING}[steel.upper_roller]\nelastic = true\n\
          [steel.lower_roller]\nyield_stress = \"120 ksi\"\nhardening_modulus = 0\n"
     );
-    // Bodies of the toy stack stand from the bottom up.
-    let steels = good(&text).scene(stack(4.0, 0.0)).unwrap().materials;
-    assert_eq!(steels[3].yield_stress, f64::INFINITY);
-    assert_eq!(
-        (steels[1].yield_stress, steels[1].hardening_modulus),
-        (120.0, 0.0)
-    );
-    assert_eq!(steels[1].youngs_modulus, 29500.0);
-    assert_eq!(steels[0].yield_stress, 100.0);
+    let scene_of_bearing = good(&text).scene(centred()).unwrap();
+    let steel = |body: &str| scene_of_bearing.materials[scene_of_bearing.mesh.body(body).unwrap()];
+    assert_eq!(steel("upper_roller").yield_stress, f64::INFINITY);
+    let lower = steel("lower_roller");
+    assert_eq!((lower.yield_stress, lower.hardening_modulus), (120.0, 0.0));
+    assert_eq!(lower.youngs_modulus, 29500.0);
+    assert_eq!(steel("upper_plate").yield_stress, 100.0);
 
     let text = format!("{SCENE}[[body]]\nname = \"upper\"\nsteel = {{ yield_stress = 300 }}\n");
     let steels = scene(&text).materials;
@@ -355,6 +373,15 @@ fn shipped_cases() {
             assert_eq!((geometry.diameter, geometry.wall), (3.0, Some(0.75)));
             assert_eq!(bearing.is_whole(), offset > 0.0);
             assert!(case.discrepancies.len() >= 4);
+            let mesh = shipped(&format!("{design}-{place}-h025"));
+            assert_eq!(
+                case.scene(mesh).unwrap().mirrors.len(),
+                if offset > 0.0 { 0 } else { 2 }
+            );
+            let mut like = case.clone();
+            like.set_preset("report-like").unwrap();
+            like.scene(shipped(&format!("{design}-{place}-report-like")))
+                .unwrap();
         }
     }
     let centre = read(&folder.join("initial-centre.toml"))

@@ -8,6 +8,7 @@
 mod assumption;
 pub mod bearing;
 mod bearing_case;
+mod bearing_mesh;
 mod bearing_model;
 mod bearing_reader;
 mod change;
@@ -170,14 +171,16 @@ impl Case {
         Ok(case)
     }
 
-    /// The scene on `mesh`: as it stands in the file for a general scene (its length unit is
-    /// turned into that of the case here), in the units of the case for a bearing.
+    /// The scene on `mesh`, as it stands in its file. Its coordinates are brought to the length
+    /// unit of the case here: from the `unit` of a general scene's mesh file, or by the size of
+    /// the bearing, whose rollers also get their ends.
     ///
     /// # Errors
-    /// Where a name of the case is not in the mesh, or the mesh does not fit the symmetry.
+    /// Where a name of the case is not in the mesh, the mesh does not fit the symmetry, or it is
+    /// not the mesh of this bearing.
     pub fn scene(&self, mut mesh: Mesh) -> Result<Scene, CaseError> {
         match &self.kind {
-            Kind::Bearing(_) => self.model().scene(mesh),
+            Kind::Bearing(bearing) => self.model().scene(bearing.fit(mesh)?),
             Kind::General(general) => {
                 let bodies: Vec<&str> = mesh.bodies.iter().map(|b| b.name.as_str()).collect();
                 self.check_comparison(&bodies)?;

@@ -146,35 +146,21 @@ pub fn blocks() -> Mesh {
     )
 }
 
-/// Five boxes with the names of a bearing, `length` long, at x, y from `from`.
-pub fn stack(length: f64, from: f64) -> Mesh {
-    let names = [
-        "lower_plate",
-        "lower_roller",
-        "intermediate_plate",
-        "upper_roller",
-        "upper_plate",
-    ];
-    let boxes: Vec<_> = names
-        .iter()
-        .enumerate()
-        .map(|(i, name)| {
-            let z = i as f64 * length;
-            (*name, [from, from, z], [length, length, z + length])
-        })
-        .collect();
-    let mut surfaces = vec![
-        ("lower_plate_bottom", 0, "-z"),
-        ("lower_plate_top", 0, "+z"),
-        ("lower_roller_surface", 1, "+z"),
-        ("intermediate_plate_bottom", 2, "-z"),
-        ("intermediate_plate_top", 2, "+z"),
-        ("upper_roller_surface", 3, "+z"),
-        ("upper_plate_bottom", 4, "-z"),
-        ("upper_plate_top", 4, "+z"),
-    ];
-    if from == 0.0 {
-        surfaces.extend([("x_symmetry", 0, "-x"), ("y_symmetry", 0, "-y")]);
-    }
-    mesh(&boxes, &surfaces)
+/// The shipped mesh `name` of the reference study.
+pub fn shipped(name: &str) -> Mesh {
+    let path = format!(
+        "{}/meshes/section-2.6.2/{name}.msh.gz",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    brinell::mesh::msh::read(std::path::Path::new(&path)).expect(&path)
+}
+
+/// The mesh of [`BEARING`].
+pub fn centred() -> Mesh {
+    shipped("initial-centre-h025")
+}
+
+/// The mesh of [`BEARING`] with rollers 2.5 in off.
+pub fn displaced() -> Mesh {
+    shipped("initial-offset-2.5-h025")
 }

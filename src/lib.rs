@@ -14,6 +14,9 @@
 //! ```
 
 pub mod analytic;
+pub mod analytic;
+pub mod case;
+pub mod cli;
 pub mod contact;
 pub mod fem;
 pub mod geometry;
@@ -24,3 +27,4 @@ pub mod output;
 pub mod results;
 pub mod scene;
 pub mod solve;
+pub mod units;

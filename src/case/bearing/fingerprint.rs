@@ -1,0 +1,143 @@
+//! The fingerprint that ties a mesh file to the bearing it was made for.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::Path;
+
+use flate2::{Compression, GzBuilder};
+
+use super::geometry::BearingGeometry;
+use super::parameters::parameters;
+use super::preset::MeshRequest;
+use super::template::TEMPLATE_VERSION;
+
+/// A hash of everything that the mesh of a bearing depends on: 16 hexadecimal digits.
+///
+/// Lengths enter in diameters and all numbers rounded to 12 digits, so that a bearing has one
+/// fingerprint whatever its unit. The end shape of the rollers does not enter (beyond the element
+/// sizes it asks for): meshes have square ends and are shaped after reading.
+pub fn fingerprint(geometry: &BearingGeometry, request: &MeshRequest) -> String {
+    let mut text = format!("brinell bearing {TEMPLATE_VERSION}\n");
+    for parameter in parameters(geometry, request) {
+        let value = if parameter.is_length {
+            parameter.value / geometry.diameter
+        } else {
+            parameter.value
+        };
+        // Adding zero turns -0 into 0. Writing to a string cannot fail.
+        let _ = writeln!(text, "{} {:.11e}", parameter.name, value + 0.0);
+    }
+    format!("{:016x}", fnv1a(text.as_bytes()))
+}
+
+/// The 64-bit hash of Fowler, Noll and Vo, variant 1a.
+fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// Compresses the mesh file `raw_msh` into `out`, with the fingerprint in a `$Comments` section
+/// at its end. The same input gives the same bytes: no time is written.
+///
+/// # Errors
+/// Where one of the files cannot be read or written.
+pub fn write_with_fingerprint(raw_msh: &Path, fingerprint: &str, out: &Path) -> io::Result<()> {
+    let mut raw = File::open(raw_msh)?;
+    let file = io::BufWriter::new(File::create(out)?);
+    let mut gzip = GzBuilder::new().mtime(0).write(file, Compression::best());
+    io::copy(&mut raw, &mut gzip)?;
+    write!(
+        gzip,
+        "$Comments\nbrinell-fingerprint: {fingerprint}\n$EndComments\n"
+    )?;
+    gzip.finish()?.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::Preset;
+    use crate::case::bearing::geometry::tests::initial;
+
+    #[test]
+    fn one_bearing_has_one_fingerprint_in_any_unit() {
+        let inch = initial();
+        let mut millimetre = inch.clone();
+        for length in [
+            &mut millimetre.diameter,
+            &mut millimetre.length,
+            &mut millimetre.intermediate_thickness,
+            &mut millimetre.upper_thickness,
+            &mut millimetre.lower_thickness,
+        ] {
+            *length *= 25.4;
+        }
+        millimetre.wall = Some(0.75 * 25.4);
+        millimetre.plan = [8.0 * 25.4; 2];
+        for preset in Preset::ALL {
+            let request = MeshRequest {
+                preset,
+                ..MeshRequest::default()
+            };
+            let print = fingerprint(&inch, &request);
+            assert_eq!(print, fingerprint(&millimetre, &request));
+            assert_eq!(print.len(), 16);
+        }
+    }
+
+    #[test]
+    fn whatever_changes_the_mesh_changes_the_fingerprint() {
+        let request = MeshRequest::default();
+        let mut seen = vec![fingerprint(&initial(), &request)];
+        let mut longer = initial();
+        longer.length += 1e-6;
+        seen.push(fingerprint(&longer, &request));
+        let mut solid = initial();
+        solid.wall = None;
+        seen.push(fingerprint(&solid, &request));
+        for preset in [Preset::H0125, Preset::Resolved { level: 1 }] {
+            let request = MeshRequest {
+                preset,
+                ..MeshRequest::default()
+            };
+            seen.push(fingerprint(&initial(), &request));
+        }
+        let full = MeshRequest {
+            full: true,
+            ..MeshRequest::default()
+        };
+        seen.push(fingerprint(&initial(), &full));
+        let finer = MeshRequest {
+            overrides: vec![("end_size".into(), 0.1)],
+            ..MeshRequest::default()
+        };
+        seen.push(fingerprint(&initial(), &finer));
+        let count = seen.len();
+        seen.sort();
+        seen.dedup();
+        assert_eq!(seen.len(), count);
+    }
+
+    #[test]
+    fn a_displaced_bearing_is_whole_whether_asked_for_or_not() {
+        let mut displaced = initial();
+        displaced.offset = 1.25;
+        let prints = [false, true].map(|full| {
+            let request = MeshRequest {
+                full,
+                ..MeshRequest::default()
+            };
+            fingerprint(&displaced, &request)
+        });
+        assert_eq!(prints[0], prints[1]);
+    }
+
+    #[test]
+    fn hash_is_that_of_the_published_test_vectors() {
+        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
+    }
+}

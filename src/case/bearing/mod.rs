@@ -1,0 +1,24 @@
+//! The rolling bearing of five bodies as geometry: where its parts lie, which gmsh template and
+//! numbers mesh it, and how a mesh file is known to belong to it.
+//!
+//! All lengths are in one unit, whatever it is; angles in radians.
+
+mod end_shape;
+mod error;
+mod fingerprint;
+mod geometry;
+mod parameters;
+mod preset;
+mod roller_end;
+mod sizes;
+mod template;
+
+pub use end_shape::RollerEnd;
+pub use error::GeometryError;
+pub use fingerprint::{fingerprint, write_with_fingerprint};
+pub use geometry::{BearingGeometry, Roller};
+pub use parameters::{gmsh_parameters, mesh_scale, rescale};
+pub use preset::{MeshRequest, Preset, UnknownPreset};
+pub use roller_end::shape_roller_ends;
+pub use sizes::{Kind, MESH_KEYS, MeshKey, Sizes};
+pub use template::{TEMPLATE_FILES, TEMPLATE_MAIN, TEMPLATE_VERSION, write_template};

@@ -1,0 +1,290 @@
+//! Mesh presets: element sizes for a bearing of any dimensions.
+
+use std::f64::consts::PI;
+use std::fmt;
+use std::str::FromStr;
+
+use super::end_shape::RollerEnd;
+use super::error::GeometryError;
+use super::geometry::BearingGeometry;
+use super::sizes::{Kind, MESH_KEYS, Sizes};
+
+/// A named choice of element sizes.
+///
+/// Lengths below are for the reference bearing, D = 3 in, and scale with D: `h025` has 0.025 in
+/// across the contact lines of a roller of 3 in and D/120 in general. At the working stresses of
+/// bearing steel the contact strips scale with D too (half-width about 0.02 R at p0 = E*/100).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Preset {
+    /// 0.025 in across the contact lines.
+    #[default]
+    H025,
+    /// 0.0125 in across the contact lines.
+    H0125,
+    /// A family of meshes for convergence: 0.025 in at level 0, every size finer by √2 from one
+    /// level to the next, the grading everywhere the same.
+    Resolved { level: u8 },
+    /// The uniform coarse mesh of the reference study, for comparison only.
+    ReportLike,
+}
+
+/// How a bearing is to be meshed.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MeshRequest {
+    pub preset: Preset,
+    /// Numbers in place of those of the preset, by key of [`MESH_KEYS`]; lengths in the unit of
+    /// the bearing. A `roller_size` without a `plate_size` changes both.
+    pub overrides: Vec<(String, f64)>,
+    /// All four quarters of a centred bearing; a displaced one is always whole.
+    pub full: bool,
+}
+
+/// Plate elements across a contact line against those of the roller.
+const PLATE_TO_ROLLER: f64 = 1.06;
+
+impl Preset {
+    /// One of each, the default first.
+    pub const ALL: [Self; 4] = [
+        Self::H025,
+        Self::H0125,
+        Self::Resolved { level: 0 },
+        Self::ReportLike,
+    ];
+
+    /// As in case files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::H025 => "h025",
+            Self::H0125 => "h0125",
+            Self::Resolved { .. } => "resolved",
+            Self::ReportLike => "report-like",
+        }
+    }
+
+    /// The element sizes for a bearing.
+    pub fn sizes(self, geometry: &BearingGeometry) -> Sizes {
+        match self {
+            Self::H025 => graded(geometry, 0.025, 2.0),
+            Self::H0125 => graded(geometry, 0.0125, 3.0),
+            Self::Resolved { level } => resolved(geometry, level),
+            Self::ReportLike => report_like(geometry),
+        }
+    }
+}
+
+/// A scale for lengths: 1 for the reference bearing.
+fn unit(geometry: &BearingGeometry) -> f64 {
+    geometry.diameter / 3.0
+}
+
+fn thinnest_plate(geometry: &BearingGeometry) -> f64 {
+    let outer = geometry.upper_thickness.min(geometry.lower_thickness);
+    outer.min(geometry.intermediate_thickness)
+}
+
+/// Graded from `size` across the contact lines, with `fine_elements` of it on either side.
+fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
+    let unit = unit(geometry);
+    let half_length = geometry.length / 2.0;
+    let half_plan = geometry.plan[0].max(geometry.plan[1]) / 2.0;
+    let wall = geometry.wall.unwrap_or(geometry.radius() / 2.0);
+    let mut sizes = Sizes {
+        uniform: false,
+        roller_size: size * unit,
+        plate_size: PLATE_TO_ROLLER * size * unit,
+        fine_elements,
+        fine_layers: 1.0,
+        crossing_size: (0.1 * unit).min(half_length / 20.0),
+        end_size: (0.15 * unit).min(half_length / 16.0),
+        growth: 2.0,
+        depth_growth: 2.0,
+        along_growth: 1.5,
+        around_cap: 0.5 * unit,
+        along_cap: (0.5 * unit).min(half_length / 8.0),
+        wall_cap: wall * 4.0 / 15.0,
+        plan_cap: unit.min(half_plan / 4.0),
+        middle_cap: (0.7 * unit).min(half_plan / 5.0),
+        depth_cap: (0.3 * unit).min(thinnest_plate(geometry) / 3.0),
+        wall_least: 5.0,
+        depth_least: 5.0,
+        along_least: 12.0,
+    };
+    if let RollerEnd::Radius(radius) = geometry.end {
+        // A few elements on the fillet.
+        sizes.end_size = sizes.end_size.min(radius / 3.0);
+    }
+    sizes
+}
+
+fn resolved(geometry: &BearingGeometry, level: u8) -> Sizes {
+    let finer = 2f64.powf(-0.5 * f64::from(level));
+    let base = graded(geometry, 0.025, 2.0);
+    let count = |n: f64| (n / finer).round();
+    // Over a given distance the element size grows by the same factor on every level.
+    let growth = |ratio: f64| ratio.powf(finer);
+    Sizes {
+        uniform: false,
+        roller_size: base.roller_size * finer,
+        plate_size: base.plate_size * finer,
+        fine_elements: count(2.0),
+        fine_layers: count(1.0),
+        crossing_size: 1.2 * base.crossing_size * finer,
+        end_size: base.end_size * finer,
+        growth: growth(2.25),
+        depth_growth: growth(2.25),
+        along_growth: growth(1.8),
+        around_cap: 1.5 * base.around_cap * finer,
+        along_cap: 1.2 * base.along_cap * finer,
+        wall_cap: base.wall_cap * finer,
+        plan_cap: 1.5 * base.plan_cap * finer,
+        middle_cap: 1.5 * base.middle_cap * finer,
+        depth_cap: 1.3 * base.depth_cap * finer,
+        wall_least: count(4.0),
+        depth_least: count(4.0),
+        along_least: count(12.0),
+    }
+}
+
+/// Rollers: 24 elements around, 2 through the wall, 0.5 in along; plates: 0.3 in, 3 layers.
+fn report_like(geometry: &BearingGeometry) -> Sizes {
+    let unit = unit(geometry);
+    let around = PI * geometry.diameter / 24.0;
+    let wall = geometry.wall.unwrap_or(geometry.radius() / 2.0);
+    Sizes {
+        uniform: true,
+        roller_size: around,
+        plate_size: 0.3 * unit,
+        fine_elements: 1.0,
+        fine_layers: 1.0,
+        crossing_size: 0.5 * unit,
+        end_size: 0.5 * unit,
+        growth: 1.0,
+        depth_growth: 1.0,
+        along_growth: 1.0,
+        around_cap: around,
+        along_cap: 0.5 * unit,
+        wall_cap: wall / 2.0,
+        plan_cap: 0.3 * unit,
+        middle_cap: 0.3 * unit,
+        depth_cap: thinnest_plate(geometry) / 3.0,
+        wall_least: 2.0,
+        depth_least: 3.0,
+        along_least: 1.0,
+    }
+}
+
+impl MeshRequest {
+    /// The sizes of the preset with the overrides in their places; overrides whose keys are not
+    /// in [`MESH_KEYS`] are passed over.
+    pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
+        let mut sizes = self.preset.sizes(geometry);
+        for (key, value) in &self.overrides {
+            if let Some(number) = sizes.get_mut(key) {
+                *number = *value;
+            }
+        }
+        let given = |key: &str| self.overrides.iter().any(|(k, _)| k == key);
+        if given("roller_size") && !given("plate_size") {
+            sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
+        }
+        sizes
+    }
+
+    /// Can this mesh be made?
+    ///
+    /// # Errors
+    /// Names the first number that is out of its range, with the range.
+    pub fn check(&self, geometry: &BearingGeometry) -> Result<(), GeometryError> {
+        geometry.check()?;
+        for (key, value) in MESH_KEYS.iter().zip(self.sizes(geometry).values()) {
+            let (least, most, range) = match key.kind {
+                // Finer meshes than this could not be solved, nor made in reasonable time.
+                Kind::Length => {
+                    let least = 1e-4 * geometry.diameter;
+                    let range = format!("must be at least {least} (1e-4 diameters)");
+                    (least, f64::MAX, range)
+                }
+                Kind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
+                Kind::Ratio => (1.0, 10.0, "must lie between 1 and 10".into()),
+            };
+            let help = "a size, count or growth of the bearing template";
+            GeometryError::unless(
+                value >= least && value <= most,
+                key.key,
+                value,
+                || range,
+                help,
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Preset {
+    type Err = UnknownPreset;
+
+    fn from_str(name: &str) -> Result<Self, UnknownPreset> {
+        let known = Self::ALL.into_iter().find(|preset| preset.name() == name);
+        known.ok_or_else(|| UnknownPreset(name.into()))
+    }
+}
+
+/// A preset that there is not.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, miette::Diagnostic)]
+#[error("there is no mesh preset `{0}`")]
+#[diagnostic(
+    code(brinell::case::preset),
+    help("one of: h025, h0125, resolved, report-like")
+)]
+pub struct UnknownPreset(pub String);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::geometry::tests::initial;
+
+    #[test]
+    fn presets_go_by_their_names() {
+        for preset in Preset::ALL {
+            assert_eq!(preset.to_string().parse(), Ok(preset));
+        }
+        assert!("h05".parse::<Preset>().is_err());
+        assert_eq!(Preset::default().sizes(&initial()).roller_size, 0.025);
+    }
+
+    #[test]
+    fn overrides_take_the_place_of_the_preset() {
+        let request = MeshRequest {
+            overrides: vec![("roller_size".into(), 0.05), ("growth".into(), 1.3)],
+            ..MeshRequest::default()
+        };
+        let sizes = request.sizes(&initial());
+        assert_eq!([sizes.roller_size, sizes.growth], [0.05, 1.3]);
+        assert!((sizes.plate_size - 0.053).abs() < 1e-12);
+        assert!(request.check(&initial()).is_ok());
+    }
+
+    #[test]
+    fn impossible_sizes_are_refused_by_name() {
+        for (key, value) in [
+            ("roller_size", 0.0),
+            ("end_size", -1.0),
+            ("growth", 0.9),
+            ("fine_layers", 0.0),
+            ("depth_cap", f64::NAN),
+        ] {
+            let request = MeshRequest {
+                overrides: vec![(key.into(), value)],
+                ..MeshRequest::default()
+            };
+            let error = request.check(&initial()).expect_err(key);
+            assert_eq!(error.key, key);
+        }
+    }
+}

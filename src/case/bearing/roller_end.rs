@@ -1,0 +1,95 @@
+//! Gives the rollers of a mesh their end shape.
+
+use super::end_shape::RollerEnd;
+use super::geometry::{BearingGeometry, Roller};
+use crate::mesh::Mesh;
+
+/// Moves the nodes of both rollers from the square-ended cylinder of the mesh onto the profile
+/// of `geometry.end`. The mesh must be in the unit of `geometry`.
+///
+/// Nodes move towards the axis: those on the outer surface by the drop of the profile at their
+/// place along the roller, those at the bore (or the axis) not at all, linearly in between.
+pub fn shape_roller_ends(mesh: &mut Mesh, geometry: &BearingGeometry) {
+    if geometry.end == RollerEnd::Square {
+        return;
+    }
+    for roller in Roller::BOTH {
+        for node in nodes_of(mesh, roller.body()) {
+            move_node(&mut mesh.points[node], roller, geometry);
+        }
+    }
+}
+
+fn move_node(point: &mut [f64; 3], roller: Roller, geometry: &BearingGeometry) {
+    let centre = geometry.roller_centre(roller);
+    let [outer, inner] = [geometry.radius(), geometry.bore_radius()];
+    let across = point[roller.across()] - centre[roller.across()];
+    let up = point[2] - centre[2];
+    let radius = across.hypot(up);
+    if radius <= inner || radius == 0.0 {
+        return;
+    }
+    let along = point[roller.axis()] - centre[roller.axis()];
+    let drop = geometry.end.drop_at(along, geometry.length, outer);
+    let scale = 1.0 - drop * (radius - inner) / (outer - inner) / radius;
+    point[roller.across()] = centre[roller.across()] + across * scale;
+    point[2] = centre[2] + up * scale;
+}
+
+/// The nodes of a body, each once.
+fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
+    let Some(index) = mesh.body(body) else {
+        return Vec::new();
+    };
+    let elements = mesh.bodies[index].elements.clone();
+    let mut nodes: Vec<usize> = mesh.hexes[elements]
+        .iter()
+        .flatten()
+        .map(|n| *n as usize)
+        .collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::geometry::tests::initial;
+    use crate::mesh::Body;
+
+    #[test]
+    fn outer_nodes_drop_bore_nodes_stay() {
+        let mut bearing = initial();
+        bearing.offset = 2.5;
+        bearing.end = RollerEnd::Crown(0.01);
+        for roller in Roller::BOTH {
+            let centre = bearing.roller_centre(roller);
+            let at = |radius: f64, along: f64| {
+                let mut point = centre;
+                point[roller.across()] += 0.6 * radius;
+                point[2] -= 0.8 * radius;
+                point[roller.axis()] = along;
+                point
+            };
+            // Only the points matter: one element with repeated nodes.
+            let before = vec![at(1.5, 4.0), at(0.75, 4.0), at(1.125, 4.0), at(1.5, 0.0)];
+            let mut mesh = Mesh {
+                points: before.clone(),
+                hexes: vec![[0, 1, 2, 3, 0, 1, 2, 3]],
+                bodies: vec![Body {
+                    name: roller.body().into(),
+                    elements: 0..1,
+                }],
+                ..Mesh::default()
+            };
+            shape_roller_ends(&mut mesh, &bearing);
+            let wanted = [at(1.49, 4.0), before[1], at(1.12, 4.0), before[3]];
+            for (point, wanted) in mesh.points.iter().zip(wanted) {
+                for (a, b) in point.iter().zip(wanted) {
+                    assert!((a - b).abs() < 1e-14, "{point:?} {wanted:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! `[bearing]`: the rolling bearing of five bodies, its load, friction and steels.
+
+use super::assumption::Assumption;
+use super::bearing::{BearingGeometry, GeometryError, MeshRequest};
+use super::bearing_reader::Reader;
+use super::error::{CaseError, ErrorKind};
+use super::interfaces::BODIES;
+use super::mesh_choice;
+use super::parse::Table;
+use super::source::Located;
+use super::steel::Steels;
+use crate::units::Dimension;
+
+/// A bearing, in the units of its case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BearingCase {
+    pub geometry: BearingGeometry,
+    pub mesh: MeshRequest,
+    /// Vertical, on the whole bearing.
+    pub load: f64,
+    /// Coulomb's coefficient, on all four interfaces.
+    pub friction: f64,
+    /// The share of the load that is left after unloading; `None` where it stays on.
+    pub unload_to: Option<f64>,
+    pub steels: Steels,
+}
+
+impl BearingCase {
+    pub(super) fn read(root: &Table, assumptions: &mut Vec<Assumption>) -> Result<Self, CaseError> {
+        let mut reader = Reader::new(root, assumptions)?;
+        let load = reader.quantity("load", Dimension::FORCE)?.positive()?.value;
+        let friction = reader
+            .quantity("friction", Dimension::RATIO)?
+            .not_negative()?;
+        let geometry = reader.geometry()?;
+        let misfit = |table: &str, error: GeometryError| {
+            let place = root.deepest(&format!("{table}.{}", error.key));
+            place.error(ErrorKind::Value, error.range).help(error.help)
+        };
+        geometry.check().map_err(|error| misfit("bearing", error))?;
+        check_grip(&friction, &geometry)?;
+        let full = reader.full(&geometry)?;
+        let unload_to = reader.unload()?;
+        let mesh = mesh_choice::request(root, full, assumptions)?;
+        mesh.check(&geometry)
+            .map_err(|error| misfit("mesh", error))?;
+        let steels = Steels::read(root, assumptions)?;
+        steels.check_names(&BODIES)?;
+        for body in BODIES {
+            steels.of(body)?;
+        }
+        Ok(Self {
+            geometry,
+            mesh,
+            load,
+            friction: friction.value,
+            unload_to,
+            steels,
+        })
+    }
+
+    /// Is the whole bearing modelled, or a quarter?
+    pub fn is_whole(&self) -> bool {
+        self.mesh.full || !self.geometry.is_centred()
+    }
+
+    /// Axes of the symmetry planes.
+    pub fn mirrors(&self) -> Vec<usize> {
+        if self.is_whole() {
+            Vec::new()
+        } else {
+            vec![0, 1]
+        }
+    }
+}
+
+/// A displaced roller has one line of contact below and one above, whose normals differ by the
+/// slope θ; it is in balance only where the coefficient of friction is at least tan(θ/2).
+fn check_grip(friction: &Located<f64>, geometry: &BearingGeometry) -> Result<(), CaseError> {
+    let least = (geometry.slope / 2.0).tan();
+    if geometry.is_centred() || friction.value >= least {
+        return Ok(());
+    }
+    let why = format!(
+        "cannot hold a displaced roller on a slope of {:.4} deg, which takes tan(slope/2) = {:.4}",
+        geometry.slope.to_degrees(),
+        least
+    );
+    Err(friction.place.error(ErrorKind::Value, why))
+}

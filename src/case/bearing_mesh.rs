@@ -1,0 +1,30 @@
+//! The mesh of a bearing: is it the right one, and brought to the case's units and roller ends.
+
+use super::bearing::{fingerprint, rescale, shape_roller_ends};
+use super::bearing_case::BearingCase;
+use super::error::{CaseError, ErrorKind};
+use crate::mesh::Mesh;
+
+impl BearingCase {
+    /// The fingerprint that a mesh of this bearing carries.
+    pub fn fingerprint(&self) -> String {
+        fingerprint(&self.geometry, &self.mesh)
+    }
+
+    /// The mesh in the units of the case, its rollers with the ends of the case.
+    pub(super) fn fit(&self, mut mesh: Mesh) -> Result<Mesh, CaseError> {
+        let wanted = self.fingerprint();
+        let why = match mesh.fingerprint.as_deref() {
+            Some(found) if found == wanted => {
+                rescale(&mut mesh, &self.geometry);
+                shape_roller_ends(&mut mesh, &self.geometry);
+                return Ok(mesh);
+            }
+            Some(found) => format!("is of another bearing or preset: {found} is not {wanted}"),
+            None => "carries no fingerprint, so it cannot be known to be of this bearing".into(),
+        };
+        let message = format!("the mesh {} {why}", mesh.source);
+        let help = "have it made again: `brinell mesh` calls gmsh with the numbers of the case";
+        Err(CaseError::new(ErrorKind::Mesh, message).help(help))
+    }
+}

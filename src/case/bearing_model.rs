@@ -1,0 +1,101 @@
+//! The bearing template made into a general model.
+
+use super::bearing_case::BearingCase;
+use super::contact::Contact;
+use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
+use super::load::{Loads, modelled_share};
+use super::model::Model;
+use super::source::{Located, Place, Source};
+use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
+
+/// The name of the rigid plane that carries the load.
+const LOADED: &str = "top";
+
+impl BearingCase {
+    /// The model: four contact pairs with the rollers as carriers, the top face a rigid plane
+    /// that only moves along z under the load, the bottom face fixed.
+    pub(super) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
+        let place = Place {
+            source: source.clone(),
+            key: "bearing".to_string(),
+            span: 0..0,
+        };
+        Model {
+            name: name.to_string(),
+            steels: self.steels.clone(),
+            contacts: self.contacts(&place),
+            loads: self.loads(&place),
+            mirrors: self.mirrors(),
+            controls,
+        }
+    }
+
+    fn contacts(&self, place: &Place) -> Vec<Contact> {
+        let located = |value| Located {
+            value,
+            place: place.clone(),
+        };
+        let pair = |interface: &Interface| Contact {
+            name: Located {
+                value: interface.name.to_string(),
+                place: place.clone(),
+            },
+            upper: located(Partner::Surface(interface.upper.to_string())),
+            lower: located(Partner::Surface(interface.lower.to_string())),
+            carrier: Some(if interface.roller_above {
+                Side::Upper
+            } else {
+                Side::Lower
+            }),
+            friction: self.friction,
+            friction_is_default: false,
+            penalty_factor: 1.0,
+            true_geometry: true,
+        };
+        INTERFACES.iter().map(pair).collect()
+    }
+
+    fn loads(&self, place: &Place) -> Loads {
+        let support = |name: &str, surface: &str, components| Located {
+            value: Support {
+                name: name.to_string(),
+                surface: surface.to_string(),
+                components,
+            },
+            place: place.clone(),
+        };
+        let mut supports = vec![support("bottom", BOTTOM, [Some(0.0); 3])];
+        for axis in self.mirrors() {
+            let mut components = [None; 3];
+            components[axis] = Some(0.0);
+            supports.push(support(SYMMETRIES[axis], SYMMETRIES[axis], components));
+        }
+        let force = -self.load * modelled_share(&self.mirrors());
+        let plane = RigidPlane {
+            name: LOADED.to_string(),
+            surface: TOP.to_string(),
+            motion: [
+                PlaneMotion::Held(0.0),
+                PlaneMotion::Held(0.0),
+                PlaneMotion::Driven(force),
+            ],
+        };
+        let step = |name: &str, factor| Step {
+            name: name.to_string(),
+            factor,
+            factors: vec![],
+        };
+        let mut steps = vec![step("load", 1.0)];
+        steps.extend(self.unload_to.map(|share| step("unload", share)));
+        let planes = vec![Located {
+            value: plane,
+            place: place.clone(),
+        }];
+        Loads {
+            supports,
+            planes,
+            tractions: Vec::new(),
+            steps,
+        }
+    }
+}

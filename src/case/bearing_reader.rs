@@ -1,0 +1,235 @@
+//! Reads the keys of `[bearing]`, noting what is taken for granted. Whether the dimensions make
+//! a bearing is for [`BearingGeometry::check`] to say.
+
+use super::assumption::Assumption;
+use super::bearing::{BearingGeometry, RollerEnd};
+use super::error::{CaseError, ErrorKind};
+use super::parse::{Field, Table};
+use super::source::Located;
+use crate::units::Dimension;
+
+const KEYS: &[&str] = &[
+    "load",
+    "friction",
+    "roller_diameter",
+    "roller_wall",
+    "solid",
+    "roller_length",
+    "roller_end",
+    "offset",
+    "offset_is",
+    "slope",
+    "plate_thickness",
+    "plate_size",
+    "full",
+    "unload",
+    "unload_to",
+];
+
+/// The table `[bearing]`.
+pub(super) struct Reader<'a, 'b> {
+    table: Table<'a>,
+    assumptions: &'b mut Vec<Assumption>,
+}
+
+impl<'a, 'b> Reader<'a, 'b> {
+    pub fn new(root: &Table<'a>, assumptions: &'b mut Vec<Assumption>) -> Result<Self, CaseError> {
+        let table = root.need("bearing")?.table()?.only(KEYS)?;
+        Ok(Self { table, assumptions })
+    }
+
+    pub fn quantity(&self, key: &str, dimension: Dimension) -> Result<Located<f64>, CaseError> {
+        self.table.need(key)?.quantity(dimension)
+    }
+
+    pub fn geometry(&mut self) -> Result<BearingGeometry, CaseError> {
+        let diameter = self.length("roller_diameter")?;
+        let wall = self.wall()?;
+        let length = self.length("roller_length")?;
+        let slope = self.quantity("slope", Dimension::ANGLE)?.value;
+        let [upper_thickness, intermediate_thickness, lower_thickness] = self.thicknesses()?;
+        Ok(BearingGeometry {
+            diameter,
+            wall,
+            length,
+            slope,
+            offset: self.offset()?,
+            intermediate_thickness,
+            upper_thickness,
+            lower_thickness,
+            plan: self.plate_size(length)?,
+            end: self.end()?,
+        })
+    }
+
+    fn length(&self, key: &str) -> Result<f64, CaseError> {
+        Ok(self.quantity(key, Dimension::LENGTH)?.value)
+    }
+
+    fn flag(&self, key: &str) -> Result<Option<Located<bool>>, CaseError> {
+        self.table.get(key).map(|field| field.boolean()).transpose()
+    }
+
+    fn show(&self, value: f64) -> String {
+        self.table.units().show(value, Dimension::LENGTH)
+    }
+
+    fn note(&mut self, key: &str, value: impl Into<String>, why: &str) {
+        let given = self.table.get(key).is_some();
+        let key = format!("bearing.{key}");
+        self.assumptions
+            .push(Assumption::new(&key, value, why, given));
+    }
+
+    fn wall(&self) -> Result<Option<f64>, CaseError> {
+        let solid = self.flag("solid")?.filter(|solid| solid.value);
+        match (self.table.get("roller_wall"), solid) {
+            (Some(wall), Some(solid)) => {
+                let why = format!("contradicts `{} = true`", solid.place.key);
+                let error = wall.place().error(ErrorKind::Conflict, why);
+                Err(error.help("drop one of the two"))
+            }
+            (None, Some(_)) => Ok(None),
+            (_, None) => {
+                let help = "give the wall of a hollow roller, or solid = true";
+                let field = self
+                    .table
+                    .need("roller_wall")
+                    .map_err(|error| error.help(help))?;
+                Ok(Some(field.quantity(Dimension::LENGTH)?.value))
+            }
+        }
+    }
+
+    /// Upper, intermediate, lower.
+    fn thicknesses(&self) -> Result<[f64; 3], CaseError> {
+        let field = self.table.need("plate_thickness")?;
+        if !field.is_table() {
+            return Ok([field.quantity(Dimension::LENGTH)?.value; 3]);
+        }
+        let keys = ["upper", "intermediate", "lower"];
+        let table = field.table()?.only(&keys)?;
+        let mut thickness = [0.0; 3];
+        for (value, key) in thickness.iter_mut().zip(keys) {
+            *value = table.need(key)?.quantity(Dimension::LENGTH)?.value;
+        }
+        Ok(thickness)
+    }
+
+    fn plate_size(&mut self, length: f64) -> Result<[f64; 2], CaseError> {
+        let side = |field: &Field| field.quantity(Dimension::LENGTH).map(|side| side.value);
+        let size = match self.table.get("plate_size") {
+            None => [length; 2],
+            Some(field) if field.is_list() => match field.list()?.as_slice() {
+                [x, y] => [side(x)?, side(y)?],
+                _ => {
+                    let why = "must be one length, or two: along x and along y";
+                    return Err(field.place().error(ErrorKind::Value, why));
+                }
+            },
+            Some(field) => [side(&field)?; 2],
+        };
+        let text = format!("{} x {}", self.show(size[0]), self.show(size[1]));
+        let why = "by default roller length x roller length: the study does not give the plan \
+                   size; 5 in more on each side lowers the roller stress about 10 %";
+        self.note("plate_size", text, why);
+        Ok(size)
+    }
+
+    fn end(&mut self) -> Result<RollerEnd, CaseError> {
+        let end = match self.table.get("roller_end") {
+            None => RollerEnd::Square,
+            Some(field) => roller_end(&field)?,
+        };
+        let text = match end {
+            RollerEnd::Square => "square".to_string(),
+            RollerEnd::Radius(radius) => format!("rounded, radius {}", self.show(radius)),
+            RollerEnd::Crown(drop) => format!("crowned, drop {}", self.show(drop)),
+        };
+        let why = "a square end is a singular point: the elastic peak stress there grows without \
+                   bound as the mesh is refined";
+        self.note("roller_end", text, why);
+        Ok(end)
+    }
+
+    /// s, whichever of the two displacements is given.
+    fn offset(&mut self) -> Result<f64, CaseError> {
+        let given = self.length("offset")?;
+        let choices = [("roller", 1.0), ("bearing", 0.5)];
+        let is = self
+            .table
+            .get("offset_is")
+            .map(|field| field.choice(&choices))
+            .transpose()?;
+        let share = is.map_or(1.0, |is| is.value);
+        let offset = given * share;
+        if offset != 0.0 {
+            let word = if share == 1.0 { "roller" } else { "bearing" };
+            let text = format!("{word}: the rollers are {} off", self.show(offset));
+            let why = "both rollers are displaced by s from the centre of the intermediate plate \
+                       and the outer plates by 2 s, one pair along x, the other along y";
+            self.note("offset_is", text, why);
+        }
+        Ok(offset)
+    }
+
+    /// Is the whole of the bearing modelled?
+    pub fn full(&mut self, geometry: &BearingGeometry) -> Result<bool, CaseError> {
+        let displaced = !geometry.is_centred();
+        let asked = self.flag("full")?;
+        if let Some(asked) = asked.as_ref().filter(|asked| !asked.value && displaced) {
+            let why = "a bearing with displaced rollers has no planes of symmetry";
+            return Err(asked.place.error(ErrorKind::Conflict, why));
+        }
+        let full = displaced || asked.is_some_and(|asked| asked.value);
+        let (text, why) = match full {
+            true => ("the whole bearing", "no use is made of symmetry"),
+            false => (
+                "a quarter",
+                "a centred bearing is symmetric about x = 0 and y = 0",
+            ),
+        };
+        self.note("full", text, why);
+        Ok(full)
+    }
+
+    /// The share of the load that is left in the end, where there is unloading.
+    pub fn unload(&mut self) -> Result<Option<f64>, CaseError> {
+        let asked = self.flag("unload")?.is_some_and(|asked| asked.value);
+        let share = match self.table.get("unload_to") {
+            None => 1e-3,
+            Some(field) => {
+                let within = |share: &f64| *share > 0.0 && *share < 1.0;
+                field
+                    .ratio()?
+                    .require(within, "must lie between 0 and 1")?
+                    .value
+            }
+        };
+        if asked {
+            let why = "a little load keeps the rollers in place while dents are read";
+            self.note("unload_to", format!("{share} of the load"), why);
+        }
+        Ok(asked.then_some(share))
+    }
+}
+
+fn roller_end(field: &Field) -> Result<RollerEnd, CaseError> {
+    if !field.is_table() {
+        let word = field.choice(&[("square", RollerEnd::Square)]);
+        let help = "\"square\", { radius = … } or { crown = … }";
+        return word.map(|end| end.value).map_err(|error| error.help(help));
+    }
+    let table = field.table()?.only(&["radius", "crown"])?;
+    match (table.get("radius"), table.get("crown")) {
+        (Some(radius), None) => radius
+            .quantity(Dimension::LENGTH)
+            .map(|radius| RollerEnd::Radius(radius.value)),
+        (None, Some(crown)) => crown
+            .quantity(Dimension::LENGTH)
+            .map(|crown| RollerEnd::Crown(crown.value)),
+        _ => Err(field
+            .place()
+            .error(ErrorKind::Conflict, "must have one of radius and crown")),
+    }
+}

@@ -1,0 +1,69 @@
+//! Changes to a case from outside of its file, such as `--mesh` and `--full`.
+
+use super::bearing::{MeshRequest, Preset};
+use super::error::{CaseError, ErrorKind};
+use super::nearest::{advice, list};
+use super::{BearingCase, Case, Kind};
+
+impl Case {
+    /// Meshes the bearing by another preset than the file says. Numbers that the file sets in
+    /// place of those of its own preset are dropped.
+    ///
+    /// # Errors
+    /// Where there is no such preset, it does not fit the bearing, or the case is a general scene, which has a mesh file.
+    pub fn set_preset(&mut self, name: &str) -> Result<(), CaseError> {
+        let names = || Preset::ALL.iter().map(|preset| preset.name());
+        let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
+        let preset = found.ok_or_else(|| {
+            let message = format!(
+                "`{name}` is not a mesh preset; it must be one of: {}",
+                list(names())
+            );
+            CaseError::new(ErrorKind::Value, message).help(advice(name, names()))
+        })?;
+        let bearing = self.bearing_mut("a mesh preset")?;
+        let request = MeshRequest {
+            preset,
+            overrides: Vec::new(),
+            full: bearing.mesh.full,
+        };
+        request
+            .check(&bearing.geometry)
+            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
+        bearing.mesh = request;
+        self.note("mesh.preset", preset.name());
+        Ok(())
+    }
+
+    /// Models the whole bearing though it is symmetric.
+    ///
+    /// # Errors
+    /// Where the case is a general scene, whose mesh is what it is.
+    pub fn set_full(&mut self) -> Result<(), CaseError> {
+        self.bearing_mut("a full model")?.mesh.full = true;
+        self.note("bearing.full", "the whole bearing");
+        Ok(())
+    }
+
+    fn bearing_mut(&mut self, what: &str) -> Result<&mut BearingCase, CaseError> {
+        match &mut self.kind {
+            Kind::Bearing(bearing) => Ok(bearing),
+            Kind::General(_) => {
+                let message = format!(
+                    "{what} is for bearings; the case `{}` is a general scene on a mesh file",
+                    self.title
+                );
+                Err(CaseError::new(ErrorKind::Conflict, message))
+            }
+        }
+    }
+
+    /// Keeps the echoed assumptions true.
+    fn note(&mut self, key: &str, value: &str) {
+        for assumption in self.assumptions.iter_mut().filter(|a| a.key == key) {
+            assumption.value = value.to_string();
+            assumption.why = "asked for when the case was run".to_string();
+            assumption.given = true;
+        }
+    }
+}

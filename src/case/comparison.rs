@@ -1,0 +1,154 @@
+//! `[comparison]`: printed values to set beside the results. They never decide a run.
+
+use serde::Serialize;
+
+use super::assumption::Assumption;
+use super::error::{CaseError, ErrorKind};
+use super::nearest::advice;
+use super::parse::Table;
+use super::source::Located;
+use crate::units::Dimension;
+
+const KEYS: &[&str] = &["source", "mises_read", "mises", "max_pressure", "descent"];
+
+/// Which of the three Mises values stands beside the printed one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Default)]
+#[serde(rename_all = "snake_case")]
+pub enum MisesRead {
+    /// Mises of the mean stress of an element.
+    #[default]
+    Centroid,
+    IntegrationPoint,
+    Nodal,
+}
+
+/// What a printed value measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// Largest Mises stress of a body, of the `rollers`, the `plates`, or `overall`.
+    Mises,
+    /// Largest contact pressure of an interface, or `overall`.
+    MaxPressure,
+    /// Motion of the top face since all interfaces just touched.
+    Descent,
+}
+
+/// One printed value.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Printed {
+    pub what: Measure,
+    /// A body, an interface, `rollers`, `plates` or `overall`.
+    pub place: String,
+    /// In the units of the case.
+    pub value: f64,
+}
+
+/// The printed values of a case.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Comparison {
+    /// Where they were printed.
+    pub source: Option<String>,
+    pub mises_read: MisesRead,
+    pub values: Vec<Printed>,
+    /// The places again, where they stand in the case file.
+    #[serde(skip)]
+    places: Vec<Located<String>>,
+}
+
+impl Comparison {
+    pub(super) fn read(
+        root: &Table,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Option<Self>, CaseError> {
+        let Some(field) = root.get("comparison") else {
+            return Ok(None);
+        };
+        let table = field.table()?.only(KEYS)?;
+        let choices = [
+            ("centroid", MisesRead::Centroid),
+            ("integration_point", MisesRead::IntegrationPoint),
+            ("nodal", MisesRead::Nodal),
+        ];
+        let read = table
+            .get("mises_read")
+            .map(|field| field.choice(&choices))
+            .transpose()?;
+        let mises_read = read.as_ref().map(|r| r.value).unwrap_or_default();
+        let word = choices
+            .iter()
+            .find(|(_, read)| *read == mises_read)
+            .map_or("", |c| c.0);
+        let why = "where the printed Mises stress was read is not said; all three readings are \
+                   printed, this one is set beside it";
+        assumptions.push(Assumption::new(
+            "comparison.mises_read",
+            word,
+            why,
+            read.is_some(),
+        ));
+
+        let (mut values, mut named) = (Vec::new(), Vec::new());
+        for (key, what) in [
+            ("mises", Measure::Mises),
+            ("max_pressure", Measure::MaxPressure),
+        ] {
+            let Some(field) = table.get(key) else {
+                continue;
+            };
+            let places = field.table()?;
+            for place in places.keys() {
+                let value = places
+                    .need(place)?
+                    .quantity(Dimension::STRESS)?
+                    .positive()?
+                    .value;
+                values.push(Printed {
+                    what,
+                    place: place.to_string(),
+                    value,
+                });
+                named.push(Located {
+                    value: place.to_string(),
+                    place: places.place_of_key(place),
+                });
+            }
+        }
+        if let Some(field) = table.get("descent") {
+            let value = field.quantity(Dimension::LENGTH)?.value;
+            values.push(Printed {
+                what: Measure::Descent,
+                place: "overall".to_string(),
+                value,
+            });
+        }
+        let source = table
+            .get("source")
+            .map(|field| field.string())
+            .transpose()?;
+        Ok(Some(Self {
+            source: source.map(|s| s.value),
+            mises_read,
+            values,
+            places: named,
+        }))
+    }
+
+    /// Refuses places that are neither among `known` nor one of the general words.
+    pub(super) fn check_places(&self, known: &[&str]) -> Result<(), CaseError> {
+        let mut all = vec!["overall", "rollers", "plates"];
+        all.extend(known);
+        match self
+            .places
+            .iter()
+            .find(|place| !all.contains(&place.value.as_str()))
+        {
+            Some(place) => {
+                let why = "is neither a body nor an interface of the case";
+                let help = advice(&place.value, all);
+                Err(place.place.error(ErrorKind::UnknownName, why).help(help))
+            }
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! `[controls]`: the tolerances and increments of the solver.
+
+use super::error::CaseError;
+use super::parse::Table;
+use super::source::Located;
+use crate::scene::Controls;
+
+const KEYS: &[&str] = &[
+    "residual",
+    "penetration",
+    "first_increment",
+    "smallest_increment",
+    "iterations",
+    "plasticity",
+];
+
+/// The controls of the case, with the defaults of [`Controls`].
+pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
+    let mut controls = Controls::default();
+    let Some(field) = root.get("controls") else {
+        return Ok(controls);
+    };
+    let table = field.table()?.only(KEYS)?;
+    let share = |key: &str| -> Result<Option<Located<f64>>, CaseError> {
+        let within = |v: Located<f64>| {
+            v.require(
+                |v| *v > 0.0 && *v <= 1.0,
+                "must be more than 0 and at most 1",
+            )
+        };
+        table
+            .get(key)
+            .map(|field| within(field.ratio()?))
+            .transpose()
+    };
+    let value = |share: Option<Located<f64>>, default| share.map_or(default, |s| s.value);
+    controls.residual = value(share("residual")?, controls.residual);
+    controls.penetration = value(share("penetration")?, controls.penetration);
+    controls.first_increment = value(share("first_increment")?, controls.first_increment);
+    let first = controls.first_increment;
+    let smallest = share("smallest_increment")?;
+    let smallest = smallest
+        .map(|s| {
+            s.require(
+                |s| *s <= first,
+                format!("is more than first_increment, {first}"),
+            )
+        })
+        .transpose()?;
+    controls.smallest_increment = value(smallest, controls.smallest_increment.min(first));
+    if let Some(field) = table.get("iterations") {
+        controls.iterations = field.count()?.value;
+    }
+    if let Some(field) = table.get("plasticity") {
+        controls.plasticity = field.boolean()?.value;
+    }
+    Ok(controls)
+}

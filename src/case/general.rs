@@ -1,0 +1,124 @@
+//! A general scene: bodies and surfaces of a mesh file, contacts, supports and loads by name.
+
+use super::assumption::Assumption;
+use super::contact;
+use super::error::{CaseError, ErrorKind};
+use super::load::Loads;
+use super::mesh_choice::MeshFile;
+use super::model::Model;
+use super::parse::Table;
+use super::source::Located;
+use super::steel::Steels;
+use crate::mesh::Mesh;
+use crate::scene::Controls;
+
+/// Top-level keys of a general scene, beside those of every case.
+pub(super) const KEYS: &[&str] = &[
+    "body",
+    "contact",
+    "support",
+    "rigid_plane",
+    "pressure",
+    "traction",
+    "step",
+    "symmetry",
+];
+
+/// A general scene before it meets its mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GeneralCase {
+    pub mesh: MeshFile,
+    pub model: Model,
+    /// The bodies of `[[body]]`.
+    pub bodies: Vec<Located<String>>,
+}
+
+impl GeneralCase {
+    pub(super) fn read(
+        root: &Table,
+        name: &str,
+        controls: Controls,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Self, CaseError> {
+        let mut steels = Steels::read(root, assumptions)?;
+        let bodies = read_bodies(root, &mut steels, assumptions)?;
+        let mirrors = read_mirrors(root)?;
+        let contacts = contact::read(root)?;
+        for (i, contact) in contacts.iter().enumerate() {
+            if contact.friction_is_default {
+                let key = format!("contact#{}.friction", i + 1);
+                let why = format!("no friction is given for `{}`", contact.name.value);
+                assumptions.push(Assumption::default(&key, "0", &why));
+            }
+        }
+        let loads = Loads::read(root, &mirrors)?;
+        let name = name.to_string();
+        let model = Model {
+            name,
+            steels,
+            contacts,
+            loads,
+            mirrors,
+            controls,
+        };
+        Ok(Self {
+            mesh: MeshFile::read(root)?,
+            model,
+            bodies,
+        })
+    }
+
+    /// Refuses `[[body]]` entries that the mesh does not have.
+    pub(super) fn check_bodies(&self, mesh: &Mesh) -> Result<(), CaseError> {
+        match self
+            .bodies
+            .iter()
+            .find(|body| mesh.body(&body.value).is_none())
+        {
+            None => Ok(()),
+            Some(body) => {
+                let why = format!("the mesh {} has no such body", mesh.source);
+                let names = mesh.bodies.iter().map(|b| b.name.as_str());
+                let help = super::nearest::advice(&body.value, names);
+                Err(body.place.error(ErrorKind::UnknownName, why).help(help))
+            }
+        }
+    }
+}
+
+fn read_bodies(
+    root: &Table,
+    steels: &mut Steels,
+    assumptions: &mut Vec<Assumption>,
+) -> Result<Vec<Located<String>>, CaseError> {
+    let mut bodies: Vec<Located<String>> = Vec::new();
+    for table in root.tables("body")? {
+        let table = table.only(&["name", "steel"])?;
+        let body = table.need("name")?.string()?;
+        if bodies.iter().any(|other| other.value == body.value) {
+            let why = format!("two steels for one body: `{}` is given twice", body.value);
+            return Err(body.place.error(ErrorKind::Duplicate, why));
+        }
+        if let Some(field) = table.get("steel") {
+            steels.add(&body, &field, assumptions)?;
+        }
+        bodies.push(body);
+    }
+    Ok(bodies)
+}
+
+fn read_mirrors(root: &Table) -> Result<Vec<usize>, CaseError> {
+    let mut mirrors = Vec::new();
+    let Some(field) = root.get("symmetry") else {
+        return Ok(mirrors);
+    };
+    for item in field.list()? {
+        let axis = item.choice(&[("x", 0), ("y", 1), ("z", 2)])?;
+        if mirrors.contains(&axis.value) {
+            return Err(axis.place.error(ErrorKind::Duplicate, "is given twice"));
+        }
+        mirrors.push(axis.value);
+    }
+    mirrors.sort_unstable();
+    Ok(mirrors)
+}

@@ -1,0 +1,225 @@
+//! Supports, rigid planes, pressures and tractions, and the steps that drive them.
+
+use super::error::{CaseError, ErrorKind};
+use super::nearest::advice;
+use super::parse::{Field, Table};
+use super::source::Located;
+use crate::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, TractionValue};
+use crate::units::Dimension;
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// What acts on the surfaces of a scene. Each entry is marked at its surface.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Loads {
+    pub supports: Vec<Located<Support>>,
+    pub planes: Vec<Located<RigidPlane>>,
+    pub tractions: Vec<Located<Traction>>,
+    pub steps: Vec<Step>,
+}
+
+impl Loads {
+    /// Reads `[[support]]`, `[[rigid_plane]]`, `[[pressure]]`, `[[traction]]` and `[[step]]`.
+    /// `mirrors` are the axes of the symmetry planes: forces are given for the whole and come
+    /// out for the modelled part.
+    pub(super) fn read(root: &Table, mirrors: &[usize]) -> Result<Self, CaseError> {
+        let mut loads = Self::default();
+        let mut names: Vec<String> = Vec::new();
+        for table in root.tables("support")? {
+            let table = table.only(&["name", "surface", "fixed", "displacement"])?;
+            let (name, surface) = named(&table, &mut names)?;
+            let components = displacements(&table)?;
+            if components == [None; 3] {
+                let message = format!("the support `{name}` holds nothing");
+                let help = "give fixed = \"xyz\" or displacement = { z = … }";
+                return Err(table.error(ErrorKind::MissingKey, message).help(help));
+            }
+            loads.supports.push(surface.map(|surface| Support {
+                name,
+                surface,
+                components,
+            }));
+        }
+        for table in root.tables("rigid_plane")? {
+            let table = table.only(&["name", "surface", "fixed", "displacement", "force"])?;
+            let (name, surface) = named(&table, &mut names)?;
+            let motion = motion(&table, mirrors)?;
+            loads.planes.push(surface.map(|surface| RigidPlane {
+                name,
+                surface,
+                motion,
+            }));
+        }
+        for (key, pressure) in [("pressure", true), ("traction", false)] {
+            for table in root.tables(key)? {
+                let table = table.only(&["name", "surface", "value"])?;
+                let (name, surface) = named(&table, &mut names)?;
+                let field = table.need("value")?;
+                let value = match pressure {
+                    true => TractionValue::Pressure(field.quantity(Dimension::STRESS)?.value),
+                    false => TractionValue::Vector(field.vector(Dimension::STRESS)?.value),
+                };
+                let traction = surface.map(|surface| Traction {
+                    name,
+                    surface,
+                    value,
+                });
+                loads.tractions.push(traction);
+            }
+        }
+        loads.steps = steps(root, &names)?;
+        if !loads.moves() {
+            let message = "the case has no load: no pressure, traction, force or displacement";
+            return Err(root.error(ErrorKind::MissingKey, message));
+        }
+        Ok(loads)
+    }
+
+    /// Is there anything that is not zero?
+    fn moves(&self) -> bool {
+        let moved = |d: &Option<f64>| d.is_some_and(|d| d != 0.0);
+        let driven = |m: &PlaneMotion| match m {
+            PlaneMotion::Held(v) | PlaneMotion::Driven(v) => *v != 0.0,
+            PlaneMotion::Free => false,
+        };
+        self.supports
+            .iter()
+            .any(|s| s.value.components.iter().any(moved))
+            || self
+                .planes
+                .iter()
+                .any(|p| p.value.motion.iter().any(driven))
+            || self.tractions.iter().any(|t| match t.value.value {
+                TractionValue::Pressure(p) => p != 0.0,
+                TractionValue::Vector(v) => v.iter().any(|c| *c != 0.0),
+            })
+    }
+}
+
+/// The name of an entry, by default that of its surface, and the surface. Names are what steps
+/// speak of, so each is given once.
+fn named(table: &Table, names: &mut Vec<String>) -> Result<(String, Located<String>), CaseError> {
+    let surface = table.need("surface")?.string()?;
+    let name = table.get("name").map(|field| field.string()).transpose()?;
+    let name = name.unwrap_or_else(|| surface.clone());
+    if names.contains(&name.value) {
+        let why = format!("there is already a support or load called `{}`", name.value);
+        let help = "give each a `name` of its own: steps speak of them by name";
+        return Err(name.place.error(ErrorKind::Duplicate, why).help(help));
+    }
+    names.push(name.value.clone());
+    Ok((name.value, surface))
+}
+
+/// The components under `fixed` and `displacement`.
+fn displacements(table: &Table) -> Result<[Option<f64>; 3], CaseError> {
+    let mut components = [None; 3];
+    if let Some(field) = table.get("fixed") {
+        let letters = field.string()?;
+        for letter in letters.value.chars() {
+            let axis = AXES.iter().position(|axis| axis.starts_with(letter));
+            let repeated = axis.is_some_and(|axis| components[axis].is_some());
+            let (Some(axis), false) = (axis, repeated) else {
+                let why = "must be some of the letters x, y, z, each once";
+                return Err(letters.place.error(ErrorKind::Value, why));
+            };
+            components[axis] = Some(0.0);
+        }
+    }
+    for (axis, value) in by_axis(table, "displacement", Dimension::LENGTH)? {
+        if components[axis].is_some() {
+            let why = format!("{} is already fixed", AXES[axis]);
+            return Err(value.place.error(ErrorKind::Conflict, why));
+        }
+        components[axis] = Some(value.value);
+    }
+    Ok(components)
+}
+
+fn motion(table: &Table, mirrors: &[usize]) -> Result<[PlaneMotion; 3], CaseError> {
+    let held = displacements(table)?;
+    let mut motion = held.map(|d| d.map_or(PlaneMotion::Free, PlaneMotion::Held));
+    for (axis, force) in by_axis(table, "force", Dimension::FORCE)? {
+        if held[axis].is_some() {
+            let why = format!("{} is already fixed or displaced", AXES[axis]);
+            return Err(force.place.error(ErrorKind::Conflict, why));
+        }
+        if mirrors.contains(&axis) {
+            let why = format!(
+                "a force along {0} breaks the symmetry about {0} = 0",
+                AXES[axis]
+            );
+            return Err(force.place.error(ErrorKind::Conflict, why));
+        }
+        motion[axis] = PlaneMotion::Driven(force.value * modelled_share(mirrors));
+    }
+    Ok(motion)
+}
+
+/// The part of the whole that is modelled: a quarter with two symmetry planes.
+pub(super) fn modelled_share(mirrors: &[usize]) -> f64 {
+    mirrors.iter().fold(1.0, |share, _| share / 2.0)
+}
+
+/// The entries of a table such as `{ x = …, z = … }`.
+fn by_axis(
+    table: &Table,
+    key: &str,
+    dimension: Dimension,
+) -> Result<Vec<(usize, Located<f64>)>, CaseError> {
+    let Some(field) = table.get(key) else {
+        return Ok(Vec::new());
+    };
+    let table = field.table()?.only(&AXES)?;
+    let entry = |(axis, name): (usize, &&str)| {
+        table
+            .get(name)
+            .map(|field| Ok((axis, field.quantity(dimension)?)))
+    };
+    AXES.iter().enumerate().filter_map(entry).collect()
+}
+
+/// The steps; by default one, to the full load.
+fn steps(root: &Table, names: &[String]) -> Result<Vec<Step>, CaseError> {
+    let mut steps: Vec<Step> = Vec::new();
+    for table in root.tables("step")? {
+        let table = table.only(&["name", "factor", "factors"])?;
+        let name = table.need("name")?.string()?;
+        if steps.iter().any(|step| step.name == name.value) {
+            let why = format!("there are two steps called `{}`", name.value);
+            return Err(name.place.error(ErrorKind::Duplicate, why));
+        }
+        let factor = table.get("factor").map(|field| field.ratio()).transpose()?;
+        let factors = table
+            .get("factors")
+            .map(|field| factors(&field, names))
+            .transpose()?;
+        steps.push(Step {
+            name: name.value,
+            factor: factor.map_or(1.0, |f| f.value),
+            factors: factors.unwrap_or_default(),
+        });
+    }
+    if steps.is_empty() {
+        steps.push(Step {
+            name: "load".to_string(),
+            factor: 1.0,
+            factors: Vec::new(),
+        });
+    }
+    Ok(steps)
+}
+
+fn factors(field: &Field, names: &[String]) -> Result<Vec<(String, f64)>, CaseError> {
+    let table = field.table()?;
+    let factor = |name: &str| {
+        if !names.iter().any(|known| known == name) {
+            let why = "is neither a support nor a rigid plane nor a load";
+            let help = advice(name, names.iter().map(String::as_str));
+            let place = table.place_of_key(name);
+            return Err(place.error(ErrorKind::UnknownName, why).help(help));
+        }
+        Ok((name.to_string(), table.need(name)?.ratio()?.value))
+    };
+    table.keys().into_iter().map(factor).collect()
+}

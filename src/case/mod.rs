@@ -1,0 +1,255 @@
+//! The case file: TOML in, a validated [`Case`] out, and from it a scene.
+//!
+//! A case is either a *bearing*, described by its dimensions and meshed by the template, or a
+//! *general scene* on a mesh file. Both come down to one [`Model`]; the solver sees scenes only.
+//! Quantities are turned into the unit system that the file declares (`units = "in-kip-ksi"`),
+//! angles into radians. Every mistake is a [`CaseError`] that marks the culprit in the file.
+
+mod assumption;
+pub mod bearing;
+mod bearing_case;
+mod bearing_mesh;
+mod bearing_model;
+mod bearing_reader;
+mod change;
+mod comparison;
+mod contact;
+mod controls;
+mod error;
+mod general;
+pub mod interfaces;
+mod load;
+mod mesh_choice;
+mod model;
+mod nearest;
+mod parse;
+mod quantity;
+mod reference;
+mod source;
+mod steel;
+mod surface;
+
+use std::path::{Path, PathBuf};
+
+pub use assumption::Assumption;
+pub use bearing_case::BearingCase;
+pub use comparison::{Comparison, Measure, MisesRead, Printed};
+pub use contact::Contact;
+pub use error::{CaseError, ErrorKind};
+pub use general::GeneralCase;
+pub use load::Loads;
+pub use mesh_choice::MeshFile;
+pub use model::Model;
+pub use reference::Discrepancy;
+pub use source::{Located, Place, Source};
+pub use steel::{Steels, StrainIs};
+
+use crate::mesh::Mesh;
+use crate::scene::{Controls, Scene};
+use crate::units::UnitSystem;
+use parse::{Context, Table, document};
+
+/// Keys of every case.
+const COMMON_KEYS: &[&str] = &[
+    "title",
+    "description",
+    "units",
+    "reference",
+    "bearing",
+    "steel",
+    "mesh",
+    "controls",
+    "comparison",
+];
+
+/// A validated case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    pub title: String,
+    pub description: Option<String>,
+    /// The system all numbers of the case are in.
+    pub units: UnitSystem,
+    /// The published study the case belongs to.
+    pub reference: Option<String>,
+    pub kind: Kind,
+    pub controls: Controls,
+    /// Printed values to set beside the results.
+    pub comparison: Option<Comparison>,
+    /// What is taken for granted, echoed with the results.
+    pub assumptions: Vec<Assumption>,
+    /// Discrepancies of the published study that touch the result.
+    pub discrepancies: Vec<Discrepancy>,
+    /// The file.
+    pub source: Source,
+}
+
+/// The two levels of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind {
+    Bearing(BearingCase),
+    General(GeneralCase),
+}
+
+/// Reads and validates the case file at `path`.
+///
+/// # Errors
+/// Where the file cannot be read, is not TOML, or says something impossible.
+pub fn read(path: &Path) -> Result<Case, CaseError> {
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        let message = format!("the case file {} cannot be read: {error}", path.display());
+        CaseError::new(ErrorKind::Read, message)
+    })?;
+    parse(&path.display().to_string(), &text)
+}
+
+/// Validates the text of a case file; `name` is its path, for messages and to find its mesh.
+///
+/// # Errors
+/// As [`read`], but for reading.
+pub fn parse(name: &str, text: &str) -> Result<Case, CaseError> {
+    let source = Source::new(name, text);
+    let document = document(&source)?;
+    let context = Context {
+        source: &source,
+        units: UnitSystem::MNPa,
+    };
+    let mut keys = COMMON_KEYS.to_vec();
+    keys.extend(general::KEYS);
+    let root = Table::root(context, &document).only(&keys)?;
+    let units = read_units(&root)?;
+    Case::from_table(&root.with_units(units))
+}
+
+fn read_units(root: &Table) -> Result<UnitSystem, CaseError> {
+    let choices = UnitSystem::ALL.map(|system| (system.name(), system));
+    let help = format!("one of: {}", choices.map(|(name, _)| name).join(", "));
+    let field = root.need("units").map_err(|error| error.help(help))?;
+    Ok(field.choice(&choices)?.value)
+}
+
+impl Case {
+    fn from_table(root: &Table) -> Result<Self, CaseError> {
+        let mut assumptions = Vec::new();
+        let text = |key: &str| root.get(key).map(|field| field.string()).transpose();
+        let title = text("title")?.map_or_else(|| stem(root.source().name()), |t| t.value);
+        let description = text("description")?.map(|d| d.value);
+        let studies = reference::STUDIES.map(|name| (name, name));
+        let reference = root
+            .get("reference")
+            .map(|f| f.choice(&studies))
+            .transpose()?;
+        let reference = reference.map(|r| r.value.to_string());
+        let controls = controls::read(root)?;
+        let kind = match root.get("bearing") {
+            Some(_) => {
+                refuse_scene_keys(root)?;
+                Kind::Bearing(BearingCase::read(root, &mut assumptions)?)
+            }
+            None => {
+                let case = GeneralCase::read(root, &title, controls, &mut assumptions)?;
+                Kind::General(case)
+            }
+        };
+        let comparison = Comparison::read(root, &mut assumptions)?;
+        let displaced = matches!(&kind, Kind::Bearing(bearing) if !bearing.geometry.is_centred());
+        let study = reference.as_deref().unwrap_or_default();
+        let case = Self {
+            title,
+            description,
+            units: root.units(),
+            discrepancies: reference::discrepancies(study, displaced),
+            reference,
+            kind,
+            controls,
+            comparison,
+            assumptions,
+            source: root.source().clone(),
+        };
+        if let Kind::Bearing(_) = case.kind {
+            case.check_comparison(&interfaces::BODIES)?;
+        }
+        Ok(case)
+    }
+
+    /// The scene on `mesh`, as it stands in its file. Its coordinates are brought to the length
+    /// unit of the case here: from the `unit` of a general scene's mesh file, or by the size of
+    /// the bearing, whose rollers also get their ends.
+    ///
+    /// # Errors
+    /// Where a name of the case is not in the mesh, the mesh does not fit the symmetry, or it is
+    /// not the mesh of this bearing.
+    pub fn scene(&self, mut mesh: Mesh) -> Result<Scene, CaseError> {
+        match &self.kind {
+            Kind::Bearing(bearing) => self.model().scene(bearing.fit(mesh)?),
+            Kind::General(general) => {
+                let bodies: Vec<&str> = mesh.bodies.iter().map(|b| b.name.as_str()).collect();
+                self.check_comparison(&bodies)?;
+                general.check_bodies(&mesh)?;
+                if general.mesh.scale != 1.0 {
+                    for coordinate in mesh.points.iter_mut().flatten() {
+                        *coordinate *= general.mesh.scale;
+                    }
+                }
+                self.model().scene(mesh)
+            }
+        }
+    }
+
+    /// Everything of the scene but its mesh.
+    pub fn model(&self) -> Model {
+        match &self.kind {
+            Kind::Bearing(bearing) => bearing.model(&self.title, &self.source, self.controls),
+            Kind::General(general) => general.model.clone(),
+        }
+    }
+
+    /// The mesh file of a general scene, relative paths taken from the directory of the case;
+    /// `None` for a bearing, which is meshed by the template.
+    pub fn mesh_file(&self) -> Option<PathBuf> {
+        let Kind::General(general) = &self.kind else {
+            return None;
+        };
+        let directory = Path::new(self.source.name())
+            .parent()
+            .unwrap_or(Path::new(""));
+        Some(directory.join(&general.mesh.path.value))
+    }
+
+    fn check_comparison(&self, bodies: &[&str]) -> Result<(), CaseError> {
+        let Some(comparison) = &self.comparison else {
+            return Ok(());
+        };
+        let model = self.model();
+        let interfaces = model
+            .contacts
+            .iter()
+            .map(|contact| contact.name.value.as_str());
+        let known: Vec<&str> = bodies.iter().copied().chain(interfaces).collect();
+        comparison.check_places(&known)
+    }
+}
+
+/// The file name without directory and ending.
+fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem();
+    stem.map_or_else(
+        || name.to_string(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
+}
+
+/// The template writes the contacts, supports and loads of a bearing itself.
+fn refuse_scene_keys(root: &Table) -> Result<(), CaseError> {
+    match general::KEYS
+        .iter()
+        .find_map(|key| root.get(key).map(|_| *key))
+    {
+        None => Ok(()),
+        Some(key) => {
+            let place = root.place_of_key(key);
+            let why = "does not go with `[bearing]`, which makes its own scene";
+            let help = "describe the bearing by [bearing], or the whole scene without it";
+            Err(place.error(ErrorKind::Conflict, why).help(help))
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! A scene before it meets its mesh: what both kinds of case come down to.
+
+use super::contact::Contact;
+use super::error::{CaseError, ErrorKind};
+use super::load::Loads;
+use super::nearest::advice;
+use super::source::{Located, Place};
+use super::steel::Steels;
+use super::surface::is_curved;
+use crate::mesh::Mesh;
+use crate::scene::{ContactPair, Controls, Partner, Scene, Side};
+
+/// Everything of a scene but the mesh, with the places where names stand in the case file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    pub name: String,
+    pub steels: Steels,
+    pub contacts: Vec<Contact>,
+    pub loads: Loads,
+    /// Axes (0, 1, 2) across which the model is mirrored.
+    pub mirrors: Vec<usize>,
+    pub controls: Controls,
+}
+
+impl Model {
+    /// The scene on `mesh`, whose coordinates are in the units of the case.
+    pub fn scene(&self, mesh: Mesh) -> Result<Scene, CaseError> {
+        let bodies: Vec<&str> = mesh.bodies.iter().map(|body| body.name.as_str()).collect();
+        self.steels.check_names(&bodies)?;
+        let materials = bodies
+            .iter()
+            .map(|body| self.steels.of(body))
+            .collect::<Result<_, _>>()?;
+        self.check_mirrors(&mesh)?;
+        let contacts = self
+            .contacts
+            .iter()
+            .map(|c| c.pair(&mesh))
+            .collect::<Result<Vec<_>, _>>()?;
+        let loads = &self.loads;
+        for support in &loads.supports {
+            check_surface(&mesh, &support.value.surface, &support.place)?;
+        }
+        for plane in &loads.planes {
+            check_surface(&mesh, &plane.value.surface, &plane.place)?;
+        }
+        for traction in &loads.tractions {
+            check_surface(&mesh, &traction.value.surface, &traction.place)?;
+        }
+        Ok(Scene {
+            name: self.name.clone(),
+            materials,
+            contacts,
+            supports: values(&loads.supports),
+            rigid_planes: values(&loads.planes),
+            tractions: values(&loads.tractions),
+            steps: loads.steps.clone(),
+            mirrors: self.mirrors.clone(),
+            controls: self.controls,
+            mesh,
+        })
+    }
+
+    /// Half of a model lies on one side of its symmetry plane.
+    fn check_mirrors(&self, mesh: &Mesh) -> Result<(), CaseError> {
+        for axis in &self.mirrors {
+            let coordinates = mesh.points.iter().map(|point| point[*axis]);
+            let (low, high) = coordinates.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| {
+                (l.min(c), h.max(c))
+            });
+            let tolerance = 1e-6 * (high - low);
+            if low < -tolerance && high > tolerance {
+                let axis = ["x", "y", "z"].get(*axis).copied().unwrap_or_default();
+                let message = format!(
+                    "the mesh {} lies on both sides of {axis} = 0 (from {low} to {high}), so it \
+                     cannot be half of a symmetric model",
+                    mesh.source
+                );
+                let help = format!("drop \"{axis}\" from `symmetry`, or mesh one half");
+                return Err(CaseError::new(ErrorKind::Mesh, message).help(help));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn values<T: Clone>(located: &[Located<T>]) -> Vec<T> {
+    located.iter().map(|entry| entry.value.clone()).collect()
+}
+
+fn check_surface(mesh: &Mesh, name: &str, place: &Place) -> Result<(), CaseError> {
+    let Some(surface) = mesh.surface(name) else {
+        let why = format!("the mesh {} has no surface called `{name}`", mesh.source);
+        let help = advice(name, mesh.surfaces.iter().map(|s| s.name.as_str()));
+        return Err(place.error(ErrorKind::UnknownName, why).help(help));
+    };
+    match surface.faces.is_empty() {
+        true => Err(place.error(
+            ErrorKind::Mesh,
+            format!("the surface `{name}` has no faces"),
+        )),
+        false => Ok(()),
+    }
+}
+
+impl Contact {
+    fn pair(&self, mesh: &Mesh) -> Result<ContactPair, CaseError> {
+        for side in [&self.upper, &self.lower] {
+            if let Partner::Surface(name) = &side.value {
+                check_surface(mesh, name, &side.place)?;
+            }
+        }
+        Ok(ContactPair {
+            name: self.name.value.clone(),
+            upper: self.upper.value.clone(),
+            lower: self.lower.value.clone(),
+            carrier: self.carrier.unwrap_or_else(|| self.curved_side(mesh)),
+            friction: self.friction,
+            penalty_factor: self.penalty_factor,
+            true_geometry: self.true_geometry,
+        })
+    }
+
+    /// The lower side where it alone is curved, else the upper one.
+    fn curved_side(&self, mesh: &Mesh) -> Side {
+        let curved = |partner: &Partner| match partner {
+            Partner::Surface(name) => mesh.surface(name).is_some_and(|s| is_curved(mesh, s)),
+            Partner::Plane { .. } => false,
+        };
+        match (curved(&self.upper.value), curved(&self.lower.value)) {
+            (false, true) => Side::Lower,
+            _ => Side::Upper,
+        }
+    }
+}

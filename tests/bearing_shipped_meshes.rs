@@ -1,0 +1,42 @@
+//! The mesh files that come with the program belong to the bearings they are named after.
+
+use std::path::Path;
+
+use brinell::case::bearing::{
+    BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, mesh_scale,
+};
+use brinell::mesh::msh;
+
+#[test]
+fn shipped_meshes_carry_the_fingerprints_of_their_bearings() {
+    for (design, length) in [("initial", 8.0), ("revised", 10.5)] {
+        for (place, offset) in [("centre", 0.0), ("offset-1.25", 1.25), ("offset-2.5", 2.5)] {
+            for preset in [Preset::H025, Preset::ReportLike] {
+                let geometry = BearingGeometry {
+                    diameter: 3.0,
+                    wall: Some(0.75),
+                    length,
+                    slope: 4f64.to_radians(),
+                    offset,
+                    intermediate_thickness: 1.0,
+                    upper_thickness: 1.0,
+                    lower_thickness: 1.0,
+                    plan: [length, length],
+                    end: RollerEnd::Square,
+                };
+                let request = MeshRequest {
+                    preset,
+                    ..MeshRequest::default()
+                };
+                let name = format!("meshes/section-2.6.2/{design}-{place}-{preset}.msh.gz");
+                let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&name);
+                let mesh = msh::read(&path).expect(&name);
+                let wanted = fingerprint(&geometry, &request);
+                assert_eq!(mesh.fingerprint.as_deref(), Some(wanted.as_str()), "{name}");
+                let scale = mesh_scale(&mesh, &geometry).expect(&name);
+                assert!((scale - 1.0).abs() < 1e-12, "{name}");
+                assert_eq!(mesh.bodies.len(), 5);
+            }
+        }
+    }
+}

@@ -1,0 +1,373 @@
+//! The bearing template, meshed by gmsh and held against the geometry it stands for.
+
+use std::collections::{BTreeSet, HashMap};
+
+use brinell::case::bearing::{
+    BearingGeometry, MeshRequest, Preset, Roller, RollerEnd, gmsh_parameters, rescale,
+    shape_roller_ends, write_template,
+};
+use brinell::mesh::{Mesh, gmsh, msh};
+
+fn initial() -> BearingGeometry {
+    BearingGeometry {
+        diameter: 3.0,
+        wall: Some(0.75),
+        length: 8.0,
+        slope: 4f64.to_radians(),
+        offset: 0.0,
+        intermediate_thickness: 1.0,
+        upper_thickness: 1.0,
+        lower_thickness: 1.0,
+        plan: [8.0, 8.0],
+        end: RollerEnd::Square,
+    }
+}
+
+fn displaced(offset: f64) -> BearingGeometry {
+    BearingGeometry {
+        offset,
+        ..initial()
+    }
+}
+
+fn solid() -> BearingGeometry {
+    BearingGeometry {
+        wall: None,
+        ..initial()
+    }
+}
+
+fn request(preset: Preset) -> MeshRequest {
+    MeshRequest {
+        preset,
+        ..MeshRequest::default()
+    }
+}
+
+fn mesh(geometry: &BearingGeometry, request: &MeshRequest) -> Mesh {
+    request.check(geometry).unwrap();
+    let work = tempfile::tempdir().unwrap();
+    let template = write_template(work.path()).unwrap();
+    let out = work.path().join("bearing.msh");
+    gmsh::run(&template, &gmsh_parameters(geometry, request), &out).unwrap();
+    msh::read(&out).unwrap()
+}
+
+/// Nodes of a body.
+fn nodes(mesh: &Mesh, body: &str) -> Vec<[f64; 3]> {
+    let body = &mesh.bodies[mesh.body(body).unwrap()];
+    let used: BTreeSet<u32> = mesh.hexes[body.elements.clone()]
+        .iter()
+        .flatten()
+        .copied()
+        .collect();
+    used.iter().map(|n| mesh.points[*n as usize]).collect()
+}
+
+/// How many nodes of a body lie on the line `across` = a, z = z.
+fn on_line(mesh: &Mesh, body: &str, across: usize, a: f64, z: f64) -> usize {
+    let near = |p: &&[f64; 3]| (p[across] - a).abs() < 1e-9 && (p[2] - z).abs() < 1e-9;
+    nodes(mesh, body).iter().filter(near).count()
+}
+
+/// What every mesh of the template has to be.
+fn check(mesh: &Mesh, geometry: &BearingGeometry, rows: bool, whole: bool) {
+    let names: Vec<&str> = mesh.bodies.iter().map(|b| b.name.as_str()).collect();
+    for name in [
+        "upper_plate",
+        "upper_roller",
+        "intermediate_plate",
+        "lower_roller",
+        "lower_plate",
+    ] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+    assert_eq!(names.len(), 5);
+    for quality in mesh.quality() {
+        assert!(quality.min_scaled_jacobian > 0.7, "{quality:?}");
+    }
+    // Bodies share no nodes.
+    let sum: usize = names.iter().map(|body| nodes(mesh, body).len()).sum();
+    assert_eq!(sum, mesh.points.len());
+
+    check_surfaces(mesh, geometry, whole);
+    if rows {
+        check_contact_lines(mesh, geometry, whole);
+    }
+    for axis in [0, 1] {
+        let ridge = nodes(mesh, "intermediate_plate")
+            .iter()
+            .filter(|p| p[axis] == 0.0)
+            .count();
+        assert!(ridge > 0);
+    }
+}
+
+type Predicate<'a> = Box<dyn Fn([f64; 3]) -> bool + 'a>;
+
+/// Every named surface is all of the faces of its body, or of all bodies, that lie where it lies.
+fn check_surfaces(mesh: &Mesh, geometry: &BearingGeometry, whole: bool) {
+    let level = |z: f64| -> Predicate { Box::new(move |p| (p[2] - z).abs() < 1e-9) };
+    let roof = |side: f64, across: usize| -> Predicate {
+        let tan = geometry.slope.tan();
+        let half = geometry.intermediate_thickness / 2.0;
+        Box::new(move |p| (side * p[2] - half - tan * p[across].abs()).abs() < 1e-9)
+    };
+    let round = |roller: Roller, radius: f64| -> Predicate {
+        let centre = geometry.roller_centre(roller);
+        Box::new(move |p| {
+            let a = p[roller.across()] - centre[roller.across()];
+            (a.hypot(p[2] - centre[2]) - radius).abs() < 1e-9 * radius
+        })
+    };
+    let [bottom, top] = geometry.height_range();
+    let flat = geometry.flat_face();
+    let radius = geometry.radius();
+    let mut wanted: Vec<(&str, Option<&str>, Predicate)> = vec![
+        ("upper_plate_top", Some("upper_plate"), level(top)),
+        ("upper_plate_bottom", Some("upper_plate"), level(flat)),
+        ("lower_plate_top", Some("lower_plate"), level(-flat)),
+        ("lower_plate_bottom", Some("lower_plate"), level(bottom)),
+        (
+            "intermediate_plate_top",
+            Some("intermediate_plate"),
+            roof(1.0, 0),
+        ),
+        (
+            "intermediate_plate_bottom",
+            Some("intermediate_plate"),
+            roof(-1.0, 1),
+        ),
+        (
+            "upper_roller_surface",
+            Some("upper_roller"),
+            round(Roller::Upper, radius),
+        ),
+        (
+            "lower_roller_surface",
+            Some("lower_roller"),
+            round(Roller::Lower, radius),
+        ),
+    ];
+    if geometry.wall.is_some() {
+        let bore = geometry.bore_radius();
+        wanted.push((
+            "upper_roller_bore",
+            Some("upper_roller"),
+            round(Roller::Upper, bore),
+        ));
+        wanted.push((
+            "lower_roller_bore",
+            Some("lower_roller"),
+            round(Roller::Lower, bore),
+        ));
+    }
+    if !whole {
+        wanted.push(("x_symmetry", None, Box::new(|p| p[0] == 0.0)));
+        wanted.push(("y_symmetry", None, Box::new(|p| p[1] == 0.0)));
+    }
+    assert_eq!(mesh.surfaces.len(), wanted.len());
+    for (name, body, lies) in wanted {
+        let bodies = match body {
+            Some(body) => vec![mesh.body(body).unwrap()],
+            None => (0..mesh.bodies.len()).collect(),
+        };
+        let sorted = |mut nodes: [u32; 4]| {
+            nodes.sort_unstable();
+            nodes
+        };
+        let faces: BTreeSet<[u32; 4]> = bodies
+            .into_iter()
+            .flat_map(|body| mesh.outer_faces(body))
+            .filter(|face| face.nodes.iter().all(|n| lies(mesh.points[*n as usize])))
+            .map(|face| sorted(face.nodes))
+            .collect();
+        let surface = mesh.surface(name).expect(name);
+        let named: BTreeSet<[u32; 4]> = surface.faces.iter().map(|f| sorted(f.nodes)).collect();
+        assert!(!named.is_empty() && named == faces, "{name}");
+    }
+}
+
+/// Both sides of every line of contact are node rows.
+fn check_contact_lines(mesh: &Mesh, geometry: &BearingGeometry, whole: bool) {
+    let flat = geometry.flat_face();
+    for (roller, plate) in Roller::BOTH.into_iter().zip(["upper_plate", "lower_plate"]) {
+        let (across, side) = (roller.across(), roller.side());
+        let along = on_line(mesh, roller.body(), across, geometry.offset, side * flat);
+        assert!(along >= 13);
+        assert!(on_line(mesh, plate, across, geometry.offset, side * flat) >= 11);
+        for line in geometry.v_lines() {
+            if line < 0.0 && !whole {
+                continue;
+            }
+            let half = geometry.intermediate_thickness / 2.0;
+            let z = side * (half + line.abs() * geometry.slope.tan());
+            assert_eq!(on_line(mesh, roller.body(), across, line, z), along);
+            assert!(on_line(mesh, "intermediate_plate", across, line, z) >= 11);
+        }
+    }
+}
+
+#[test]
+fn quarter_of_the_hollow_bearing() {
+    for (preset, nodes) in [(Preset::H025, 7000..9500), (Preset::H0125, 11_000..13_500)] {
+        let mesh = mesh(&initial(), &request(preset));
+        check(&mesh, &initial(), true, false);
+        assert!(nodes.contains(&mesh.points.len()), "{}", mesh.points.len());
+    }
+}
+
+#[test]
+fn report_like_mesh_has_its_counts() {
+    let mesh = mesh(&initial(), &request(Preset::ReportLike));
+    check(&mesh, &initial(), false, false);
+    let count = |body: &str| mesh.bodies[mesh.body(body).unwrap()].elements.len();
+    // Half the circumference, half the length; a quarter of a plate.
+    assert_eq!(count("upper_roller"), 12 * 2 * 8);
+    assert_eq!(count("upper_plate"), 13 * 13 * 3);
+}
+
+#[test]
+fn displaced_bearings_are_whole() {
+    for offset in [1.25, 2.5] {
+        let geometry = displaced(offset);
+        let fine = mesh(&geometry, &request(Preset::H025));
+        check(&fine, &geometry, true, true);
+        let coarse = mesh(&geometry, &request(Preset::ReportLike));
+        check(&coarse, &geometry, false, true);
+    }
+}
+
+#[test]
+fn solid_rollers_have_a_core() {
+    let quarter = mesh(&solid(), &request(Preset::H025));
+    check(&quarter, &solid(), true, false);
+    let geometry = BearingGeometry {
+        wall: None,
+        ..displaced(2.5)
+    };
+    let whole = mesh(&geometry, &request(Preset::H025));
+    check(&whole, &geometry, true, true);
+}
+
+#[test]
+fn the_whole_mesh_is_the_quarter_mirrored() {
+    for geometry in [initial(), solid()] {
+        let quarter = mesh(&geometry, &request(Preset::H025));
+        let full = MeshRequest {
+            full: true,
+            ..request(Preset::H025)
+        };
+        let whole = mesh(&geometry, &full);
+        check(&whole, &geometry, true, true);
+        assert_eq!(whole.hexes.len(), 4 * quarter.hexes.len());
+        for body in &quarter.bodies {
+            let one = Nearby::new(nodes(&quarter, &body.name));
+            for [x, y, z] in nodes(&whole, &body.name) {
+                assert!(one.has([x.abs(), y.abs(), z]), "{}: {x} {y} {z}", body.name);
+            }
+        }
+    }
+}
+
+/// Points, to be found by place.
+struct Nearby(HashMap<[i64; 3], [f64; 3]>);
+
+impl Nearby {
+    const CELL: f64 = 1e-6;
+
+    fn new(points: Vec<[f64; 3]>) -> Self {
+        let cells = points.into_iter().map(|p| (Self::cell(p), p));
+        Self(cells.collect())
+    }
+
+    fn cell(point: [f64; 3]) -> [i64; 3] {
+        point.map(|x| (x / Self::CELL).floor() as i64)
+    }
+
+    /// Is there a point here, to rounding?
+    fn has(&self, point: [f64; 3]) -> bool {
+        let [i, j, k] = Self::cell(point);
+        (0..27).any(|n| {
+            let cell = [i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1];
+            let found = self.0.get(&cell);
+            found.is_some_and(|p| (0..3).all(|i| (p[i] - point[i]).abs() < 1e-11))
+        })
+    }
+}
+
+#[test]
+fn other_bearings_and_other_plates() {
+    let bearing = |diameter: f64, wall: f64, length: f64, degrees: f64| BearingGeometry {
+        diameter,
+        wall: Some(wall),
+        length,
+        slope: degrees.to_radians(),
+        plan: [length, length],
+        ..initial()
+    };
+    let cases = [
+        bearing(4.5, 0.75, 17.0, 2.0),
+        bearing(4.92, 4.92 * 0.2154, 8.19, 5.0),
+        bearing(8.0, 2.0, 29.0, 6.0),
+        bearing(3.0, 0.15, 8.0, 4.0),
+        BearingGeometry {
+            plan: [18.0, 14.0],
+            ..displaced(2.5)
+        },
+        BearingGeometry {
+            plan: [6.0, 7.0],
+            upper_thickness: 0.5,
+            lower_thickness: 2.0,
+            ..initial()
+        },
+    ];
+    for geometry in cases {
+        let mesh = mesh(&geometry, &request(Preset::H025));
+        check(&mesh, &geometry, true, !geometry.is_centred());
+    }
+}
+
+#[test]
+fn the_unit_of_length_does_not_matter() {
+    let inch = initial();
+    let metre = BearingGeometry {
+        diameter: 3.0 * 0.0254,
+        wall: Some(0.75 * 0.0254),
+        length: 8.0 * 0.0254,
+        intermediate_thickness: 0.0254,
+        upper_thickness: 0.0254,
+        lower_thickness: 0.0254,
+        plan: [8.0 * 0.0254; 2],
+        ..initial()
+    };
+    for preset in [Preset::H025, Preset::ReportLike] {
+        let in_inch = mesh(&inch, &request(preset));
+        let mut in_metre = mesh(&metre, &request(preset));
+        assert!(rescale(&mut in_metre, &inch));
+        assert_eq!(in_inch.hexes, in_metre.hexes);
+        for (a, b) in in_inch.points.iter().zip(&in_metre.points) {
+            assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-12), "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn shaped_ends_keep_the_elements_sound() {
+    for end in [RollerEnd::Radius(0.125), RollerEnd::Crown(0.01)] {
+        for wall in [Some(0.75), None] {
+            let geometry = BearingGeometry {
+                end,
+                wall,
+                ..initial()
+            };
+            let mut mesh = mesh(&geometry, &request(Preset::H025));
+            let before = mesh.clone();
+            shape_roller_ends(&mut mesh, &geometry);
+            assert_ne!(mesh.points, before.points);
+            for quality in mesh.quality() {
+                assert!(quality.min_scaled_jacobian > 0.2, "{end:?} {quality:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,403 @@
+//! The scenes that cases make: names, signs, shares of symmetric models, defaults.
+
+mod case_kit;
+
+use std::path::Path;
+
+use brinell::case::bearing::{RollerEnd, TEMPLATE_FILES};
+use brinell::case::{Case, Kind, MisesRead, interfaces, read};
+use brinell::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
+use case_kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
+
+fn bearing(case: &Case) -> &brinell::case::BearingCase {
+    match &case.kind {
+        Kind::Bearing(bearing) => bearing,
+        Kind::General(_) => panic!("a bearing is expected"),
+    }
+}
+
+fn scene(text: &str) -> Scene {
+    good(text).scene(blocks()).unwrap()
+}
+
+#[test]
+fn a_centred_bearing_is_a_quarter_model() {
+    let scene = good(BEARING).scene(centred()).unwrap();
+    assert_eq!(scene.name, "a bearing");
+    assert_eq!(scene.mirrors, [0, 1]);
+    let names: Vec<_> = scene
+        .contacts
+        .iter()
+        .map(|pair| pair.name.as_str())
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "upper_plate-upper_roller",
+            "upper_roller-intermediate_plate",
+            "intermediate_plate-lower_roller",
+            "lower_roller-lower_plate"
+        ]
+    );
+    for pair in &scene.contacts {
+        let carrier = match pair.carrier {
+            Side::Upper => &pair.upper,
+            Side::Lower => &pair.lower,
+        };
+        assert!(matches!(carrier, Partner::Surface(name) if name.ends_with("_roller_surface")));
+        assert_eq!(
+            (pair.friction, pair.penalty_factor, pair.true_geometry),
+            (0.15, 1.0, true)
+        );
+    }
+    let supports: Vec<_> = scene
+        .supports
+        .iter()
+        .map(|s| (&*s.surface, s.components))
+        .collect();
+    let zero = Some(0.0);
+    assert_eq!(
+        supports,
+        [
+            ("lower_plate_bottom", [zero; 3]),
+            ("x_symmetry", [zero, None, None]),
+            ("y_symmetry", [None, zero, None])
+        ]
+    );
+    let [plane] = scene.rigid_planes.as_slice() else {
+        panic!("one rigid plane is expected")
+    };
+    assert_eq!(plane.surface, "upper_plate_top");
+    let held = PlaneMotion::Held(0.0);
+    assert_eq!(plane.motion, [held, held, PlaneMotion::Driven(-16.25)]);
+    assert_eq!(scene.steps.len(), 1);
+    assert_eq!(scene.materials.len(), 5);
+}
+
+#[test]
+fn a_displaced_bearing_is_whole() {
+    let text = with(BEARING, "\"0 in\"", "\"2.5 in\"\nunload = true");
+    let scene = good(&text).scene(displaced()).unwrap();
+    assert!(scene.mirrors.is_empty());
+    assert_eq!(scene.supports.len(), 1);
+    assert_eq!(scene.rigid_planes[0].motion[2], PlaneMotion::Driven(-65.0));
+    let steps: Vec<_> = scene.steps.iter().map(|s| (&*s.name, s.factor)).collect();
+    assert_eq!(steps, [("load", 1.0), ("unload", 1e-3)]);
+}
+
+#[test]
+fn a_mesh_of_another_bearing_is_not_used() {
+    let refused = |text: &str, mesh| {
+        let error = good(text).scene(mesh).unwrap_err();
+        assert!(render(&error).contains("brinell::case::mesh"));
+        error.to_string()
+    };
+    let longer = with(BEARING, "\"8 in\"", "\"9 in\"");
+    assert!(refused(&longer, centred()).contains("of another bearing or preset"));
+    let full = with(BEARING, "\"0 in\"", "\"0 in\"\nfull = true");
+    assert!(refused(&full, centred()).contains("of another bearing or preset"));
+    assert!(refused(BEARING, blocks()).contains("carries no fingerprint"));
+}
+
+#[test]
+fn rollers_get_their_ends() {
+    let crowned = with(
+        BEARING,
+        "offset =",
+        "roller_end = { crown = \"1 mil\" }\noffset =",
+    );
+    let square = good(BEARING).scene(centred()).unwrap().mesh;
+    let shaped = good(&crowned).scene(centred()).unwrap().mesh;
+    let moved = square.points.iter().zip(&shaped.points);
+    let farthest = moved.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]));
+    assert!((farthest.fold(0.0, f64::max) - 0.001).abs() < 1e-9);
+}
+
+#[test]
+fn the_two_meanings_of_an_offset() {
+    let of = |is: &str| {
+        let text = with(
+            BEARING,
+            "\"0 in\"",
+            &format!("\"2.5 in\"\noffset_is = \"{is}\""),
+        );
+        bearing(&good(&text)).geometry.offset
+    };
+    assert_eq!((of("roller"), of("bearing")), (2.5, 1.25));
+}
+
+#[test]
+fn dimensions_of_a_bearing() {
+    let text = with(
+        BEARING,
+        "roller_wall = \"0.75 in\"",
+        "solid = true\nroller_end = { crown = \"0.2 mil\" }\nplate_size = [\"9 in\", 10]",
+    );
+    let thick = "{ upper = 1, intermediate = \"2 in\", lower = 3 }";
+    let case = good(&with(
+        &text,
+        "plate_thickness = \"1 in\"",
+        &format!("plate_thickness = {thick}"),
+    ));
+    let geometry = &bearing(&case).geometry;
+    assert_eq!(geometry.wall, None);
+    assert_eq!(geometry.end, RollerEnd::Crown(2e-4));
+    assert_eq!(geometry.plan, [9.0, 10.0]);
+    assert_eq!(geometry.upper_thickness, 1.0);
+    assert_eq!(geometry.intermediate_thickness, 2.0);
+    assert_eq!(geometry.lower_thickness, 3.0);
+    assert_eq!(geometry.slope, 4f64.to_radians());
+}
+
+#[test]
+fn hardening_from_its_second_point() {
+    let steel = |text: &str| good(text).scene(centred()).unwrap().materials[0];
+    let total = steel(BEARING);
+    assert!(
+        (total.hardening_modulus - 249.471).abs() < 5e-4,
+        "{}",
+        total.hardening_modulus
+    );
+    let plastic = steel(&with(
+        BEARING,
+        "0.157 }",
+        "0.157, strain_is = \"plastic\" }",
+    ));
+    assert!((plastic.hardening_modulus - 38.0 / 0.157).abs() < 1e-9);
+    let hardening = "hardening = { stress = \"138 ksi\", strain = 0.157 }";
+    let tangent = steel(&with(BEARING, hardening, "tangent_modulus = \"295 ksi\""));
+    assert!((tangent.hardening_modulus - 29500.0 / 99.0).abs() < 1e-9);
+    let perfect = steel(&with(BEARING, hardening, ""));
+    assert_eq!(
+        (perfect.yield_stress, perfect.hardening_modulus),
+        (100.0, 0.0)
+    );
+}
+
+#[test]
+fn steels_of_single_bodies() {
+    let text = format!(
+        "{BEARING}[steel.upper_roller]\nelastic = true\n\
+         [steel.lower_roller]\nyield_stress = \"120 ksi\"\nhardening_modulus = 0\n"
+    );
+    let scene_of_bearing = good(&text).scene(centred()).unwrap();
+    let steel = |body: &str| scene_of_bearing.materials[scene_of_bearing.mesh.body(body).unwrap()];
+    assert_eq!(steel("upper_roller").yield_stress, f64::INFINITY);
+    let lower = steel("lower_roller");
+    assert_eq!((lower.yield_stress, lower.hardening_modulus), (120.0, 0.0));
+    assert_eq!(lower.youngs_modulus, 29500.0);
+    assert_eq!(steel("upper_plate").yield_stress, 100.0);
+
+    let text = format!("{SCENE}[[body]]\nname = \"upper\"\nsteel = {{ yield_stress = 300 }}\n");
+    let steels = scene(&text).materials;
+    assert_eq!(steels[0].yield_stress, f64::INFINITY);
+    assert_eq!(
+        (steels[1].yield_stress, steels[1].youngs_modulus),
+        (300.0, 2e5)
+    );
+}
+
+#[test]
+fn assumptions_are_named_and_say_whether_they_were_given() {
+    let case = good(BEARING);
+    let given = |key: &str| {
+        let found = case.assumptions.iter().find(|a| a.key == key);
+        found.unwrap_or_else(|| panic!("no assumption {key}")).given
+    };
+    assert!(!given("bearing.plate_size"));
+    assert!(!given("bearing.roller_end"));
+    assert!(!given("bearing.full"));
+    assert!(!given("steel.hardening.strain_is"));
+    assert!(given("mesh.preset"));
+    assert!(case.discrepancies.is_empty());
+}
+
+#[test]
+fn a_case_can_be_changed_from_outside() {
+    let mut case = good(&format!("{BEARING}growth = 1.5\n"));
+    case.set_preset("report-like").unwrap();
+    case.set_full().unwrap();
+    assert_eq!(bearing(&case).mesh.preset.name(), "report-like");
+    assert!(bearing(&case).mesh.overrides.is_empty());
+    assert!(bearing(&case).is_whole() && case.model().mirrors.is_empty());
+    let value = |key: &str| {
+        &case
+            .assumptions
+            .iter()
+            .find(|a| a.key == key)
+            .unwrap()
+            .value
+    };
+    assert_eq!(value("mesh.preset"), "report-like");
+    assert_eq!(value("bearing.full"), "the whole bearing");
+    let error = good(BEARING).set_preset("h0025").unwrap_err();
+    assert!(render(&error).contains("did you mean `h025`?"));
+    let error = good(SCENE).set_full().unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("`two blocks` is a general scene")
+    );
+}
+
+#[test]
+fn the_template_has_the_names_that_the_case_uses() {
+    let (_, template) = TEMPLATE_FILES[0];
+    let sides = interfaces::INTERFACES
+        .iter()
+        .flat_map(|i| [i.upper, i.lower]);
+    let faces = [interfaces::TOP, interfaces::BOTTOM];
+    let surfaces = sides.chain(faces).chain(interfaces::SYMMETRIES);
+    for (kind, name) in surfaces
+        .map(|name| ("Surface", name))
+        .chain(interfaces::BODIES.map(|name| ("Volume", name)))
+    {
+        let line = format!("Physical {kind}(\"{name}\") =");
+        assert!(template.contains(&line), "`{line}` is not in the template");
+    }
+}
+
+#[test]
+fn a_general_scene() {
+    let scene = scene(SCENE);
+    assert_eq!(scene.contacts[0].name, "upper_face-lower_face");
+    assert_eq!(scene.contacts[0].carrier, Side::Upper);
+    assert_eq!(scene.contacts[0].friction, 0.2);
+    assert_eq!(scene.supports[0].name, "base");
+    assert_eq!(scene.tractions[0].value, TractionValue::Pressure(10.0));
+    assert_eq!((scene.steps[0].factor, scene.steps.len()), (1.0, 1));
+    assert_eq!(scene.materials[1].youngs_modulus, 2e5);
+    assert_eq!(
+        good(SCENE).mesh_file().as_deref(),
+        Some(Path::new("cases/blocks.msh"))
+    );
+}
+
+#[test]
+fn rigid_planes_tractions_and_steps() {
+    let text = format!(
+        "{SCENE}[[rigid_plane]]\nname = \"lid\"\nsurface = \"top\"\nfixed = \"x\"\n\
+         displacement = {{ y = \"1 µm\" }}\nforce = {{ z = \"-2 kN\" }}\n\
+         [[traction]]\nname = \"shear\"\nsurface = \"side\"\nvalue = [1, \"2 kPa\", 0]\n\
+         [[step]]\nname = \"push\"\n\
+         [[step]]\nname = \"release\"\nfactor = 0.5\nfactors = {{ lid = \"10 %\" }}\n"
+    );
+    let half = with(&text, "[mesh]", "symmetry = [\"x\"]\n[mesh]");
+    let whole = scene(&text);
+    let motion = whole.rigid_planes[0].motion;
+    assert_eq!(motion[0], PlaneMotion::Held(0.0));
+    assert_eq!(motion[1], PlaneMotion::Held(0.001));
+    assert_eq!(motion[2], PlaneMotion::Driven(-2000.0));
+    assert_eq!(
+        scene(&half).rigid_planes[0].motion[2],
+        PlaneMotion::Driven(-1000.0)
+    );
+    assert_eq!(
+        whole.tractions[1].value,
+        TractionValue::Vector([1.0, 0.002, 0.0])
+    );
+    assert_eq!(whole.steps[0].factor_of("lid"), 1.0);
+    assert_eq!(whole.steps[1].factor_of("lid"), 0.1);
+    assert_eq!(whole.steps[1].factor_of("top"), 0.5);
+}
+
+#[test]
+fn planes_as_partners_are_never_carriers() {
+    let plane = "{ plane = { point = [0, 0, \"1 cm\"], normal = [0, 0, 2] } }";
+    let below = scene(&with(SCENE, "\"lower_face\"", plane));
+    let expected = Partner::Plane {
+        point: [0.0, 0.0, 10.0],
+        normal: [0.0, 0.0, 1.0],
+    };
+    assert_eq!(below.contacts[0].lower, expected);
+    assert_eq!(below.contacts[0].carrier, Side::Upper);
+    assert_eq!(below.contacts[0].name, "upper_face-plane");
+    let above = scene(&with(SCENE, "\"upper_face\"", plane));
+    assert_eq!(above.contacts[0].carrier, Side::Lower);
+}
+
+#[test]
+fn the_curved_side_carries() {
+    // Two boxes below, the faces of one of them tilted against each other.
+    let mut bent = mesh(
+        &[
+            ("lower", [0.0; 3], [1.0; 3]),
+            ("lower_2", [1.0, 0.0, 0.0], [2.0, 1.0, 1.0]),
+            ("upper", [0.0, 0.0, 1.0], [1.0, 1.0, 2.0]),
+        ],
+        &[
+            ("base", 0, "-z"),
+            ("lower_face", 0, "+z"),
+            ("upper_face", 2, "-z"),
+            ("top", 2, "+z"),
+        ],
+    );
+    let second = mesh(
+        &[("b", [1.0, 0.0, 0.0], [2.0, 1.0, 1.0])],
+        &[("f", 0, "+z")],
+    );
+    let mut face = second.surfaces[0].faces[0];
+    face.nodes = face.nodes.map(|node| node + 8);
+    face.element = 1;
+    bent.surfaces[1].faces.push(face);
+    assert_eq!(
+        good(SCENE).scene(bent.clone()).unwrap().contacts[0].carrier,
+        Side::Upper
+    );
+    for node in [13, 14] {
+        bent.points[node][2] = 0.9;
+    }
+    assert_eq!(
+        good(SCENE).scene(bent).unwrap().contacts[0].carrier,
+        Side::Lower
+    );
+}
+
+#[test]
+fn a_mesh_in_another_unit_is_scaled() {
+    let text = with(SCENE, "file =", "unit = \"in\"\nfile =");
+    assert_eq!(scene(&text).mesh.points[6], [25.4; 3]);
+    assert_eq!(scene(SCENE).mesh.points[6], [1.0; 3]);
+}
+
+#[test]
+fn shipped_cases() {
+    let folder = Path::new("cases/section-2.6.2");
+    for (design, length) in [("initial", 8.0), ("revised", 10.5)] {
+        for (place, offset) in [("centre", 0.0), ("offset-1.25", 1.25), ("offset-2.5", 2.5)] {
+            let case = read(&folder.join(format!("{design}-{place}.toml"))).unwrap();
+            let bearing = bearing(&case);
+            let geometry = &bearing.geometry;
+            assert_eq!((geometry.length, geometry.offset), (length, offset));
+            assert_eq!((bearing.load, bearing.friction), (65.0, 0.15));
+            assert_eq!((geometry.diameter, geometry.wall), (3.0, Some(0.75)));
+            assert_eq!(bearing.is_whole(), offset > 0.0);
+            assert!(case.discrepancies.len() >= 4);
+            let mesh = shipped(&format!("{design}-{place}-h025"));
+            assert_eq!(
+                case.scene(mesh).unwrap().mirrors.len(),
+                if offset > 0.0 { 0 } else { 2 }
+            );
+            let mut like = case.clone();
+            like.set_preset("report-like").unwrap();
+            like.scene(shipped(&format!("{design}-{place}-report-like")))
+                .unwrap();
+        }
+    }
+    let centre = read(&folder.join("initial-centre.toml"))
+        .unwrap()
+        .comparison
+        .unwrap();
+    assert_eq!(centre.mises_read, MisesRead::Centroid);
+    let printed: Vec<_> = centre.values.iter().map(|p| (&*p.place, p.value)).collect();
+    assert!(printed.contains(&("overall", 70.0)) && printed.contains(&("rollers", 49.0)));
+
+    let prototype = read(Path::new("cases/prototype-1.toml")).unwrap();
+    assert_eq!(bearing(&prototype).geometry.length, 17.0);
+    let h = read(Path::new("cases/problem-h.toml")).unwrap();
+    assert_eq!(h.model().mirrors, [0]);
+    assert_eq!(
+        h.mesh_file().as_deref(),
+        Some(Path::new("cases/problem-h.msh"))
+    );
+}

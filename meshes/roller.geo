@@ -204,39 +204,38 @@ Macro Roller
       EndFor
       Transfinite Curve {ro_diameter[]} = 2;
 
-      // The half on the side of +a.
-      ro_loop[] = {};
+      // The half on the side of +a, and its mirror image. The spacing inside depends on
+      // which sides come first: both begin with the diameter and the bottom.
+      ro_loop[] = ro_diameter[];
+      For ro_m In {0 : ro_n1 - 1}
+        ro_kind[] += ro_half ? 3 : 0;
+      EndFor
       For ro_m In {ro_bottom : ro_summit - 1}
         ro_loop[] += ro_lin[ro_m];
         ro_kind[] += 0;
       EndFor
-      For ro_m In {0 : ro_n1 - 1}
-        ro_loop[] += ro_diameter[ro_m];
-        ro_kind[] += ro_half ? 3 : 0;
-      EndFor
-      ro_q0 = ro_pin[ro_bottom];
-      ro_q1 = ro_pin[ro_block[1]];
-      ro_q2 = ro_pin[ro_block[2]];
-      ro_q3 = ro_pin[ro_summit];
+      ro_q0 = ro_pin[ro_summit];
+      ro_q1 = ro_pin[ro_bottom];
+      ro_q2 = ro_pin[ro_block[1]];
+      ro_q3 = ro_pin[ro_block[2]];
       Call Ro_Core;
       If (ro_split)
-        ro_loop[] = {};
-        For ro_m In {ro_summit : ro_last - 1}
-          ro_loop[] += ro_lin[ro_m];
+        ro_loop[] = ro_diameter[];
+        For ro_m In {0 : ro_n1 - 1}
           ro_kind[] += 0;
         EndFor
-        For ro_m In {0 : ro_bottom - 1}
-          ro_loop[] += ro_lin[ro_m];
+        For ro_m In {ro_bottom - 1 : 0 : -1}
+          ro_loop[] += -ro_lin[ro_m];
           ro_kind[] += 0;
         EndFor
-        For ro_m In {ro_n1 - 1 : 0 : -1}
-          ro_loop[] += -ro_diameter[ro_m];
+        For ro_m In {ro_last - 1 : ro_summit : -1}
+          ro_loop[] += -ro_lin[ro_m];
           ro_kind[] += 0;
         EndFor
         ro_q0 = ro_pin[ro_summit];
-        ro_q1 = ro_pin[ro_block[3]];
+        ro_q1 = ro_pin[ro_bottom];
         ro_q2 = ro_pin[ro_block[0]];
-        ro_q3 = ro_pin[ro_bottom];
+        ro_q3 = ro_pin[ro_block[3]];
         Call Ro_Core;
       EndIf
     Else

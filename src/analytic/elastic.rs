@@ -53,7 +53,7 @@ impl Elastic {
 /// ```text
 /// C_E = (1 - ν₁²)/E₁ + (1 - ν₂²)/E₂
 /// ```
-/// Equation (2-46) of the reference study; Johnson (4.5). Holds for half spaces.
+/// Equation (2-46) of the reference study; Johnson 4.2. Holds for half spaces.
 ///
 /// # Errors
 /// [`DomainError::Overflow`] where both bodies are rigid.
@@ -69,7 +69,7 @@ pub fn contact_compliance(first: Elastic, second: Elastic) -> Result<f64, Domain
 /// β =  ────────────────────────────
 ///      2 [(1 - ν₁)/G₁ + (1 - ν₂)/G₂]
 /// ```
-/// Johnson (5.3) and (5.4). β = 0 (one steel on itself, for example) means that pressing two
+/// Johnson 5.1. β = 0 (one steel on itself, for example) means that pressing two
 /// half spaces together makes neither slip nor shear traction, whatever the friction.
 ///
 /// # Errors

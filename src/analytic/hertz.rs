@@ -12,7 +12,7 @@ use super::search::bisect;
 
 /// Effective radius R of two bodies, 1/R = 1/R₁ + 1/R₂.
 ///
-/// A flat has an infinite radius, a hollow side (a groove) a negative one. Johnson (4.3).
+/// A flat has an infinite radius, a hollow side (a groove) a negative one. Johnson 4.1.
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for a radius that is zero or not a number, and

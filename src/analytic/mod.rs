@@ -23,13 +23,23 @@
 //! reference study is Lee, Ou, Liang, Niu and Song, *Principles and Performance of Roller Seismic
 //! Isolation Bearings for Highway Bridges*, MCEER.
 
+pub mod approach;
+pub mod crown;
+pub mod curved_beam;
+pub mod displaced;
 pub mod elastic;
 pub mod elliptic;
 pub mod error;
+pub mod flattening;
+pub mod friction;
 pub mod hertz;
+pub mod limit;
+pub mod ring;
 pub mod sizing;
+pub mod steel;
 pub mod stress;
 pub mod subsurface;
+pub mod vgroove;
 
 mod search;
 

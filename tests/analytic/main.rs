@@ -4,8 +4,12 @@
 //! many of them checked there by another method (quadrature, finite elements, boundary elements).
 //! Units are in, kip, ksi unless a table says otherwise.
 
+mod contact;
 mod hertz;
+mod ring;
 mod sizing;
+mod statics;
+mod steel;
 mod subsurface;
 
 /// Fails unless `value` is within the relative `tolerance` of `expected` (absolute, where

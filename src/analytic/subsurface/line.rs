@@ -141,7 +141,7 @@ impl LineField {
     }
 
     /// The largest shear stress in the x-z plane on the axis, without regard to traction:
-    /// 0.3003 p0 at 0.7862 a, whatever ν. Johnson (4.47).
+    /// 0.3003 p0 at 0.7862 a, whatever ν. Johnson 4.2(c).
     pub fn peak_shear_on_axis(&self) -> Peak {
         let still = Self {
             friction: 0.0,

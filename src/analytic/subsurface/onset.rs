@@ -39,7 +39,7 @@ pub fn line_yield_contact(
 
 /// Peak pressure of a sphere's contact at which the body first yields on the axis.
 ///
-/// ν = 0.3: 1.6128 Y, Johnson (6.7) rounds to 1.60 Y.
+/// ν = 0.3: 1.6128 Y, Johnson 6.1 rounds to 1.60 Y.
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for Y not positive or ν outside (-1, 0.5].
@@ -52,7 +52,7 @@ pub fn sphere_yield_pressure(yield_stress: f64, poissons_ratio: f64) -> Result<f
     )
 }
 
-/// Point contact at first yield: P_Y = π³ R² C_E² p_Y³ / 6. Johnson (6.10).
+/// Point contact at first yield: P_Y = π³ R² C_E² p_Y³ / 6. Johnson 6.1.
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for R, C_E or Y not positive, or ν outside (-1, 0.5].

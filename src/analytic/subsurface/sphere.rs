@@ -65,7 +65,7 @@ impl SphereField {
     }
 
     /// The largest Mises stress on the axis (twice the shear stress there), which is the largest
-    /// in the body for the ratios of metals: 0.6200 p0 at 0.4809 a for ν = 0.3. Johnson 3.4(c).
+    /// in the body for the ratios of metals: 0.6200 p0 at 0.4809 a for ν = 0.3.
     pub fn peak_mises_on_axis(&self) -> Peak {
         let (zeta, value) = maximum(|zeta| self.scaled(zeta).mises(), 0.0, 2.0, 100);
         Peak {

@@ -14,6 +14,7 @@
 //! ```
 
 pub mod analytic;
+pub mod cli;
 pub mod material;
 pub mod mesh;
 pub mod results;

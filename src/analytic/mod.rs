@@ -32,13 +32,17 @@ pub mod elliptic;
 pub mod error;
 pub mod flattening;
 pub mod friction;
+pub mod handbook;
 pub mod hertz;
 pub mod limit;
+pub mod patch;
 pub mod ring;
 pub mod sizing;
 pub mod steel;
 pub mod stress;
 pub mod subsurface;
+pub mod tube;
+pub mod tube_mises;
 pub mod vgroove;
 
 mod search;

@@ -4,13 +4,18 @@
 //! many of them checked there by another method (quadrature, finite elements, boundary elements).
 //! Units are in, kip, ksi unless a table says otherwise.
 
+// The tables stand as they were computed, also where a number looks like 1/√2.
+#![allow(clippy::approx_constant)]
+
 mod contact;
+mod handbook;
 mod hertz;
 mod ring;
 mod sizing;
 mod statics;
 mod steel;
 mod subsurface;
+mod tube;
 
 /// Fails unless `value` is within the relative `tolerance` of `expected` (absolute, where
 /// `expected` is zero).

@@ -263,7 +263,8 @@ fn rollers_of_the_study() {
             ring.diameter_change(ro - wall, 0.0).unwrap(),
         ];
         for (value, expected) in found.into_iter().zip(expected) {
-            close("roller", value, expected, 1e-5);
+            // The expected values of prototype 2 rest on t/D rounded to 0.21545.
+            close("roller", value, expected, 5e-5);
         }
     }
 }

@@ -79,10 +79,13 @@ impl DisplacedRoller {
 
     /// The linear distribution at the distance y from mid-length, positive towards the resultant;
     /// zero where the roller lifts off and beyond its ends.
-    pub fn linear_at(&self, y: f64) -> f64 {
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for a y that is not finite.
+    pub fn linear_at(&self, y: f64) -> Result<f64, DomainError> {
         let half = 0.5 * self.length;
-        if y.abs() > half {
-            return 0.0;
+        if error::finite("distance from mid-length", y)?.abs() > half {
+            return Ok(0.0);
         }
         let LineLoad {
             largest,
@@ -90,8 +93,8 @@ impl DisplacedRoller {
         } = self.linear();
         if 6.0 * self.offset <= self.length {
             let mean = self.load / self.length;
-            return mean + (largest - mean) * y / half;
+            return Ok(mean + (largest - mean) * y / half);
         }
-        (largest * (1.0 - (half - y) / bearing_length)).max(0.0)
+        Ok((largest * (1.0 - (half - y) / bearing_length)).max(0.0))
     }
 }

@@ -53,29 +53,41 @@ pub(crate) fn require(
     }
 }
 
-/// `value`, where it is finite and above zero.
+/// Magnitudes beyond this, or below its inverse, are refused: their powers would leave the
+/// floating-point range inside the formulas.
+const LARGEST: f64 = 1e100;
+
+/// `value`, where it is above zero and of a magnitude that the formulas can hold.
 pub(crate) fn positive(argument: &'static str, value: f64) -> Result<f64, DomainError> {
     require(
         argument,
         value,
         value.is_finite() && value > 0.0,
         "positive and finite",
-    )
+    )?;
+    let held = (LARGEST.recip()..=LARGEST).contains(&value);
+    require(argument, value, held, "between 1e-100 and 1e100")
 }
 
 /// `value`, where it is finite and not below zero.
 pub(crate) fn non_negative(argument: &'static str, value: f64) -> Result<f64, DomainError> {
+    let allowed = (0.0..=LARGEST).contains(&value);
     require(
         argument,
         value,
-        value.is_finite() && value >= 0.0,
-        "zero or positive, and finite",
+        allowed,
+        "zero or positive, and at most 1e100",
     )
 }
 
-/// `value`, where it is finite.
+/// `value`, where it is finite and of a magnitude that the formulas can hold.
 pub(crate) fn finite(argument: &'static str, value: f64) -> Result<f64, DomainError> {
-    require(argument, value, value.is_finite(), "finite")
+    require(
+        argument,
+        value,
+        value.abs() <= LARGEST,
+        "finite, and within 1e100",
+    )
 }
 
 /// Poisson's ratio of a stable isotropic solid.

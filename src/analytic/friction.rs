@@ -52,15 +52,18 @@ impl CattaneoMindlin {
     /// q = μp0 [√(1 - x²/a²) - (c/a) √(1 - x²/c²)]  for |x| < c,   μ p(x) outside it
     /// ```
     /// Johnson 7.2(d).
-    pub fn traction(&self, x: f64) -> f64 {
-        let slip = self.friction * self.contact.pressure(x);
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for a distance that is not a number.
+    pub fn traction(&self, x: f64) -> Result<f64, DomainError> {
+        let slip = self.friction * self.contact.pressure(x)?;
         let c = self.stick_half_width;
         if x.abs() >= c {
-            return slip;
+            return Ok(slip);
         }
         let ratio = c / self.contact.half_width;
         let inner = (1.0 - (x / c) * (x / c)).sqrt();
-        slip - self.friction * self.contact.peak_pressure * ratio * inner
+        Ok(slip - self.friction * self.contact.peak_pressure * ratio * inner)
     }
 }
 
@@ -113,14 +116,17 @@ impl MindlinSpheres {
     /// Traction at the distance r from the centre, in the direction of Q; zero outside.
     ///
     /// The rule of [`CattaneoMindlin::traction`] holds with r for x; Johnson 7.2(d).
-    pub fn traction(&self, r: f64) -> f64 {
-        let slip = self.friction * self.contact.pressure(r);
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for a distance that is not a number.
+    pub fn traction(&self, r: f64) -> Result<f64, DomainError> {
+        let slip = self.friction * self.contact.pressure(r)?;
         let c = self.stick_radius;
         if r.abs() >= c {
-            return slip;
+            return Ok(slip);
         }
         let ratio = c / self.contact.contact_radius;
         let inner = (1.0 - (r / c) * (r / c)).sqrt();
-        slip - self.friction * self.contact.peak_pressure * ratio * inner
+        Ok(slip - self.friction * self.contact.peak_pressure * ratio * inner)
     }
 }

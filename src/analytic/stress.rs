@@ -26,8 +26,16 @@ impl Stress {
     pub fn mises(&self) -> f64 {
         let normal = [self.xx - self.yy, self.yy - self.zz, self.zz - self.xx];
         let shear = [self.xy, self.yz, self.zx];
-        let square = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>();
-        (0.5 * square(normal) + 3.0 * square(shear)).sqrt()
+        // Squares of the components themselves could leave the floating-point range.
+        let scale = normal
+            .iter()
+            .chain(&shear)
+            .fold(0.0, |m: f64, c| m.max(c.abs()));
+        if scale == 0.0 {
+            return 0.0;
+        }
+        let square = |v: [f64; 3]| v.iter().map(|c| (c / scale).powi(2)).sum::<f64>();
+        scale * (0.5 * square(normal) + 3.0 * square(shear)).sqrt()
     }
 
     /// Largest shear stress in the x-z plane, √(((σ_x - σ_z)/2)² + τ_zx²).

@@ -97,9 +97,9 @@ impl Tube {
     fn lame(&self, pressure: f64, r: f64) -> Result<(f64, f64), DomainError> {
         let p = error::non_negative("pressure", pressure)?;
         let r = self.inside(r)?;
-        let (a, b) = (self.inner_radius, self.outer_radius);
-        let mean = p * a * a / ((b - a) * (b + a));
-        Ok((mean, mean * (b / r) * (b / r)))
+        let share = self.inner_radius / self.outer_radius;
+        let mean = p * share * share / ((1.0 - share) * (1.0 + share));
+        Ok((mean, mean * (self.outer_radius / r).powi(2)))
     }
 
     fn inside(&self, r: f64) -> Result<f64, DomainError> {

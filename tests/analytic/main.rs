@@ -11,6 +11,7 @@ mod contact;
 mod handbook;
 mod hertz;
 mod ring;
+mod robust;
 mod sizing;
 mod statics;
 mod steel;

@@ -1,12 +1,17 @@
 //! A hollow (or solid) roller squeezed between two plates: exact elasticity of the annulus under
 //! two opposed radial loads, by Michell's series.
 
+mod disc;
+mod order;
+mod polar;
+
 use std::f64::consts::PI;
 
-use nalgebra::{Matrix4, Vector4};
+use order::Order;
+pub use polar::PolarStress;
 
-use super::elastic::Elastic;
-use super::error::{self, DomainError};
+use crate::analytic::elastic::Elastic;
+use crate::analytic::error::{self, DomainError};
 
 /// How the load meets the outer surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,27 +31,6 @@ pub enum Plane {
     Stress,
 }
 
-/// Stress in polar components, tension positive; θ runs from the load.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PolarStress {
-    pub radial: f64,
-    pub hoop: f64,
-    pub axial: f64,
-    pub shear: f64,
-}
-
-impl PolarStress {
-    /// Mises stress.
-    pub fn mises(&self) -> f64 {
-        let normal = super::Stress::normal(self.radial, self.hoop, self.axial);
-        super::Stress {
-            xy: self.shear,
-            ..normal
-        }
-        .mises()
-    }
-}
-
 /// Annulus r_i ≤ r ≤ r_o under two opposed radial loads at θ = 0 and θ = π.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ring {
@@ -62,16 +46,6 @@ pub struct Ring {
     constant: [f64; 2],
     /// The orders n = 2, 4, 6, ...
     orders: Vec<Order>,
-}
-
-/// Constants A, B, C, D of the terms (r/r_o)ⁿ, (r_i/r)ⁿ and the same times (r/r_o)², in units of
-/// r_o² for the stress function.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Order {
-    /// A and C of the solid disc.
-    disc: [f64; 2],
-    /// What frees the inner wall from the disc's tractions.
-    bore: [f64; 4],
 }
 
 /// Terms of the series for a point load; enough for 1e-16 up to 0.99 of the outer radius.
@@ -194,7 +168,7 @@ impl Ring {
         hoop += 2.0 * a0 - swirl;
         if point {
             // The disc has -P/πr_o of the even part.
-            let disc = self.disc_under_points(r, theta)?;
+            let disc = disc::under_points(r / self.outer_radius, theta)?.map(|s| s * self.mean);
             radial += disc[0] + self.mean;
             hoop += disc[1] + self.mean;
             shear += disc[2];
@@ -306,88 +280,11 @@ impl Ring {
             }
         }
     }
-
-    /// Radial, hoop and shear stress of a solid disc under the two point loads.
-    ///
-    /// Timoshenko and Goodier, art. 41.
-    fn disc_under_points(&self, r: f64, theta: f64) -> Result<[f64; 3], DomainError> {
-        let (sin, cos) = theta.sin_cos();
-        let (along, across) = (r / self.outer_radius * cos, r / self.outer_radius * sin);
-        let apart = (1.0 - along.abs()).hypot(across);
-        error::require(
-            "distance from the point load",
-            apart,
-            apart > 1e-9,
-            "above zero",
-        )?;
-        // σ along the load, σ across it and their shear, over P/πr_o.
-        let mut sum = [1.0, 1.0, 0.0];
-        for side in [1.0, -1.0] {
-            let depth = 1.0 - side * along;
-            let field = -2.0 * depth / (depth * depth + across * across).powi(2);
-            sum[0] += field * depth * depth;
-            sum[1] += field * across * across;
-            sum[2] -= side * field * depth * across;
-        }
-        let [x, y, xy] = sum.map(|s| s * self.mean);
-        let (square, product) = ([cos * cos, sin * sin], sin * cos);
-        Ok([
-            x * square[0] + y * square[1] + 2.0 * xy * product,
-            x * square[1] + y * square[0] - 2.0 * xy * product,
-            (y - x) * product + xy * (square[0] - square[1]),
-        ])
-    }
 }
 
 /// 2 J₁(t)/t.
 fn spread(t: f64) -> f64 {
     if t == 0.0 { 1.0 } else { 2.0 * libm::j1(t) / t }
-}
-
-impl Order {
-    /// Order n under the radial stress -`pressure` cos nθ on the outer wall, for the ratio `bore`
-    /// of the radii.
-    fn new(n: f64, bore: f64, pressure: f64) -> Self {
-        let disc = [0.5 * pressure / (n - 1.0), -0.5 * pressure / (n + 1.0)];
-        let reach = bore.powf(n);
-        // The disc's stress at the inner wall is far below the last digit.
-        if reach < 1e-30 {
-            return Self {
-                disc,
-                bore: [0.0; 4],
-            };
-        }
-        // Coefficients of A, B, C, D in the two stresses at x = r/r_o, where the powers are p, q.
-        let radial = |x: f64, p: f64, q: f64| {
-            let (low, high) = (n * (n - 1.0) / (x * x), n * (n + 1.0) / (x * x));
-            [
-                -low * p,
-                -high * q,
-                (n + 2.0 - n * n) * p,
-                (2.0 - n - n * n) * q,
-            ]
-        };
-        let shear = |x: f64, p: f64, q: f64| {
-            let (low, high) = (n * (n - 1.0) / (x * x), n * (n + 1.0) / (x * x));
-            [low * p, -high * q, n * (n + 1.0) * p, n * (1.0 - n) * q]
-        };
-        let inner = [radial(bore, reach, 1.0), shear(bore, reach, 1.0)];
-        let left = inner.map(|row| -(row[0] * disc[0] + row[2] * disc[1]));
-        let rows = [
-            radial(1.0, 1.0, reach),
-            shear(1.0, 1.0, reach),
-            inner[0],
-            inner[1],
-        ];
-        let matrix = Matrix4::from_fn(|i, j| rows[i][j]);
-        let right = Vector4::new(0.0, 0.0, left[0], left[1]);
-        // Regular for every n of 2 and more and 0 < bore < 1.
-        let bore = matrix.lu().solve(&right).unwrap_or_default();
-        Self {
-            disc,
-            bore: bore.into(),
-        }
-    }
 }
 
 #[cfg(test)]

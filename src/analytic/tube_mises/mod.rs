@@ -4,8 +4,14 @@
 //! Quadratic elements over the wall, two Gauss points each, radial return in plane strain,
 //! Newton's method in equal steps of pressure.
 
-use super::error::{self, DomainError};
-use super::tube::Tube;
+mod banded;
+mod law;
+
+use banded::Banded;
+use law::{Law, Plastic, Response};
+
+use crate::analytic::error::{self, DomainError};
+use crate::analytic::tube::Tube;
 
 /// Elements across the wall.
 const ELEMENTS: usize = 100;
@@ -21,28 +27,6 @@ pub struct Expansion {
     pub outer: f64,
     /// Largest radius with plastic strain (at an integration point); the inner radius, where none.
     pub front: f64,
-}
-
-/// Isotropic elasticity and hardening, in the form the return map uses.
-struct Law {
-    bulk: f64,
-    shear: f64,
-    yield_stress: f64,
-    hardening: f64,
-}
-
-/// Plastic strain (radial, hoop, axial) and its accumulated size at an integration point.
-#[derive(Debug, Clone, Copy, Default)]
-struct Plastic {
-    strain: [f64; 3],
-    size: f64,
-}
-
-/// Radial and hoop stress, their derivatives with the radial and hoop strain, new state.
-struct Response {
-    stress: [f64; 2],
-    tangent: [[f64; 2]; 2],
-    plastic: Plastic,
 }
 
 /// Expansion of `tube` under a pressure that rises from zero to `pressure` in `steps` equal steps.
@@ -102,66 +86,6 @@ pub fn expand(
     })
 }
 
-impl Law {
-    /// Radial return from the plastic strain `old` at the strain (radial, hoop), axial strain zero.
-    fn respond(&self, strain: [f64; 2], old: &Plastic) -> Response {
-        let volume = strain[0] + strain[1];
-        let elastic = [
-            strain[0] - old.strain[0],
-            strain[1] - old.strain[1],
-            -old.strain[2],
-        ];
-        let trial = elastic.map(|e| 2.0 * self.shear * (e - volume / 3.0));
-        let norm = trial.iter().map(|s| s * s).sum::<f64>().sqrt();
-        let mises = 1.5f64.sqrt() * norm;
-        let excess = mises - self.yield_stress - self.hardening * old.size;
-        if excess <= 0.0 {
-            return self.response(volume, trial, 1.0, None, *old);
-        }
-        let growth = excess / (3.0 * self.shear + self.hardening);
-        let direction = trial.map(|s| s / norm);
-        let grow = |i: usize| old.strain[i] + 1.5f64.sqrt() * growth * direction[i];
-        let plastic = Plastic {
-            strain: [grow(0), grow(1), grow(2)],
-            size: old.size + growth,
-        };
-        let scale = 1.0 - 3.0 * self.shear * growth / mises;
-        let slope = 3.0 * self.shear / (3.0 * self.shear + self.hardening);
-        self.response(
-            volume,
-            trial,
-            scale,
-            Some((direction, slope - 1.0 + scale)),
-            plastic,
-        )
-    }
-
-    /// `scale` shrinks the trial deviator; `flow` is its direction and how much softer it is along
-    /// that direction.
-    fn response(
-        &self,
-        volume: f64,
-        trial: [f64; 3],
-        scale: f64,
-        flow: Option<([f64; 3], f64)>,
-        plastic: Plastic,
-    ) -> Response {
-        let stress = [0, 1].map(|i| self.bulk * volume + scale * trial[i]);
-        let tangent = [0, 1].map(|i| {
-            [0, 1].map(|j| {
-                let unit = if i == j { 2.0 / 3.0 } else { -1.0 / 3.0 };
-                let along = flow.map_or(0.0, |(n, soft)| soft * n[i] * n[j]);
-                self.bulk + 2.0 * self.shear * (scale * unit - along)
-            })
-        });
-        Response {
-            stress,
-            tangent,
-            plastic,
-        }
-    }
-}
-
 /// Two-point Gauss rule on [-1, 1], weights one.
 const GAUSS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
 
@@ -178,12 +102,6 @@ fn shape(xi: f64) -> [[f64; 2]; 3] {
 struct Wall {
     inner: f64,
     thickness: f64,
-}
-
-/// Symmetric matrix of half bandwidth two: its diagonal and the two below, and a right side.
-struct Banded {
-    diagonals: [Vec<f64>; 3],
-    right: Vec<f64>,
 }
 
 impl Wall {
@@ -209,7 +127,7 @@ impl Wall {
     ) -> Result<(), DomainError> {
         let scale = pressure * self.inner;
         for _ in 0..ITERATIONS {
-            let mut system = Banded::new();
+            let mut system = Banded::new(NODES);
             let mut next = plastic.to_vec();
             for (i, points) in next.iter_mut().enumerate() {
                 self.add_element(law, i, displacement, points, &mut system);
@@ -265,45 +183,5 @@ impl Wall {
                 }
             }
         }
-    }
-}
-
-impl Banded {
-    fn new() -> Self {
-        Self {
-            diagonals: [0, 1, 2].map(|_| vec![0.0; NODES]),
-            right: vec![0.0; NODES],
-        }
-    }
-
-    /// LDLᵀ and substitution.
-    fn solve(self) -> Vec<f64> {
-        let Self {
-            diagonals: [mut d, mut l1, mut l2],
-            right: mut x,
-        } = self;
-        for i in 0..NODES {
-            let (below, next) = (l1[i], l2[i]);
-            (l1[i], l2[i]) = (below / d[i], next / d[i]);
-            if i + 1 < NODES {
-                d[i + 1] -= l1[i] * below;
-                l1[i + 1] -= l1[i] * next;
-                x[i + 1] -= l1[i] * x[i];
-            }
-            if i + 2 < NODES {
-                d[i + 2] -= l2[i] * next;
-                x[i + 2] -= l2[i] * x[i];
-            }
-        }
-        for i in (0..NODES).rev() {
-            x[i] /= d[i];
-            if i + 1 < NODES {
-                x[i] -= l1[i] * x[i + 1];
-            }
-            if i + 2 < NODES {
-                x[i] -= l2[i] * x[i + 2];
-            }
-        }
-        x
     }
 }

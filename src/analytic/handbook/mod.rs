@@ -236,11 +236,12 @@ fn bore(
         return Ok(None);
     };
     let outer = 0.5 * input.diameter;
+    let allowed = wall < outer && wall >= 0.0051 * outer;
     error::require(
         "wall of the roller",
         wall,
-        wall < outer,
-        "less than the radius",
+        allowed,
+        "between 0.51 % of the radius and all of it",
     )?;
     let inner = outer - wall;
     let share = contact.half_width / outer;

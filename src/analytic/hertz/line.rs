@@ -27,7 +27,7 @@ impl LineContact {
     /// a = √(4 w R C_E / π)        p0 = 2w/πa = √(w / π R C_E)
     /// ```
     /// Johnson (4.43) and (4.45). Plane strain; the approach of the bodies is not defined by the
-    /// contact alone, see [`approach`](super::approach).
+    /// contact alone, see [`approach`](crate::analytic::approach).
     ///
     /// # Errors
     /// [`DomainError::OutOfRange`] for an argument that is not positive and finite.

@@ -148,11 +148,12 @@ fn yielding_tube() {
             close("incompressible u_i", elastic(0.5, 100.0), inner_half, 1e-10);
             close("incompressible u_o", elastic(0.5, 200.0), outer_half, 1e-10);
         }
-        let mises = expand(&tube, 0.3, p, 50).unwrap();
+        let mises = expand(&tube, 0.3, p, 400).unwrap();
+        // The expected values carry the error of their own load steps, 8e-4 in the last row.
         close("Mises u_i", mises.inner, inner_mises, 1e-3);
         close("Mises u_o", mises.outer, outer_mises, 1e-3);
     }
-    let mises = expand(&tube, 0.3, 0.95 * tube.limit_pressure(), 50).unwrap();
+    let mises = expand(&tube, 0.3, 0.95 * tube.limit_pressure(), 400).unwrap();
     close("u_i at 95 %", mises.inner, 0.2790, 5e-4);
     close("u_o at 95 %", mises.outer, 0.16244, 5e-4);
 }

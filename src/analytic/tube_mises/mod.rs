@@ -31,9 +31,9 @@ pub struct Expansion {
 
 /// Expansion of `tube` under a pressure that rises from zero to `pressure` in `steps` equal steps.
 ///
-/// `poissons_ratio` in (-1, 0.4999]; Mises with the tube's hardening. With 50 steps the
-/// displacements hold four to five digits up to 95 % of the limit pressure of a steel without
-/// hardening, three to four digits up to 99 %.
+/// `poissons_ratio` in (-1, 0.4999]; Mises with the tube's hardening. The error falls with the
+/// step. Inner displacement without hardening, b = 2a, ν = 0.3: with 50 steps 3e-4 at 95 % of the
+/// limit pressure and 1.3e-3 at 99 %, with 400 steps 4e-5 and 1.5e-4.
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for a pressure not positive, or not below the limit pressure of a

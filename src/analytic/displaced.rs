@@ -1,0 +1,100 @@
+//! A roller off the centre: how the load spreads along it (statics).
+
+use super::error::{self, DomainError};
+
+/// A roller of length L under the load P, whose resultant passes e beside its mid-length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DisplacedRoller {
+    load: f64,
+    length: f64,
+    offset: f64,
+}
+
+/// A picture of the line load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineLoad {
+    /// Largest load per length.
+    pub largest: f64,
+    /// Length that carries load, from the end next to the resultant.
+    pub bearing_length: f64,
+}
+
+impl DisplacedRoller {
+    /// Load P, length L, offset e in [0, L/2).
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for P or L not positive, or e outside its range.
+    pub fn new(load: f64, length: f64, offset: f64) -> Result<Self, DomainError> {
+        let length = error::positive("length", length)?;
+        let e = error::non_negative("offset of the load", offset)?;
+        error::require(
+            "offset of the load",
+            e,
+            e < 0.5 * length,
+            "less than half the length",
+        )?;
+        Ok(Self {
+            load: error::positive("load", load)?,
+            length,
+            offset: e,
+        })
+    }
+
+    /// Even load over the length centred on the resultant, w = P / (L - 2e).
+    ///
+    /// What (2-51) of the reference study assumes. It balances the load, but needs surfaces that
+    /// turn until all of that length bears alike.
+    pub fn block(&self) -> LineLoad {
+        let bearing_length = self.length - 2.0 * self.offset;
+        LineLoad {
+            largest: self.load / bearing_length,
+            bearing_length,
+        }
+    }
+
+    /// Linear distribution that cannot pull, as under a rigid plate on a bed of springs.
+    ///
+    /// ```text
+    /// e ≤ L/6:  w = (P/L)(1 + 6e/L) over L         else:  w = 2P / 3(L/2 - e) over 3(L/2 - e)
+    /// ```
+    pub fn linear(&self) -> LineLoad {
+        let Self {
+            load,
+            length,
+            offset,
+        } = *self;
+        if 6.0 * offset <= length {
+            let largest = load / length * (1.0 + 6.0 * offset / length);
+            return LineLoad {
+                largest,
+                bearing_length: length,
+            };
+        }
+        let bearing_length = 3.0 * (0.5 * length - offset);
+        LineLoad {
+            largest: 2.0 * load / bearing_length,
+            bearing_length,
+        }
+    }
+
+    /// The linear distribution at the distance y from mid-length, positive towards the resultant;
+    /// zero where the roller lifts off and beyond its ends.
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for a y that is not finite.
+    pub fn linear_at(&self, y: f64) -> Result<f64, DomainError> {
+        let half = 0.5 * self.length;
+        if error::finite("distance from mid-length", y)?.abs() > half {
+            return Ok(0.0);
+        }
+        let LineLoad {
+            largest,
+            bearing_length,
+        } = self.linear();
+        if 6.0 * self.offset <= self.length {
+            let mean = self.load / self.length;
+            return Ok(mean + (largest - mean) * y / half);
+        }
+        Ok((largest * (1.0 - (half - y) / bearing_length)).max(0.0))
+    }
+}

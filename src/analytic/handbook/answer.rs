@@ -1,0 +1,132 @@
+//! What the handbook answers, in the units of the input; stresses tension positive, pressures and
+//! loads compression positive.
+
+use serde::Serialize;
+
+/// Largest Mises stress below the contact in one body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Below {
+    pub mises: f64,
+    pub depth: f64,
+    /// Mises stress over the body's yield stress.
+    pub share_of_yield: f64,
+    /// Largest Mises stress if the roller slid on the plate with the given friction.
+    pub mises_in_sliding: Option<f64>,
+}
+
+/// First yield below the contact, in the body that yields first.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FirstYield {
+    pub peak_pressure: f64,
+    pub line_load: f64,
+    /// Load on the whole roller.
+    pub load: f64,
+}
+
+/// The design rules (2-49) and (2-50) of the reference study.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Rules {
+    /// 1.65 times the lower yield stress.
+    pub pressure_limit: f64,
+    /// Peak pressure over that yield stress.
+    pub pressure_over_yield: f64,
+    /// D L as it is; for a displaced roller with the length that bears (2-51).
+    pub diameter_times_length: f64,
+    /// D L that (2-50) asks for with its printed constant 8.
+    pub required_printed: f64,
+    /// D L that the limit (2-49) in truth asks for, constant 7.7832.
+    pub required_exact: f64,
+    /// Load that this D L may carry, with the constant 8 and with the exact one.
+    pub capacity_printed: f64,
+    pub capacity_exact: f64,
+}
+
+/// Ring bending of a hollow roller squeezed between two flats.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Bore {
+    /// Hoop stress on the inner wall under the load, and its Mises stress in plane strain.
+    pub hoop_under_load: f64,
+    pub mises_under_load: f64,
+    /// Hoop stress on the inner wall at 90 degrees.
+    pub hoop_at_side: f64,
+    /// Changes of the outer and the inner diameter along the load. The outer one grows without
+    /// bound as the contact narrows; none below a/R = 1e-3.
+    pub outer_diameter_change: Option<f64>,
+    pub inner_diameter_change: f64,
+    /// Hoop stress under the load by the curved-beam formula, and its relative error.
+    pub curved_beam_hoop: f64,
+    pub curved_beam_error: f64,
+}
+
+/// The two lines of contact in the groove.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Groove {
+    /// Force per length across each line without friction, and its bounds with friction.
+    pub normal_load: f64,
+    pub normal_load_bounds: Option<[f64; 2]>,
+    /// Distance of each line from the root.
+    pub offset: f64,
+    /// Gap over the root.
+    pub gap_at_root: f64,
+    /// Peak pressure and width of each line as if alone.
+    pub peak_pressure: f64,
+    pub contact_width: f64,
+    pub mises: f64,
+    /// Peak pressure with the other line's effect; none where the two merge.
+    pub peak_pressure_with_interaction: Option<f64>,
+}
+
+/// One picture of a displaced roller's line load, at its largest.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Spread {
+    pub line_load: f64,
+    pub bearing_length: f64,
+    pub peak_pressure: f64,
+    /// Larger of the two bodies' Mises stresses below the contact, elastic.
+    pub mises: f64,
+    /// No yield below the contact.
+    pub elastic: bool,
+    /// The peak pressure is within (2-49).
+    pub within_limit: bool,
+}
+
+/// A displaced roller.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Displaced {
+    /// Even load over L - 2e, as (2-51) assumes.
+    pub block: Spread,
+    /// Linear load without tension.
+    pub linear: Spread,
+    /// On one slope of the groove, block load: force per length across it, and the horizontal
+    /// force on the whole roller that the other contacts must react.
+    pub on_slope: Option<[f64; 2]>,
+}
+
+/// What the handbooks say.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HandbookAnswer {
+    /// Load per length p, spread evenly.
+    pub line_load: f64,
+    /// Peak pressure: exact, and by (2-48) with its printed 0.418.
+    pub peak_pressure: f64,
+    pub peak_pressure_printed: f64,
+    pub mean_pressure: f64,
+    /// Full contact width 2a: exact, and by (2-47) with its printed 2.263.
+    pub contact_width: f64,
+    pub contact_width_printed: f64,
+    pub roller: Below,
+    pub plate: Below,
+    pub first_yield: FirstYield,
+    pub rules: Rules,
+    pub bore: Option<Bore>,
+    pub groove: Option<Groove>,
+    pub displaced: Option<Displaced>,
+    /// The contact is small against radius, wall and plate ([`HALF_SPACE_SHARE`](super::HALF_SPACE_SHARE)).
+    pub half_space_valid: bool,
+    /// Nothing yields, neither below the contact nor at the bore; the roller centred.
+    pub elastic: bool,
+    /// The peak pressure is within (2-49); the roller centred.
+    pub within_limit: bool,
+    /// What limits the numbers above, in words.
+    pub remarks: Vec<String>,
+}

@@ -1,0 +1,24 @@
+//! Stress in polar components.
+
+use crate::analytic::Stress;
+
+/// Stress in polar components, tension positive; θ runs from the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PolarStress {
+    pub radial: f64,
+    pub hoop: f64,
+    pub axial: f64,
+    pub shear: f64,
+}
+
+impl PolarStress {
+    /// Mises stress.
+    pub fn mises(&self) -> f64 {
+        let normal = Stress::normal(self.radial, self.hoop, self.axial);
+        Stress {
+            xy: self.shear,
+            ..normal
+        }
+        .mises()
+    }
+}

@@ -1,0 +1,3 @@
+//! Commands: arguments and printing.
+
+pub mod hertz;

@@ -1,0 +1,389 @@
+//! Approach, crown, stick and slip, punch and sphere beyond yield.
+
+use brinell::analytic::crown::lundberg_drop;
+use brinell::analytic::flattening::{self, exact_critical, jackson_green, kogut_etsion};
+use brinell::analytic::friction::{CattaneoMindlin, MindlinSpheres};
+use brinell::analytic::hertz::{LineContact, PointContact};
+use brinell::analytic::limit::{Criterion, punch_pressure};
+use brinell::analytic::ring::{Load, Plane, Ring};
+use brinell::analytic::{Elastic, approach, contact_compliance};
+use proptest::prelude::*;
+
+use crate::{close, steel};
+
+/// Compression of half a solid cylinder by the exact series.
+fn series(contact: &LineContact, radius: f64, body: Elastic) -> f64 {
+    let load = Load::SemiElliptic {
+        half_angle: (contact.half_width / radius).asin(),
+    };
+    let disc = Ring::solid(radius, contact.line_load, body, Plane::Strain, load).unwrap();
+    -disc.displacement(radius, 0.0).unwrap()[0]
+}
+
+#[test]
+fn half_cylinder_on_a_rigid_flat() {
+    // E, R, w; a, p0, δ by the series, δ by Johnson (5.57).
+    let table = [
+        (
+            [29500.0, 1.5, 8.125],
+            [
+                0.021878727634609782,
+                236.41848542893356,
+                0.0008164097563937704,
+                0.0008159876509124794,
+            ],
+        ),
+        (
+            [210000.0, 50.0, 1000.0],
+            [
+                0.52523191832366,
+                1212.0736576699849,
+                0.015018792698241312,
+                0.015013409504457854,
+            ],
+        ),
+        (
+            [210000.0, 50.0, 5000.0],
+            [
+                1.1744542733243213,
+                2710.2790922868953,
+                0.06402354821397493,
+                0.06396721421654245,
+            ],
+        ),
+    ];
+    for ([e, radius, w], [a, p0, exact, johnson]) in table {
+        let body = Elastic::new(e, 0.3).unwrap();
+        let compliance = contact_compliance(body, Elastic::RIGID).unwrap();
+        let contact = LineContact::new(w, radius, compliance).unwrap();
+        close("a", contact.half_width, a, 1e-12);
+        close("p0", contact.peak_pressure, p0, 1e-12);
+        close(
+            "Johnson (5.57)",
+            approach::half_cylinder(&contact, radius, body).unwrap(),
+            johnson,
+            1e-12,
+        );
+        close("series", series(&contact, radius, body), exact, 2e-5);
+    }
+}
+
+#[test]
+fn half_cylinder_in_its_unit() {
+    // a/R, δ over w(1 - ν²)/πE by the series and by Johnson (5.57).
+    let table = [
+        [0.2, 5.0251, 4.9915],
+        [0.1, 6.4036, 6.3778],
+        [0.05, 7.7797, 7.7641],
+        [0.02, 9.6037, 9.5966],
+        [0.01, 10.987, 10.983],
+    ];
+    for [share, exact, johnson] in table {
+        let body = Elastic::new(1.0, 0.3).unwrap();
+        let compliance = body.plane_strain_compliance();
+        let w = share * share * std::f64::consts::PI / (4.0 * compliance);
+        let contact = LineContact::new(w, 1.0, compliance).unwrap();
+        let unit = w * compliance / std::f64::consts::PI;
+        close("a/R", contact.half_width, share, 1e-12);
+        let value = approach::half_cylinder(&contact, 1.0, body).unwrap() / unit;
+        close("Johnson (5.57)", value, johnson, 2e-5);
+        close("series", series(&contact, 1.0, body) / unit, exact, 5e-5);
+    }
+}
+
+#[test]
+fn study_roller_between_flats() {
+    let compliance = contact_compliance(steel(), steel()).unwrap();
+    let contact = LineContact::new(8.125, 1.5, compliance).unwrap();
+    close("a", contact.half_width, 0.03094119334833218, 1e-12);
+    close(
+        "half of the roller",
+        series(&contact, 1.5, steel()),
+        0.0007612681352469153,
+        2e-5,
+    );
+}
+
+#[test]
+fn block_compression() {
+    let compliance = contact_compliance(steel(), steel()).unwrap();
+    let contact = LineContact::new(8.125, 1.5, compliance).unwrap();
+    let a = contact.half_width;
+    let exact = |depth| approach::block(&contact, depth, steel()).unwrap();
+    let far = approach::block_far(&contact, 50.0 * a, steel()).unwrap();
+    close("d = 50 a", far, exact(50.0 * a), 3e-5);
+    assert_eq!(exact(0.0), 0.0);
+    // Its slope is the strain on the axis: at the surface p0 (1 + ν)(1 - 2ν)/E.
+    let strain = contact.peak_pressure * 1.3 * 0.4 / 29500.0;
+    close(
+        "strain at the surface",
+        exact(1e-6 * a) / (1e-6 * a),
+        strain,
+        1e-5,
+    );
+    assert!(approach::block_far(&contact, a, steel()).is_err());
+    assert!(approach::block(&contact, -1.0, steel()).is_err());
+}
+
+/// 2y/L and the crown's drop for the steel of the study, w = 8.125 kip/in; Lundberg 1939.
+const CROWN: [(f64, f64); 6] = [
+    (0.0, 0.0),
+    (0.5, 4.590242901505e-05),
+    (0.8, 0.0001630142381425),
+    (0.9, 0.0002649855643924),
+    (0.95, 0.0003714391958992),
+    (0.99, 0.0006250005244498),
+];
+
+#[test]
+fn crown_of_a_roller() {
+    let compliance = contact_compliance(steel(), steel()).unwrap();
+    for (share, drop) in CROWN {
+        let value = lundberg_drop(share * 4.0, 8.125, 8.0, compliance).unwrap();
+        close("drop", value, drop, 1e-12);
+        assert_eq!(
+            value,
+            lundberg_drop(-share * 4.0, 8.125, 8.0, compliance).unwrap()
+        );
+    }
+    assert!(lundberg_drop(4.0, 8.125, 8.0, compliance).is_err());
+    // The literature's number for steel of 206 GPa, mm per N/mm.
+    let body = Elastic::new(206_000.0, 0.3).unwrap();
+    let compliance = contact_compliance(body, body).unwrap();
+    let e_fold = (1.0 - (-1f64).exp()).sqrt();
+    close(
+        "206 GPa",
+        lundberg_drop(0.5 * e_fold, 1.0, 1.0, compliance).unwrap(),
+        2.812e-6,
+        2e-4,
+    );
+}
+
+#[test]
+fn stick_of_cylinders_and_spheres() {
+    // Q/μP, c/a of cylinders, c/a of spheres.
+    let table = [
+        [0.25, 0.8660254037844386, 0.9085602964160698],
+        [0.5, 0.7071067811865476, 0.7937005259840998],
+        [0.75, 0.5, 0.6299605249474366],
+        [0.9, 0.3162277660168379, 0.46415888336127786],
+    ];
+    let line = LineContact::new(2.0, 1.0, 0.01).unwrap();
+    let point = PointContact::new(2.0, 1.0, 0.01).unwrap();
+    for [share, cylinder, sphere] in table {
+        let stick = CattaneoMindlin::new(line, share * 0.2 * 2.0, 0.2).unwrap();
+        close(
+            "cylinder",
+            stick.stick_half_width / line.half_width,
+            cylinder,
+            1e-12,
+        );
+        let stick = MindlinSpheres::new(point, share * 0.2 * 2.0, 0.2).unwrap();
+        close(
+            "sphere",
+            stick.stick_radius / point.contact_radius,
+            sphere,
+            1e-12,
+        );
+    }
+    assert!(CattaneoMindlin::new(line, 0.5, 0.2).is_err());
+    assert!(MindlinSpheres::new(point, 0.1, 0.0).is_err());
+}
+
+#[test]
+fn traction_of_cylinders() {
+    // Q/μP, then q/μp0 at x/a = 0, .2, .4, .5, .6, .7, .8, .9.
+    let table = [
+        (
+            0.25,
+            [
+                0.13397, 0.13718, 0.14840, 0.15892, 0.17550, 0.20424, 0.26834, 0.43589,
+            ],
+        ),
+        (
+            0.5,
+            [
+                0.29289, 0.30156, 0.33342, 0.36603, 0.42583, 0.61414, 0.60000, 0.43589,
+            ],
+        ),
+        (
+            0.75,
+            [0.5, 0.52154, 0.61652, 0.86603, 0.8, 0.71414, 0.6, 0.43589],
+        ),
+        (
+            0.9,
+            [
+                0.68377, 0.73485, 0.91652, 0.86603, 0.8, 0.71414, 0.6, 0.43589,
+            ],
+        ),
+    ];
+    let line = LineContact::new(2.0, 1.0, 0.01).unwrap();
+    for (share, expected) in table {
+        let stick = CattaneoMindlin::new(line, share * 0.2 * 2.0, 0.2).unwrap();
+        for (x, expected) in [0.0, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]
+            .into_iter()
+            .zip(expected)
+        {
+            let q = stick.traction(x * line.half_width).unwrap() / (0.2 * line.peak_pressure);
+            assert!((q - expected).abs() < 1e-5, "{share} {x}: {q} {expected}");
+        }
+    }
+}
+
+#[test]
+fn shift_of_spheres_starts_elastic() {
+    // For a small Q the shift is Q/8a [(2-ν)/G + (2-ν)/G], Mindlin's stiffness without slip.
+    let point = PointContact::new(2.0, 1.0, 6e-5).unwrap();
+    let q = 1e-6;
+    let shift = MindlinSpheres::new(point, q, 0.2)
+        .unwrap()
+        .shift(steel(), steel());
+    let soft = 2.0 * 1.7 / steel().shear_modulus();
+    close(
+        "shift",
+        shift,
+        q / (8.0 * point.contact_radius) * soft,
+        1e-5,
+    );
+}
+
+#[test]
+fn prandtls_punch() {
+    close(
+        "Mises",
+        punch_pressure(1.0, Criterion::Mises).unwrap(),
+        2.9684999026134693,
+        1e-12,
+    );
+    close(
+        "Tresca",
+        punch_pressure(1.0, Criterion::Tresca).unwrap(),
+        2.5708,
+        1e-5,
+    );
+    assert!(punch_pressure(0.0, Criterion::Mises).is_err());
+}
+
+/// ω/ω_c; P and A of Kogut and Etsion, of Jackson and Green (steel of the study on a rigid flat),
+/// share of the approach that remains.
+const FLATTENED: [(f64, [f64; 5]); 8] = [
+    (1.0, [1.0, 1.0, 1.0, 1.0, 0.0]),
+    (
+        2.0,
+        [
+            2.765699355727,
+            2.043868844693,
+            2.829126916203,
+            2.015477703635,
+            0.06706119561653,
+        ],
+    ),
+    (
+        5.0,
+        [
+            10.20632705466,
+            5.787791444297,
+            10.13438920309,
+            5.782636521229,
+            0.2432848003218,
+        ],
+    ),
+    (
+        6.0,
+        [
+            13.23435428291,
+            7.119717617744,
+            13.00243267554,
+            7.131938434928,
+            0.2799128871801,
+        ],
+    ),
+    (
+        10.0,
+        [
+            25.6524019132,
+            13.15612083218,
+            25.88493203282,
+            12.83508683203,
+            0.378170675807,
+        ],
+    ),
+    (
+        20.0,
+        [
+            61.56429636994,
+            29.11442575554,
+            64.2131194086,
+            28.48864067125,
+            0.4959170875589,
+        ],
+    ),
+    (
+        50.0,
+        [
+            195.8516123153,
+            83.20462710326,
+            202.3797290863,
+            81.73717510674,
+            0.6208206084584,
+        ],
+    ),
+    (
+        100.0,
+        [
+            470.0326599401,
+            184.1313993096,
+            460.4977715235,
+            181.4230820229,
+            0.6943717275341,
+        ],
+    ),
+];
+
+#[test]
+fn sphere_beyond_yield() {
+    let compliance = contact_compliance(steel(), Elastic::RIGID).unwrap();
+    for (omega, [load, area, jg_load, jg_area, residual]) in FLATTENED {
+        let fit = kogut_etsion(omega).unwrap();
+        close("KE load", fit.load, load, 1e-12);
+        close("KE area", fit.area, area, 1e-12);
+        let fit = jackson_green(omega, 100.0 * compliance, 0.3).unwrap();
+        close("JG load", fit.load, jg_load, 1e-12);
+        close("JG area", fit.area, jg_area, 1e-12);
+        close(
+            "residual",
+            flattening::residual_approach(omega).unwrap(),
+            residual,
+            1e-12,
+        );
+    }
+    let critical = flattening::jackson_green_critical(1.5, compliance, 100.0, 0.3).unwrap();
+    close("JG ω_c", critical.approach, 9.185308471198762e-5, 1e-12);
+    close("JG P_c", critical.load, 0.04660211299477228, 1e-12);
+    let critical = exact_critical(1.5, compliance, 100.0, 0.3).unwrap();
+    close("ω_c", critical.approach, 9.161e-5, 1e-4);
+    close("P_c", critical.load, 0.046415, 2e-5);
+    let hertz = PointContact::new(critical.load, 1.5, compliance).unwrap();
+    close("Hertz at P_c", hertz.approach, critical.approach, 1e-12);
+    assert!(kogut_etsion(111.0).is_err());
+    assert!(jackson_green(1e6, 0.01, 0.3).is_err());
+    assert!(flattening::residual_approach(0.5).is_err());
+}
+
+proptest! {
+    #[test]
+    fn traction_adds_up_to_the_tangential_load(share in 0.0..1.0f64) {
+        let line = LineContact::new(2.0, 1.0, 0.01).unwrap();
+        let q = share * 0.2 * 2.0;
+        let stick = CattaneoMindlin::new(line, q, 0.2).unwrap();
+        let n = 40_000;
+        let h = 2.0 * line.half_width / f64::from(n);
+        let x = |i: i32| -line.half_width + h * (f64::from(i) + 0.5);
+        let sum: f64 = (0..n).map(|i| h * stick.traction(x(i)).unwrap()).sum();
+        prop_assert!((sum - q).abs() < 1e-5, "{sum} {q}");
+        for i in 0..100 {
+            let (q, slip) = (stick.traction(x(400 * i)).unwrap(), 0.2 * line.pressure(x(400 * i)).unwrap());
+            prop_assert!(q <= slip * (1.0 + 1e-12) && q >= -1e-12, "{q} {slip}");
+        }
+    }
+}

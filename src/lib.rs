@@ -14,12 +14,12 @@
 //! ```
 
 pub mod analytic;
-pub mod analytic;
 pub mod case;
 pub mod cli;
 pub mod contact;
 pub mod fem;
 pub mod geometry;
+pub mod job;
 pub mod linear;
 pub mod material;
 pub mod mesh;

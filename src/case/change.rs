@@ -45,6 +45,15 @@ impl Case {
         Ok(())
     }
 
+    /// Keeps every body elastic, whatever its steel.
+    pub fn set_elastic(&mut self) {
+        self.controls.plasticity = false;
+        if let Kind::General(general) = &mut self.kind {
+            general.model.controls.plasticity = false;
+        }
+        self.note("controls.plasticity", "false");
+    }
+
     fn bearing_mut(&mut self, what: &str) -> Result<&mut BearingCase, CaseError> {
         match &mut self.kind {
             Kind::Bearing(bearing) => Ok(bearing),

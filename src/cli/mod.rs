@@ -1,3 +1,61 @@
-//! Commands: arguments and printing.
+//! Commands: arguments and printing, one file a command.
 
+mod console;
 pub mod hertz;
+pub mod mesh;
+pub mod run;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Contact stresses of roller bearings by finite elements.
+#[derive(Debug, Parser)]
+#[command(name = "brinell", version, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Solve one case: tables to the terminal, summary.json and VTK files to a folder.
+    Run(run::RunArgs),
+    /// Mesh a bearing case by gmsh.
+    Mesh(mesh::MeshArgs),
+    /// The handbook: Hertz, ring and groove figures for a roller on a plate.
+    Hertz(hertz::HertzArgs),
+}
+
+/// Exit status of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Status {
+    /// Done and converged.
+    Done = 0,
+    /// Solved, but a claim or limit failed.
+    Failed = 1,
+    BadInput = 2,
+    NotConverged = 3,
+    Interrupted = 130,
+}
+
+impl Cli {
+    /// Carries out the command; errors are printed.
+    pub fn run(self) -> ExitCode {
+        let status = match self.command {
+            Command::Run(args) => run::run(&args),
+            Command::Mesh(args) => mesh::run(&args),
+            Command::Hertz(args) => hertz::run(&args)
+                .map(|()| Status::Done)
+                .map_err(|error| (Status::BadInput, miette::Report::msg(error.to_string()))),
+        };
+        let status = status.unwrap_or_else(|(status, report)| {
+            eprintln!("{report:?}");
+            status
+        });
+        ExitCode::from(status as u8)
+    }
+}
+
+/// What a command comes to: a status, or one with the reason.
+pub type CommandResult = Result<Status, (Status, miette::Report)>;

@@ -17,8 +17,10 @@ use std::collections::BTreeMap;
 /// What a solved scene leaves behind.
 #[derive(Debug, Clone)]
 pub struct Solution {
-    /// The state at the end of each step; after an interruption, the last accepted one.
+    /// The state at the end of each finished step.
     pub states: Vec<State>,
+    /// The last accepted state.
+    pub last: State,
     pub counters: Counters,
     /// Bodies that were moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -86,6 +88,7 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
             c.body, s[0], s[1], s[2]
         ));
     }
+    observer.moved(scene);
     let model = Model::new(scene, 1e-3 * extent)?;
     let mut run = Run::new(model, observer);
     let untouched = run.untouched();
@@ -93,7 +96,7 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
         run.observer.message(&format!("contact pair {name}: nothing is within reach"));
     }
     let complete = run.all_steps()?;
-    Ok(Solution { states: run.states, counters: run.counters, closings, untouched, complete })
+    Ok(Solution { states: run.states, last: run.last, counters: run.counters, closings, untouched, complete })
 }
 
 struct Run<'a, 'o> {
@@ -106,6 +109,7 @@ struct Run<'a, 'o> {
     previous: Option<Point>,
     counters: Counters,
     states: Vec<State>,
+    last: State,
 }
 
 impl<'a, 'o> Run<'a, 'o> {
@@ -133,6 +137,7 @@ impl<'a, 'o> Run<'a, 'o> {
             solver: LinearSolver::default(),
             previous: None,
             states: Vec::new(),
+            last: State::default(),
             counters,
             model,
             observer,
@@ -241,7 +246,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let near = 0.02 * self.model.reach;
         for (r, status) in self.model.rows.iter().zip(&mut trial.statuses) {
             if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
-                *status = if r.law.friction > 0.0 { Status::Stick } else { Status::Slip([0.0; 2]) };
+                *status = if r.law.friction > 0.0 { Status::Stick } else { Status::Slip };
             }
         }
     }
@@ -293,7 +298,7 @@ impl<'a, 'o> Run<'a, 'o> {
             self.history.plastic[answer.index] = Some(answer.points.clone());
         }
         for (index, (status, d)) in trial.statuses.iter().zip(&evaluation.relative).enumerate() {
-            if matches!(status, Status::Slip(_)) {
+            if *status == Status::Slip {
                 self.history.slip[index] += d[1].hypot(d[2]);
             }
             for i in 0..2 {
@@ -305,13 +310,10 @@ impl<'a, 'o> Run<'a, 'o> {
         self.previous = (time_before > 0.0).then_some(before);
         let state = self.state(evaluation);
         self.observer.increment(&state).map_err(SolveError::Observer)?;
-        // Keep the end of each step, and whatever came last.
-        let replace = self.states.last().is_some_and(|s| s.step == state.step);
-        if replace {
-            self.states.pop();
+        if last {
+            self.states.push(state.clone());
         }
-        let _ = last;
-        self.states.push(state);
+        self.last = state;
         Ok(())
     }
 

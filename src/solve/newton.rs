@@ -39,8 +39,8 @@ pub enum Failure {
 #[derive(Default)]
 pub struct LinearSolver {
     factor: Option<Factor>,
-    /// Status codes and number of flowing points that the factor was made for.
-    made_for: (Vec<u8>, usize),
+    /// Statuses and number of flowing points that the factor was made for.
+    made_for: (Vec<Status>, usize),
 }
 
 /// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
@@ -59,9 +59,8 @@ impl LinearSolver {
         counters: &mut Counters,
     ) -> Result<(Vec<f64>, usize, bool), FactorError> {
         let matrix = model.tangent(evaluation, statuses);
-        let statuses: Vec<u8> = statuses.iter().map(Status::code).collect();
         let flowing = flowing(evaluation);
-        let stale = self.made_for != (statuses.clone(), flowing) || self.factor.is_none();
+        let stale = self.made_for.0 != statuses || self.made_for.1 != flowing || self.factor.is_none();
         if stale {
             let mut shifted = matrix.clone();
             for start in &model.pattern.columns[..model.pattern.len()] {
@@ -69,7 +68,7 @@ impl LinearSolver {
             }
             let old = self.factor.take();
             self.factor = Some(model.symbolic.factorise(&model.pattern, &shifted, old)?);
-            self.made_for = (statuses, flowing);
+            self.made_for = (statuses.to_vec(), flowing);
             counters.factorisations += 1;
         }
         let Some(factor) = &self.factor else { return Err(FactorError::Memory) };
@@ -165,7 +164,7 @@ fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> 
     for (index, row) in model.rows.iter().enumerate() {
         let traction = evaluation.contact[index].traction;
         let status = row.law.decide(&traction, &evaluation.relative[index]);
-        if !status.same_kind(&point.statuses[index]) {
+        if status != point.statuses[index] {
             changed += 1;
         }
         point.statuses[index] = status;

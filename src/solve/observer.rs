@@ -1,6 +1,7 @@
 //! What a running solution tells the outside, and how it is stopped.
 
 use crate::results::State;
+use crate::scene::Scene;
 
 /// One Newton iteration, all values relative where a tolerance is relative.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -34,6 +35,8 @@ pub struct Iteration {
 pub trait Observer {
     /// After each Newton iteration.
     fn iteration(&mut self, _: &Iteration) {}
+    /// Once, after floating bodies were moved into touch.
+    fn moved(&mut self, _: &Scene) {}
     /// After each accepted increment; an error stops the run and is passed on.
     fn increment(&mut self, _: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         Ok(())

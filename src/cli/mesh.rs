@@ -1,0 +1,56 @@
+//! `brinell mesh`: the mesh of a bearing case, by gmsh.
+
+use super::{CommandResult, Status};
+use crate::case;
+use crate::job::{self, JobError};
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct MeshArgs {
+    /// The case file.
+    pub case: PathBuf,
+    /// Mesh preset: report-like, h025, h0125 or resolved.
+    #[arg(long)]
+    pub mesh: Option<String>,
+    /// Model the whole bearing though it is symmetric.
+    #[arg(long)]
+    pub full: bool,
+    /// The mesh file to write; `brinell run --out` looks for mesh.msh.gz in its folder.
+    #[arg(long, default_value = "mesh.msh.gz")]
+    pub out: PathBuf,
+}
+
+/// Carries out the command.
+pub fn run(args: &MeshArgs) -> CommandResult {
+    let text = make(args).map_err(|error| (Status::BadInput, error.into()))?;
+    println!("{text}");
+    Ok(Status::Done)
+}
+
+fn make(args: &MeshArgs) -> Result<String, JobError> {
+    let mut case = case::read(&args.case)?;
+    if let Some(preset) = &args.mesh {
+        case.set_preset(preset)?;
+    }
+    if args.full {
+        case.set_full()?;
+    }
+    let mesh = job::make_mesh(&case, &args.out)?;
+    let mut lines = vec![format!(
+        "{}: {} nodes, {} hexahedra",
+        args.out.display(),
+        mesh.points.len(),
+        mesh.hexes.len()
+    )];
+    for quality in mesh.quality() {
+        lines.push(format!(
+            "  {:20} {:7} hexahedra, scaled Jacobian >= {:.3}, aspect ratio <= {:.1}",
+            quality.name,
+            quality.elements,
+            quality.min_scaled_jacobian,
+            quality.max_aspect_ratio
+        ));
+    }
+    Ok(lines.join("\n"))
+}

@@ -1,0 +1,89 @@
+//! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
+
+use super::console::{Console, LEGEND};
+use super::{CommandResult, Status};
+use crate::case::{self, Case};
+use crate::job::{self, JobError, Options};
+use crate::output::table;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// The case file.
+    pub case: PathBuf,
+    /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
+    #[arg(long)]
+    pub mesh: Option<String>,
+    /// Folder for summary.json and the VTK files; by default results/<case>.
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Threads to use; by default one a core.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Model the whole bearing though it is symmetric.
+    #[arg(long)]
+    pub full: bool,
+    /// Keep every body elastic.
+    #[arg(long)]
+    pub elastic: bool,
+    /// Print the tables only.
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Carries out the command.
+pub fn run(args: &RunArgs) -> CommandResult {
+    let bad = |report: miette::Report| (Status::BadInput, report);
+    let case = read(args).map_err(|error| bad(error.into()))?;
+    set_threads(args.threads);
+    let options = Options {
+        out: Some(args.out.clone().unwrap_or_else(|| default_folder(&args.case))),
+        elastic_peaks: true,
+    };
+    let mut console = Console::new(args.quiet);
+    if !args.quiet {
+        println!("{LEGEND}\n");
+    }
+    let result = job::run(&case, &options, &mut console);
+    console.finish();
+    match result {
+        Ok(outcome) => {
+            println!("{}", table::render(&outcome.summary));
+            if let Some(out) = &options.out {
+                println!("written to {}", out.display());
+            }
+            Ok(if outcome.solution.complete { Status::Done } else { Status::Interrupted })
+        }
+        Err(error) => {
+            let status = if error.is_not_converged() { Status::NotConverged } else { Status::BadInput };
+            Err((status, error.into()))
+        }
+    }
+}
+
+fn read(args: &RunArgs) -> Result<Case, JobError> {
+    let mut case = case::read(&args.case)?;
+    if let Some(preset) = &args.mesh {
+        case.set_preset(preset)?;
+    }
+    if args.full {
+        case.set_full()?;
+    }
+    if args.elastic {
+        case.set_elastic();
+    }
+    Ok(case)
+}
+
+fn default_folder(case: &Path) -> PathBuf {
+    Path::new("results").join(case.file_stem().unwrap_or(case.as_os_str()))
+}
+
+/// Sets the size of the thread pool; one that exists already is kept.
+fn set_threads(threads: Option<u16>) {
+    if let Some(threads) = threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
+        let _ = pool.build_global();
+    }
+}

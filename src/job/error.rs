@@ -1,0 +1,53 @@
+//! What can stop a job.
+
+use crate::case::CaseError;
+use crate::mesh::gmsh::GmshError;
+use crate::mesh::msh::MeshError;
+use crate::output::OutputError;
+use crate::solve::SolveError;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum JobError {
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Mesh(#[from] MeshError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Gmsh(#[from] GmshError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Solve(#[from] SolveError),
+    #[error(transparent)]
+    #[diagnostic(
+        code(brinell::job::output),
+        help("name another folder with --out, or make room and give write permission")
+    )]
+    Output(#[from] OutputError),
+    #[error("the closed form for {what} does not apply: {why}")]
+    #[diagnostic(code(brinell::job::closed_form))]
+    ClosedForm { what: String, why: String },
+    #[error("the case `{case}` is a general scene on a mesh file: there is no template to mesh")]
+    #[diagnostic(code(brinell::job::no_template), help("mesh it with gmsh itself"))]
+    NoTemplate { case: String },
+    #[error("{} cannot be used: {error}", path.display())]
+    #[diagnostic(
+        code(brinell::job::folder),
+        help("name another folder with --out, or make room and give write permission")
+    )]
+    Folder { path: PathBuf, error: std::io::Error },
+}
+
+impl JobError {
+    pub(super) fn folder(path: &Path, error: std::io::Error) -> Self {
+        Self::Folder { path: path.to_owned(), error }
+    }
+
+    /// Did the solver fail to converge, rather than the input to make sense?
+    pub fn is_not_converged(&self) -> bool {
+        matches!(self, Self::Solve(SolveError::NotConverged { .. } | SolveError::FreeBody { .. }))
+    }
+}

@@ -1,0 +1,103 @@
+//! The mesh of a case: its file, the one that is shipped with it, or a new one by gmsh.
+
+use super::JobError;
+use crate::case::bearing::{gmsh_parameters, write_template, write_with_fingerprint};
+use crate::case::{BearingCase, Case, Kind};
+use crate::mesh::{Mesh, gmsh, msh};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Reads or makes the mesh of `case`. A new mesh is kept in `out`, where one is given.
+///
+/// # Errors
+/// Where the file of a general scene is missing or wrong, or gmsh is needed and fails.
+pub fn find_mesh(
+    case: &Case,
+    out: Option<&Path>,
+    say: &mut dyn FnMut(&str),
+) -> Result<Mesh, JobError> {
+    let bearing = match &case.kind {
+        Kind::General(_) => {
+            let path = case.mesh_file().unwrap_or_default();
+            return Ok(msh::read(&path)?);
+        }
+        Kind::Bearing(bearing) => bearing,
+    };
+    let wanted = bearing.fingerprint();
+    for path in known_places(case, bearing, out) {
+        // A file that is no mesh, or one of another bearing, is never used.
+        if let Ok(mesh) = msh::read(&path)
+            && mesh.fingerprint.as_deref() == Some(&wanted)
+        {
+            say(&format!("mesh {}", path.display()));
+            return Ok(mesh);
+        }
+    }
+    say(&format!("no mesh of this bearing ({wanted}) is at hand: calling gmsh"));
+    let scratch = Scratch::new()?;
+    let kept = out.unwrap_or(&scratch.0).join(FILE);
+    make(bearing, &kept)
+}
+
+/// Meshes a bearing by gmsh into the file `kept`.
+///
+/// # Errors
+/// Where the case is a general scene, or gmsh is missing or fails.
+pub fn make_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
+    match &case.kind {
+        Kind::Bearing(bearing) => make(bearing, kept),
+        Kind::General(_) => Err(JobError::NoTemplate { case: case.title.clone() }),
+    }
+}
+
+fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
+    let scratch = Scratch::new()?;
+    let failed = |error| JobError::folder(&scratch.0, error);
+    let template = write_template(&scratch.0).map_err(failed)?;
+    let raw = scratch.0.join("bearing.msh");
+    gmsh::run(&template, &gmsh_parameters(&bearing.geometry, &bearing.mesh), &raw)?;
+    write_with_fingerprint(&raw, &bearing.fingerprint(), kept)
+        .map_err(|error| JobError::folder(kept, error))?;
+    Ok(msh::read(kept)?)
+}
+
+/// Name of a mesh that a job made.
+const FILE: &str = "mesh.msh.gz";
+
+/// Where a mesh of the bearing may already be: shipped beside the case (`cases/a/b.toml` has its
+/// meshes in `meshes/a/b-<preset>.msh.gz`), or left by an earlier run.
+fn known_places(case: &Case, bearing: &BearingCase, out: Option<&Path>) -> Vec<PathBuf> {
+    let path = Path::new(case.source.name());
+    let mut places: Vec<PathBuf> = out.map(|out| out.join(FILE)).into_iter().collect();
+    let Some(stem) = path.file_stem().and_then(|s| s.to_str()) else { return places };
+    let file = format!("{stem}-{}.msh.gz", bearing.mesh.preset);
+    let parts: Vec<_> = path.parent().unwrap_or(Path::new("")).components().collect();
+    if let Some(at) = parts.iter().rposition(|p| p.as_os_str() == "cases") {
+        let mut shipped: PathBuf = parts[..at].iter().collect();
+        shipped.push("meshes");
+        shipped.extend(&parts[at + 1..]);
+        places.push(shipped.join(file));
+    }
+    places
+}
+
+/// A folder of its own that is removed at the end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new() -> Result<Self, JobError> {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("brinell-{}-{number}", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        std::fs::create_dir_all(&path).map_err(|error| JobError::folder(&path, error))?;
+        Ok(Self(path))
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // Best effort: a scratch folder left behind harms nobody.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}

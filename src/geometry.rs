@@ -19,7 +19,11 @@ pub fn dot(a: Vec3, b: Vec3) -> f64 {
 }
 
 pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 pub fn norm(a: Vec3) -> f64 {
@@ -35,7 +39,9 @@ pub fn unit(a: Vec3) -> Option<Vec3> {
 /// Two unit vectors that make a right-handed frame with the unit vector `n`.
 pub fn tangents(n: Vec3) -> [Vec3; 2] {
     // The axis least aligned with n, so that the cross product is well conditioned.
-    let least = (0..3).min_by(|i, j| n[*i].abs().total_cmp(&n[*j].abs())).unwrap_or(0);
+    let least = (0..3)
+        .min_by(|i, j| n[*i].abs().total_cmp(&n[*j].abs()))
+        .unwrap_or(0);
     let mut axis = [0.0; 3];
     axis[least] = 1.0;
     let first = unit(cross(axis, n)).unwrap_or([1.0, 0.0, 0.0]);

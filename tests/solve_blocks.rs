@@ -18,7 +18,11 @@ fn scene(mesh: Mesh, steel: Steel) -> Scene {
         supports: Vec::new(),
         rigid_planes: Vec::new(),
         tractions: Vec::new(),
-        steps: vec![Step { name: "load".into(), factor: 1.0, factors: Vec::new() }],
+        steps: vec![Step {
+            name: "load".into(),
+            factor: 1.0,
+            factors: Vec::new(),
+        }],
         mirrors: Vec::new(),
         controls: Controls::default(),
     }
@@ -27,7 +31,11 @@ fn scene(mesh: Mesh, steel: Steel) -> Scene {
 fn held(surface: &str, axis: usize) -> Support {
     let mut components = [None; 3];
     components[axis] = Some(0.0);
-    Support { name: surface.into(), surface: surface.into(), components }
+    Support {
+        name: surface.into(),
+        surface: surface.into(),
+        components,
+    }
 }
 
 fn report_steel() -> Steel {
@@ -43,16 +51,25 @@ fn report_steel() -> Steel {
 /// there the residual strain is 0.04621931 (closed form of the bilinear curve, H = 249.471 ksi).
 #[test]
 fn uniaxial_cube_follows_the_bilinear_curve_and_unloads_elastically() {
-    let mesh = Block::new("cube", uniform(0.0, 1.0, 2), uniform(0.0, 1.0, 2), uniform(0.0, 1.0, 2))
-        .build()
-        .unwrap();
+    let mesh = Block::new(
+        "cube",
+        uniform(0.0, 1.0, 2),
+        uniform(0.0, 1.0, 2),
+        uniform(0.0, 1.0, 2),
+    )
+    .build()
+    .unwrap();
     let mut s = scene(mesh, report_steel());
     s.supports = vec![held("x_min", 0), held("y_min", 1), held("z_min", 2)];
     s.controls.residual = 1e-12;
     s.rigid_planes = vec![RigidPlane {
         name: "pull".into(),
         surface: "z_max".into(),
-        motion: [PlaneMotion::Free, PlaneMotion::Free, PlaneMotion::Held(0.05)],
+        motion: [
+            PlaneMotion::Free,
+            PlaneMotion::Free,
+            PlaneMotion::Held(0.05),
+        ],
     }];
     let solution = solve(&mut s, &mut Silent).unwrap();
     let state = solution.states.last().unwrap();
@@ -61,7 +78,11 @@ fn uniaxial_cube_follows_the_bilinear_curve_and_unloads_elastically() {
     let exact = y + et * (0.05 - y / e);
     for points in &state.stress {
         for stress in points {
-            assert!((stress[2] - exact).abs() < 1e-8 * exact, "{} {exact}", stress[2]);
+            assert!(
+                (stress[2] - exact).abs() < 1e-8 * exact,
+                "{} {exact}",
+                stress[2]
+            );
             assert!(stress[0].abs() < 1e-7 && stress[3].abs() < 1e-7);
         }
     }
@@ -72,15 +93,24 @@ fn uniaxial_cube_follows_the_bilinear_curve_and_unloads_elastically() {
 /// pressure is uniform and no other stress appears (equal nu / E not needed without friction).
 #[test]
 fn contact_patch_test_is_uniform() {
-    let lower =
-        Block::new("lower", vec![0.0, 0.5, 1.0, 2.0, 3.0], uniform(0.0, 1.0, 3), uniform(0.0, 1.0, 2))
-            .build()
-            .unwrap()
-            .prefixed("lower_");
-    let upper = Block::new("upper", uniform(0.0, 1.0, 3), uniform(0.0, 1.0, 2), uniform(1.0, 2.0, 2))
-        .build()
-        .unwrap()
-        .prefixed("upper_");
+    let lower = Block::new(
+        "lower",
+        vec![0.0, 0.5, 1.0, 2.0, 3.0],
+        uniform(0.0, 1.0, 3),
+        uniform(0.0, 1.0, 2),
+    )
+    .build()
+    .unwrap()
+    .prefixed("lower_");
+    let upper = Block::new(
+        "upper",
+        uniform(0.0, 1.0, 3),
+        uniform(0.0, 1.0, 2),
+        uniform(1.0, 2.0, 2),
+    )
+    .build()
+    .unwrap()
+    .prefixed("upper_");
     let mut mesh = Mesh::join([lower, upper]).unwrap();
     let exposed: Vec<_> = mesh
         .surface("lower_z_max")
@@ -90,7 +120,10 @@ fn contact_patch_test_is_uniform() {
         .filter(|f| f.nodes.iter().all(|n| mesh.points[*n as usize][0] >= 1.0))
         .copied()
         .collect();
-    mesh.surfaces.push(brinell::mesh::Surface { name: "exposed".into(), faces: exposed });
+    mesh.surfaces.push(brinell::mesh::Surface {
+        name: "exposed".into(),
+        faces: exposed,
+    });
     let mut s = scene(mesh, Steel::elastic(1000.0, 0.3));
     s.materials[1] = Steel::elastic(3000.0, 0.2);
     s.controls.residual = 1e-11;

@@ -24,7 +24,12 @@ impl Console {
         let flag = Arc::clone(&stop);
         // A second handler in one process is refused; the first one then still works.
         let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
-        Self { bar, stop, quiet, lines: 0 }
+        Self {
+            bar,
+            stop,
+            quiet,
+            lines: 0,
+        }
     }
 
     /// Was Ctrl-C pressed?

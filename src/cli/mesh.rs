@@ -46,10 +46,7 @@ fn make(args: &MeshArgs) -> Result<String, JobError> {
     for quality in mesh.quality() {
         lines.push(format!(
             "  {:20} {:7} hexahedra, scaled Jacobian >= {:.3}, aspect ratio <= {:.1}",
-            quality.name,
-            quality.elements,
-            quality.min_scaled_jacobian,
-            quality.max_aspect_ratio
+            quality.name, quality.elements, quality.min_scaled_jacobian, quality.max_aspect_ratio
         ));
     }
     Ok(lines.join("\n"))

@@ -38,7 +38,11 @@ pub fn run(args: &RunArgs) -> CommandResult {
     let case = read(args).map_err(|error| bad(error.into()))?;
     set_threads(args.threads);
     let options = Options {
-        out: Some(args.out.clone().unwrap_or_else(|| default_folder(&args.case))),
+        out: Some(
+            args.out
+                .clone()
+                .unwrap_or_else(|| default_folder(&args.case)),
+        ),
         elastic_peaks: true,
     };
     let mut console = Console::new(args.quiet);
@@ -53,10 +57,18 @@ pub fn run(args: &RunArgs) -> CommandResult {
             if let Some(out) = &options.out {
                 println!("written to {}", out.display());
             }
-            Ok(if outcome.solution.complete { Status::Done } else { Status::Interrupted })
+            Ok(if outcome.solution.complete {
+                Status::Done
+            } else {
+                Status::Interrupted
+            })
         }
         Err(error) => {
-            let status = if error.is_not_converged() { Status::NotConverged } else { Status::BadInput };
+            let status = if error.is_not_converged() {
+                Status::NotConverged
+            } else {
+                Status::BadInput
+            };
             Err((status, error.into()))
         }
     }

@@ -36,7 +36,10 @@ pub struct Row {
 pub enum Opposite<'a> {
     Surface(&'a Surface),
     /// A rigid half space; outward unit normal.
-    Plane { point: Vec3, normal: Vec3 },
+    Plane {
+        point: Vec3,
+        normal: Vec3,
+    },
 }
 
 /// What the integration needs to know of a pair.
@@ -104,7 +107,10 @@ pub fn rows(pair: &Pair) -> (Vec<Row>, Option<f64>) {
             point.add_to(&mut nodes);
         }
     }
-    let rows = nodes.into_iter().filter_map(|(node, sum)| sum.finish(node, pair)).collect();
+    let rows = nodes
+        .into_iter()
+        .filter_map(|(node, sum)| sum.finish(node, pair))
+        .collect();
     (rows, closest.is_finite().then_some(closest))
 }
 
@@ -130,7 +136,12 @@ impl Contribution {
             for (b, n) in self.carrier_nodes.iter().zip(self.point.carrier) {
                 *sum.terms.entry(*b).or_default() += weight * n;
             }
-            for (b, n) in self.opposite_nodes.iter().flatten().zip(self.point.opposite) {
+            for (b, n) in self
+                .opposite_nodes
+                .iter()
+                .flatten()
+                .zip(self.point.opposite)
+            {
                 *sum.terms.entry(*b).or_default() -= weight * n;
             }
         }
@@ -156,7 +167,11 @@ impl Accumulated {
         (gap <= pair.reach).then(|| Row {
             node,
             area: self.area,
-            terms: self.terms.into_iter().map(|(n, c)| (n, c / self.area)).collect(),
+            terms: self
+                .terms
+                .into_iter()
+                .map(|(n, c)| (n, c / self.area))
+                .collect(),
             normal,
             tangents: tangents(normal),
             gap,
@@ -168,8 +183,11 @@ impl Accumulated {
 impl<'a> Side<'a> {
     fn new(pair: &Pair, surface: &'a Surface) -> Self {
         let mesh = pair.mesh;
-        let corners: Vec<[Vec3; 4]> =
-            surface.faces.iter().map(|f| f.nodes.map(|n| mesh.points[n as usize])).collect();
+        let corners: Vec<[Vec3; 4]> = surface
+            .faces
+            .iter()
+            .map(|f| f.nodes.map(|n| mesh.points[n as usize]))
+            .collect();
         let normals = corners
             .iter()
             .map(|c| FacetPlane::new(c).map_or([0.0; 3], |plane| plane.normal))
@@ -183,21 +201,28 @@ impl<'a> Side<'a> {
             stiffness: stiffness.collect(),
             corners,
             normals,
-            shape: if pair.true_geometry { shape::fit(mesh, surface) } else { Shape::Facets },
+            shape: if pair.true_geometry {
+                shape::fit(mesh, surface)
+            } else {
+                Shape::Facets
+            },
         }
     }
 
     /// True position and outward normal at shape functions `n` of face `index`.
     fn at(&self, index: usize, n: &[f64; 4]) -> (Vec3, Vec3) {
         let point = interpolate(&self.corners[index], n);
-        self.shape.project(point).unwrap_or((point, self.normals[index]))
+        self.shape
+            .project(point)
+            .unwrap_or((point, self.normals[index]))
     }
 }
 
 /// Depth of the element below a face: its volume over the face's area.
 fn depth(mesh: &Mesh, face: &Face, corners: &[Vec3; 4]) -> f64 {
     let geometry = crate::fem::hex8::Geometry::new(&mesh.corners(face.element as usize));
-    let diagonals = crate::geometry::cross(sub(corners[2], corners[0]), sub(corners[3], corners[1]));
+    let diagonals =
+        crate::geometry::cross(sub(corners[2], corners[0]), sub(corners[3], corners[1]));
     geometry.volume / (0.5 * crate::geometry::norm(diagonals))
 }
 
@@ -211,7 +236,9 @@ fn facet_on_surface(
     let mut out = Vec::new();
     let mut closest = f64::INFINITY;
     let corners = &carrier.corners[index];
-    let Some(plane) = FacetPlane::new(corners) else { return (out, closest) };
+    let Some(plane) = FacetPlane::new(corners) else {
+        return (out, closest);
+    };
     for other in tree.near(corners, pair.reach) {
         if dot(plane.normal, opposite.normals[other]) > -0.3 {
             continue;

@@ -16,15 +16,16 @@ impl FacetTree {
             let (low, high) = bounds(corners);
             GeomWithData::new(Rectangle::from_corners(low, high), index)
         });
-        Self { tree: RTree::bulk_load(boxes.collect()) }
+        Self {
+            tree: RTree::bulk_load(boxes.collect()),
+        }
     }
 
     /// Indices of the facets whose boxes come within `distance` of the box of `corners`,
     /// ascending.
     pub fn near(&self, corners: &[Vec3; 4], distance: f64) -> Vec<usize> {
         let (low, high) = bounds(corners);
-        let envelope =
-            AABB::from_corners(low.map(|v| v - distance), high.map(|v| v + distance));
+        let envelope = AABB::from_corners(low.map(|v| v - distance), high.map(|v| v + distance));
         let mut found: Vec<usize> = self
             .tree
             .locate_in_envelope_intersecting(envelope)

@@ -49,7 +49,12 @@ impl FacetPlane {
         let normal = unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))?;
         let origin = scale(facet.iter().fold([0.0; 3], |sum, p| add(sum, *p)), 0.25);
         let axes = tangents(normal);
-        let mut plane = Self { origin, normal, axes, corners: [[0.0; 2]; 4] };
+        let mut plane = Self {
+            origin,
+            normal,
+            axes,
+            corners: [[0.0; 2]; 4],
+        };
         plane.corners = facet.map(|p| plane.project(p));
         Some(plane)
     }
@@ -84,9 +89,9 @@ impl FacetPlane {
         opposite: impl Fn(Point) -> Option<[f64; 4]>,
     ) -> Vec<SegmentPoint> {
         let count = polygon.len() as f64;
-        let centre = polygon
-            .iter()
-            .fold([0.0; 2], |sum, p| [sum[0] + p[0] / count, sum[1] + p[1] / count]);
+        let centre = polygon.iter().fold([0.0; 2], |sum, p| {
+            [sum[0] + p[0] / count, sum[1] + p[1] / count]
+        });
         let mut points = Vec::with_capacity(6 * polygon.len());
         for (k, a) in polygon.iter().enumerate() {
             let b = polygon[(k + 1) % polygon.len()];
@@ -99,7 +104,11 @@ impl FacetPlane {
                 if let (Some(carrier), Some(opposite)) =
                     (inverse_bilinear(&self.corners, p), opposite(p))
                 {
-                    points.push(SegmentPoint { carrier, opposite, area: weight * area });
+                    points.push(SegmentPoint {
+                        carrier,
+                        opposite,
+                        area: weight * area,
+                    });
                 }
             }
         }
@@ -109,7 +118,10 @@ impl FacetPlane {
 
 /// Point of a facet with the given shape functions.
 pub fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
-    facet.iter().zip(shape).fold([0.0; 3], |sum, (p, n)| add(sum, scale(*p, *n)))
+    facet
+        .iter()
+        .zip(shape)
+        .fold([0.0; 3], |sum, (p, n)| add(sum, scale(*p, *n)))
 }
 
 /// Bilinear shape functions of the quadrilateral `corners` at the point `p`, by Newton.
@@ -161,9 +173,18 @@ mod tests {
     #[test]
     fn an_offset_overlap_integrates_products_of_shape_functions_exactly() {
         // Carrier looks up (+z), the opposite facet down; overlap is [0.25, 1] x [0, 1].
-        let carrier = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-        let opposite =
-            [[0.25, 0.0, 0.1], [0.25, 1.0, 0.1], [1.25, 1.0, 0.1], [1.25, 0.0, 0.1]];
+        let carrier = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ];
+        let opposite = [
+            [0.25, 0.0, 0.1],
+            [0.25, 1.0, 0.1],
+            [1.25, 1.0, 0.1],
+            [1.25, 0.0, 0.1],
+        ];
         let plane = FacetPlane::new(&carrier).unwrap();
         let points = plane.overlap(&opposite);
         let area: f64 = points.iter().map(|p| p.area).sum();
@@ -171,7 +192,10 @@ mod tests {
         // ∫ (1-x)(1-y) * (1-(x-0.25))(1-y) over the overlap; the y part is 1/3.
         let f = |x: f64| 1.25 * x - 1.125 * x * x + x.powi(3) / 3.0;
         let exact = (f(1.0) - f(0.25)) / 3.0;
-        let sum: f64 = points.iter().map(|p| p.area * p.carrier[0] * p.opposite[0]).sum();
+        let sum: f64 = points
+            .iter()
+            .map(|p| p.area * p.carrier[0] * p.opposite[0])
+            .sum();
         assert!((sum - exact).abs() < 1e-14, "{sum} {exact}");
     }
 }

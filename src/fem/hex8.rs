@@ -24,7 +24,11 @@ pub fn shape(s: [f64; 3]) -> [f64; 8] {
 pub fn shape_derivatives(s: [f64; 3]) -> [[f64; 3]; 8] {
     CORNERS.map(|c| {
         let f = [1.0 + c[0] * s[0], 1.0 + c[1] * s[1], 1.0 + c[2] * s[2]];
-        [0.125 * c[0] * f[1] * f[2], 0.125 * c[1] * f[0] * f[2], 0.125 * c[2] * f[0] * f[1]]
+        [
+            0.125 * c[0] * f[1] * f[2],
+            0.125 * c[1] * f[0] * f[2],
+            0.125 * c[2] * f[0] * f[1],
+        ]
     })
 }
 
@@ -111,8 +115,8 @@ mod tests {
     #[test]
     fn a_sheared_brick_has_its_exact_volume_and_linear_gradients() {
         // x = (2u + 0.3v, 3v, 4w + 0.1u): volume 8 * det.
-        let corners = CORNERS
-            .map(|c| [2.0 * c[0] + 0.3 * c[1], 3.0 * c[1], 4.0 * c[2] + 0.1 * c[0]]);
+        let corners =
+            CORNERS.map(|c| [2.0 * c[0] + 0.3 * c[1], 3.0 * c[1], 4.0 * c[2] + 0.1 * c[0]]);
         let g = Geometry::new(&corners);
         assert!((g.volume - 8.0 * 24.0).abs() < 1e-11);
         for k in 0..8 {

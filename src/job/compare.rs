@@ -16,7 +16,12 @@ pub fn rows(case: &Case, scene: &Scene, summary: &Summary) -> Result<Vec<Compari
     let mut rows = Vec::new();
     if let Some(comparison) = &case.comparison {
         for printed in &comparison.values {
-            rows.push(printed_row(printed, comparison.mises_read, summary, hertz.as_ref()));
+            rows.push(printed_row(
+                printed,
+                comparison.mises_read,
+                summary,
+                hertz.as_ref(),
+            ));
         }
     }
     if let Some(hertz) = &hertz {
@@ -43,12 +48,17 @@ fn printed_row(
             };
             let (name, value) = match read {
                 MisesRead::Centroid => ("centroid", mises(summary, place, |m| m.centroid)),
-                MisesRead::IntegrationPoint => {
-                    ("integration point", mises(summary, place, |m| m.integration_point))
-                }
+                MisesRead::IntegrationPoint => (
+                    "integration point",
+                    mises(summary, place, |m| m.integration_point),
+                ),
                 MisesRead::Nodal => ("nodal", mises(summary, place, |m| m.nodal)),
             };
-            (format!("Mises, {name}, {}", summary.units.stress), value, hertz)
+            (
+                format!("Mises, {name}, {}", summary.units.stress),
+                value,
+                hertz,
+            )
         }
         Measure::MaxPressure => {
             let at = |name: &str| place == "overall" || place == name;
@@ -57,9 +67,11 @@ fn printed_row(
             let what = format!("peak pressure, {}", summary.units.stress);
             (what, value, hertz.map(|h| h.peak_pressure))
         }
-        Measure::Descent => {
-            (format!("descent, {}", summary.units.length), summary.descent, None)
-        }
+        Measure::Descent => (
+            format!("descent, {}", summary.units.length),
+            summary.descent,
+            None,
+        ),
     };
     Comparison {
         what,
@@ -84,7 +96,9 @@ fn mises(
         _ => name == place,
     };
     let bodies = summary.bodies.0.iter().filter(|(name, _)| means(name));
-    bodies.filter_map(|(_, body)| read(&body.mises_max)).reduce(f64::max)
+    bodies
+        .filter_map(|(_, body)| read(&body.mises_max))
+        .reduce(f64::max)
 }
 
 /// Hertz's line contact of the roller under an even line load.
@@ -136,7 +150,12 @@ fn hertz_rows(hertz: &HandbookAnswer, summary: &Summary) -> Vec<Comparison> {
     });
     let bores = summary.rollers.0.iter().filter_map(|(name, roller)| {
         let ring = hertz.bore.as_ref()?;
-        Some(row("bore Mises", name, roller.bore_mises, ring.mises_under_load))
+        Some(row(
+            "bore Mises",
+            name,
+            roller.bore_mises,
+            ring.mises_under_load,
+        ))
     });
     pressures.chain(bores).collect()
 }

@@ -38,16 +38,25 @@ pub enum JobError {
         code(brinell::job::folder),
         help("name another folder with --out, or make room and give write permission")
     )]
-    Folder { path: PathBuf, error: std::io::Error },
+    Folder {
+        path: PathBuf,
+        error: std::io::Error,
+    },
 }
 
 impl JobError {
     pub(super) fn folder(path: &Path, error: std::io::Error) -> Self {
-        Self::Folder { path: path.to_owned(), error }
+        Self::Folder {
+            path: path.to_owned(),
+            error,
+        }
     }
 
     /// Did the solver fail to converge, rather than the input to make sense?
     pub fn is_not_converged(&self) -> bool {
-        matches!(self, Self::Solve(SolveError::NotConverged { .. } | SolveError::FreeBody { .. }))
+        matches!(
+            self,
+            Self::Solve(SolveError::NotConverged { .. } | SolveError::FreeBody { .. })
+        )
     }
 }

@@ -14,7 +14,10 @@ pub fn list(case: &Case, scene: &Scene, solution: &Solution) -> Vec<String> {
             Kind::Bearing(_) => "bearing",
             Kind::General(_) => "model",
         };
-        lines.push(format!("symmetric about {}: {part} of the {what} is solved", axes.join(" and ")));
+        lines.push(format!(
+            "symmetric about {}: {part} of the {what} is solved",
+            axes.join(" and ")
+        ));
     }
     if !scene.contacts.is_empty() && scene.contacts.iter().all(|c| c.friction == 0.0) {
         lines.push("no friction: no tangential law is evaluated".to_owned());
@@ -28,7 +31,10 @@ pub fn list(case: &Case, scene: &Scene, solution: &Solution) -> Vec<String> {
         .map(|(b, _)| b.name.as_str())
         .collect();
     if !elastic.is_empty() {
-        lines.push(format!("elastic, yield is never checked: {}", elastic.join(", ")));
+        lines.push(format!(
+            "elastic, yield is never checked: {}",
+            elastic.join(", ")
+        ));
     }
     lines.push(
         "elastic stiffness and contact operator are integrated once and never again".to_owned(),

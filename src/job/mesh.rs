@@ -33,7 +33,9 @@ pub fn find_mesh(
             return Ok(mesh);
         }
     }
-    say(&format!("no mesh of this bearing ({wanted}) is at hand: calling gmsh"));
+    say(&format!(
+        "no mesh of this bearing ({wanted}) is at hand: calling gmsh"
+    ));
     let scratch = Scratch::new()?;
     let kept = out.unwrap_or(&scratch.0).join(FILE);
     make(bearing, &kept)
@@ -46,7 +48,9 @@ pub fn find_mesh(
 pub fn make_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
     match &case.kind {
         Kind::Bearing(bearing) => make(bearing, kept),
-        Kind::General(_) => Err(JobError::NoTemplate { case: case.title.clone() }),
+        Kind::General(_) => Err(JobError::NoTemplate {
+            case: case.title.clone(),
+        }),
     }
 }
 
@@ -55,7 +59,11 @@ fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
     let failed = |error| JobError::folder(&scratch.0, error);
     let template = write_template(&scratch.0).map_err(failed)?;
     let raw = scratch.0.join("bearing.msh");
-    gmsh::run(&template, &gmsh_parameters(&bearing.geometry, &bearing.mesh), &raw)?;
+    gmsh::run(
+        &template,
+        &gmsh_parameters(&bearing.geometry, &bearing.mesh),
+        &raw,
+    )?;
     write_with_fingerprint(&raw, &bearing.fingerprint(), kept)
         .map_err(|error| JobError::folder(kept, error))?;
     Ok(msh::read(kept)?)
@@ -69,9 +77,15 @@ const FILE: &str = "mesh.msh.gz";
 fn known_places(case: &Case, bearing: &BearingCase, out: Option<&Path>) -> Vec<PathBuf> {
     let path = Path::new(case.source.name());
     let mut places: Vec<PathBuf> = out.map(|out| out.join(FILE)).into_iter().collect();
-    let Some(stem) = path.file_stem().and_then(|s| s.to_str()) else { return places };
+    let Some(stem) = path.file_stem().and_then(|s| s.to_str()) else {
+        return places;
+    };
     let file = format!("{stem}-{}.msh.gz", bearing.mesh.preset);
-    let parts: Vec<_> = path.parent().unwrap_or(Path::new("")).components().collect();
+    let parts: Vec<_> = path
+        .parent()
+        .unwrap_or(Path::new(""))
+        .components()
+        .collect();
     if let Some(at) = parts.iter().rposition(|p| p.as_os_str() == "cases") {
         let mut shipped: PathBuf = parts[..at].iter().collect();
         shipped.push("meshes");

@@ -65,7 +65,9 @@ pub fn run(
     if let Some(out) = &options.out {
         std::fs::create_dir_all(out).map_err(|error| JobError::folder(out, error))?;
     }
-    let mesh = find_mesh(case, options.out.as_deref(), &mut |line| observer.message(line))?;
+    let mesh = find_mesh(case, options.out.as_deref(), &mut |line| {
+        observer.message(line)
+    })?;
     let mut scene = case.scene(mesh)?;
     let mesh_s = start.elapsed().as_secs_f64();
     observer.message(&format!(
@@ -82,12 +84,20 @@ pub fn run(
         true => elastic_peaks(&scene, &solution, observer)?,
         false => None,
     };
-    let timing = Timing { mesh_s, solve_s, total_s: start.elapsed().as_secs_f64() };
+    let timing = Timing {
+        mesh_s,
+        solve_s,
+        total_s: start.elapsed().as_secs_f64(),
+    };
     let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing)?;
     if let Some(out) = &options.out {
         summary.write(&out.join("summary.json"))?;
     }
-    Ok(Outcome { scene, solution, summary })
+    Ok(Outcome {
+        scene,
+        solution,
+        summary,
+    })
 }
 
 /// Peaks of the same scene without plasticity, where it has yielded.
@@ -100,7 +110,8 @@ fn elastic_peaks(
     if !yielded || !solution.complete {
         return Ok(None);
     }
-    observer.message("something yielded: solving once more without plasticity, for the elastic peaks");
+    observer
+        .message("something yielded: solving once more without plasticity, for the elastic peaks");
     let mut elastic = scene.clone();
     elastic.controls.plasticity = false;
     elastic.steps.truncate(1);
@@ -138,7 +149,10 @@ fn summarise(
         measures: &[],
         bores: &bores(case),
         // Nothing but bodies and contact carries force: the tangent alone is shifted.
-        checks: Checks { stabilisation_share: Some(0.0), ..Checks::default() },
+        checks: Checks {
+            stabilisation_share: Some(0.0),
+            ..Checks::default()
+        },
         comparison: &[],
         assumptions: &assumptions(case),
         left_out: &left_out::list(case, scene, solution),
@@ -146,7 +160,10 @@ fn summarise(
     let bare = Summary::new(&inputs)?;
     let comparison = compare::rows(case, scene, &bare)?;
     inputs.comparison = &comparison;
-    Ok(Summary { comparison: comparison.clone(), ..bare })
+    Ok(Summary {
+        comparison: comparison.clone(),
+        ..bare
+    })
 }
 
 /// Inner walls of hollow rollers.
@@ -168,8 +185,14 @@ fn bores(case: &Case) -> Vec<Bore> {
 }
 
 fn assumptions(case: &Case) -> Vec<String> {
-    let taken = case.assumptions.iter().map(|a| format!("{} = {}: {}", a.key, a.value, a.why));
-    let found = case.discrepancies.iter().map(|d| format!("{}: {}", d.what, d.effect));
+    let taken = case
+        .assumptions
+        .iter()
+        .map(|a| format!("{} = {}: {}", a.key, a.value, a.why));
+    let found = case
+        .discrepancies
+        .iter()
+        .map(|d| format!("{}: {}", d.what, d.effect));
     taken.chain(found).collect()
 }
 

@@ -19,8 +19,15 @@ pub struct Recorder<'o> {
 impl<'o> Recorder<'o> {
     pub fn new(case: &Case, out: Option<&Path>, scene: Scene, inner: &'o mut dyn Observer) -> Self {
         let path = Path::new(case.source.name());
-        let stem = path.file_stem().map_or("case".into(), |s| s.to_string_lossy());
-        Self { series: out.map(|out| Series::new(out, &stem)), inner, scene, seconds: 0.0 }
+        let stem = path
+            .file_stem()
+            .map_or("case".into(), |s| s.to_string_lossy());
+        Self {
+            series: out.map(|out| Series::new(out, &stem)),
+            inner,
+            scene,
+            seconds: 0.0,
+        }
     }
 
     /// Time spent on writing.

@@ -76,7 +76,9 @@ impl Symbolic {
             }
         };
         let par = parallelism();
-        let need = self.inner.factorize_numeric_llt_scratch::<f64>(par, Default::default());
+        let need = self
+            .inner
+            .factorize_numeric_llt_scratch::<f64>(par, Default::default());
         let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
         self.inner
             .factorize_numeric_llt(
@@ -91,7 +93,9 @@ impl Symbolic {
             .map_err(|error| match error {
                 LltError::NonPositivePivot { index } => {
                     let order = self.inner.perm().map(|p| p.arrays().0);
-                    let equation = order.and_then(|o| o.get(index)).map_or(index, |e| *e as usize);
+                    let equation = order
+                        .and_then(|o| o.get(index))
+                        .map_or(index, |e| *e as usize);
                     FactorError::NotPositiveDefinite { equation }
                 }
             })?;

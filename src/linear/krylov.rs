@@ -24,7 +24,10 @@ pub fn solve(
 ) -> (Vec<f64>, Outcome) {
     let scale = norm(b);
     let mut x = vec![0.0; b.len()];
-    let mut outcome = Outcome { iterations: 0, residual: 0.0 };
+    let mut outcome = Outcome {
+        iterations: 0,
+        residual: 0.0,
+    };
     if scale == 0.0 {
         return (x, outcome);
     }

@@ -25,12 +25,17 @@ fn dissect(pattern: &Pattern) -> Vec<u32> {
     let count = pattern.vertex_start.len().saturating_sub(1);
     let mut start: Vec<i32> = pattern.adjacency_start.iter().map(|v| *v as i32).collect();
     let mut adjacency: Vec<i32> = pattern.adjacency.iter().map(|v| *v as i32).collect();
-    let mut weights: Vec<i32> =
-        pattern.vertex_start.windows(2).map(|w| (w[1] - w[0]) as i32).collect();
+    let mut weights: Vec<i32> = pattern
+        .vertex_start
+        .windows(2)
+        .map(|w| (w[1] - w[0]) as i32)
+        .collect();
     let mut vertices = count as i32;
     let (mut perm, mut inverse) = (vec![0i32; count], vec![0i32; count]);
     let status = {
-        let _one_at_a_time = METIS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let _one_at_a_time = METIS
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner());
         // SAFETY: all arrays have the lengths METIS documents for `vertices` vertices, and the
         // graph is symmetric without loops by construction; the options may be null.
         unsafe {
@@ -94,8 +99,8 @@ fn elimination_tree(pattern: &Pattern, order: &[u32]) -> Vec<u32> {
     let (mut parent, mut ancestor) = (vec![u32::MAX; count], vec![u32::MAX; count]);
     for k in 0..count as u32 {
         let vertex = order[k as usize] as usize;
-        let range = pattern.adjacency_start[vertex] as usize
-            ..pattern.adjacency_start[vertex + 1] as usize;
+        let range =
+            pattern.adjacency_start[vertex] as usize..pattern.adjacency_start[vertex + 1] as usize;
         for &other in &pattern.adjacency[range] {
             let mut i = position[other as usize];
             while i < k {

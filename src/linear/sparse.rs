@@ -54,12 +54,13 @@ impl Pattern {
             let own = self.vertex_start[vertex]..self.vertex_start[vertex + 1];
             for column in own.clone() {
                 self.rows.extend(column..own.end);
-                let range =
-                    self.adjacency_start[vertex] as usize..self.adjacency_start[vertex + 1] as usize;
+                let range = self.adjacency_start[vertex] as usize
+                    ..self.adjacency_start[vertex + 1] as usize;
                 for &other in &self.adjacency[range] {
                     if other as usize > vertex {
                         let other = other as usize;
-                        self.rows.extend(self.vertex_start[other]..self.vertex_start[other + 1]);
+                        self.rows
+                            .extend(self.vertex_start[other]..self.vertex_start[other + 1]);
                     }
                 }
                 self.columns.push(self.rows.len() as u32);
@@ -85,7 +86,9 @@ impl Pattern {
 
     /// A matrix of zeros.
     pub fn zeros(&self) -> SymmetricMatrix {
-        SymmetricMatrix { values: vec![0.0; self.rows.len()] }
+        SymmetricMatrix {
+            values: vec![0.0; self.rows.len()],
+        }
     }
 
     /// Adds a dense block: `value(i, j)` to row `equations[i]`, column `equations[j]`.
@@ -115,7 +118,9 @@ impl Pattern {
         for column in 0..self.len() {
             let range = self.columns[column] as usize..self.columns[column + 1] as usize;
             let (rows, values) = (&self.rows[range.clone()], &matrix.values[range]);
-            let Some((diagonal, values)) = values.split_first() else { continue };
+            let Some((diagonal, values)) = values.split_first() else {
+                continue;
+            };
             let xc = x[column];
             let mut sum = diagonal * xc;
             for (row, value) in rows[1..].iter().zip(values) {
@@ -128,7 +133,10 @@ impl Pattern {
 
     /// The diagonal of `matrix`.
     pub fn diagonal(&self, matrix: &SymmetricMatrix) -> Vec<f64> {
-        self.columns[..self.len()].iter().map(|start| matrix.values[*start as usize]).collect()
+        self.columns[..self.len()]
+            .iter()
+            .map(|start| matrix.values[*start as usize])
+            .collect()
     }
 }
 

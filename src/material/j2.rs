@@ -41,7 +41,11 @@ pub fn update(steel: &Steel, elastic: &Elastic, strain: &[f64; 6], old: &Plastic
     let q = mises(&trial);
     let yield_now = steel.yield_stress + steel.hardening_modulus * old.peeq;
     if q <= yield_now {
-        return Update { stress: trial, point: *old, flow: None };
+        return Update {
+            stress: trial,
+            point: *old,
+            flow: None,
+        };
     }
     let g3 = 3.0 * elastic.shear;
     let multiplier = (q - yield_now) / (g3 + steel.hardening_modulus);
@@ -49,8 +53,7 @@ pub fn update(steel: &Steel, elastic: &Elastic, strain: &[f64; 6], old: &Plastic
     let pressure = (trial[0] + trial[1] + trial[2]) / 3.0;
     let deviator: [f64; 6] =
         std::array::from_fn(|i| if i < 3 { trial[i] - pressure } else { trial[i] });
-    let stress =
-        std::array::from_fn(|i| beta * deviator[i] + if i < 3 { pressure } else { 0.0 });
+    let stress = std::array::from_fn(|i| beta * deviator[i] + if i < 3 { pressure } else { 0.0 });
     let mut point = *old;
     point.peeq += multiplier;
     for i in 0..6 {
@@ -61,11 +64,17 @@ pub fn update(steel: &Steel, elastic: &Elastic, strain: &[f64; 6], old: &Plastic
     let norm = (2.0f64 / 3.0).sqrt() * q;
     let flow = Flow {
         beta,
-        softening: 6.0 * elastic.shear * elastic.shear
+        softening: 6.0
+            * elastic.shear
+            * elastic.shear
             * (1.0 / (g3 + steel.hardening_modulus) - multiplier / q),
         direction: deviator.map(|s| s / norm),
     };
-    Update { stress, point, flow: Some(flow) }
+    Update {
+        stress,
+        point,
+        flow: Some(flow),
+    }
 }
 
 #[cfg(test)]
@@ -93,8 +102,10 @@ mod tests {
             let (mut up, mut down) = (strain, strain);
             up[j] += h;
             down[j] -= h;
-            let (up, down) =
-                (update(&steel, &elastic, &up, &old), update(&steel, &elastic, &down, &old));
+            let (up, down) = (
+                update(&steel, &elastic, &up, &old),
+                update(&steel, &elastic, &down, &old),
+            );
             for i in 0..6 {
                 let numeric = (up.stress[i] - down.stress[i]) / (2.0 * h);
                 let dev = if i < 3 && j < 3 {
@@ -113,7 +124,10 @@ mod tests {
     #[test]
     fn flow_ends_on_the_hardened_surface() {
         let (steel, elastic) = (steel(), steel().moduli());
-        let old = PlasticPoint { strain: [0.0; 6], peeq: 0.01 };
+        let old = PlasticPoint {
+            strain: [0.0; 6],
+            peeq: 0.01,
+        };
         let new = update(&steel, &elastic, &[0.02, -0.01, 0.0, 0.01, 0.0, 0.02], &old);
         let surface = 100.0 + 249.471 * new.point.peeq;
         assert!((mises(&new.stress) - surface).abs() < 1e-10);

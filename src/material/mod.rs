@@ -36,7 +36,10 @@ impl Steel {
     /// Shear and bulk modulus.
     pub fn moduli(&self) -> Elastic {
         let (e, nu) = (self.youngs_modulus, self.poissons_ratio);
-        Elastic { shear: e / (2.0 * (1.0 + nu)), bulk: e / (3.0 * (1.0 - 2.0 * nu)) }
+        Elastic {
+            shear: e / (2.0 * (1.0 + nu)),
+            bulk: e / (3.0 * (1.0 - 2.0 * nu)),
+        }
     }
 }
 
@@ -53,7 +56,11 @@ impl Elastic {
         let volume = strain[0] + strain[1] + strain[2];
         let pressure = (self.bulk - 2.0 / 3.0 * self.shear) * volume;
         std::array::from_fn(|i| {
-            if i < 3 { 2.0 * self.shear * strain[i] + pressure } else { self.shear * strain[i] }
+            if i < 3 {
+                2.0 * self.shear * strain[i] + pressure
+            } else {
+                self.shear * strain[i]
+            }
         })
     }
 }

@@ -5,7 +5,7 @@ use super::model::{Counters, Model};
 use super::newton::{self, Failure, LinearSolver, Point};
 use super::observer::Observer;
 use super::start::{self, Closing};
-use crate::contact::law::Status;
+use crate::contact::law::{Node, Status};
 use crate::fem::bbar;
 use crate::fem::dofs::{Conflict, FIXED};
 use crate::linear::cholesky::FactorError;
@@ -37,7 +37,10 @@ pub enum SolveError {
     #[diagnostic(transparent)]
     Conflict(#[from] Conflict),
     #[error("nothing is free to move: every displacement component is prescribed")]
-    #[diagnostic(code(brinell::solve::nothing_free), help("free a surface, or apply a load"))]
+    #[diagnostic(
+        code(brinell::solve::nothing_free),
+        help("free a surface, or apply a load")
+    )]
     NothingFree,
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
@@ -93,10 +96,18 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
     let mut run = Run::new(model, observer);
     let untouched = run.untouched();
     for name in &untouched {
-        run.observer.message(&format!("contact pair {name}: nothing is within reach"));
+        run.observer
+            .message(&format!("contact pair {name}: nothing is within reach"));
     }
     let complete = run.all_steps()?;
-    Ok(Solution { states: run.states, last: run.last, counters: run.counters, closings, untouched, complete })
+    Ok(Solution {
+        states: run.states,
+        last: run.last,
+        counters: run.counters,
+        closings,
+        untouched,
+        complete,
+    })
 }
 
 struct Run<'a, 'o> {
@@ -131,8 +142,7 @@ impl<'a, 'o> Run<'a, 'o> {
                 step: 0,
                 time: 0.0,
                 x: vec![0.0; model.dofs.len()],
-                multipliers: vec![[0.0; 3]; rows],
-                statuses: vec![Status::Open; rows],
+                nodes: vec![Node::default(); rows],
             },
             solver: LinearSolver::default(),
             previous: None,
@@ -166,11 +176,19 @@ impl<'a, 'o> Run<'a, 'o> {
         let controls = self.model.scene.controls;
         let path_matters =
             !self.model.yielding.is_empty() || self.model.rows.iter().any(|r| r.law.friction > 0.0);
-        let mut size = if path_matters { controls.first_increment } else { 1.0 };
+        let mut size = if path_matters {
+            controls.first_increment
+        } else {
+            1.0
+        };
         let mut time = 0.0;
         self.previous = None;
         while time < 1.0 {
-            let target = if time + 1.001 * size >= 1.0 { 1.0 } else { time + size };
+            let target = if time + 1.001 * size >= 1.0 {
+                1.0
+            } else {
+                time + size
+            };
             let mut trial = self.predict(step, time, target);
             self.touch(&mut trial);
             let before = self.counters.iterations;
@@ -225,12 +243,6 @@ impl<'a, 'o> Run<'a, 'o> {
             for (x, old) in guess.x.iter_mut().zip(&previous.x) {
                 *x += ratio * (*x - old);
             }
-            for (m, old) in guess.multipliers.iter_mut().zip(&previous.multipliers) {
-                for i in 0..3 {
-                    m[i] += ratio * (m[i] - old[i]);
-                }
-                m[0] = m[0].max(0.0);
-            }
         }
         guess
     }
@@ -239,14 +251,14 @@ impl<'a, 'o> Run<'a, 'o> {
     fn touch(&self, trial: &mut Point) {
         let mut pressed = vec![false; self.model.scene.contacts.len()];
         let mut least = vec![f64::INFINITY; pressed.len()];
-        for (r, multiplier) in self.model.rows.iter().zip(&trial.multipliers) {
-            pressed[r.pair] |= multiplier[0] > 0.0;
+        for (r, node) in self.model.rows.iter().zip(&trial.nodes) {
+            pressed[r.pair] |= node.closed;
             least[r.pair] = least[r.pair].min(r.row.gap);
         }
         let near = 0.02 * self.model.reach;
-        for (r, status) in self.model.rows.iter().zip(&mut trial.statuses) {
+        for (r, node) in self.model.rows.iter().zip(&mut trial.nodes) {
             if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
-                *status = if r.law.friction > 0.0 { Status::Stick } else { Status::Slip };
+                (node.closed, node.bound) = (true, f64::INFINITY);
             }
         }
     }
@@ -264,19 +276,28 @@ impl<'a, 'o> Run<'a, 'o> {
             return Ok(false);
         }
         let key = |r: &super::model::ContactRow| (r.pair, r.row.node);
-        let old: BTreeMap<_, usize> =
-            self.model.rows.iter().enumerate().map(|(i, r)| (key(r), i)).collect();
+        let old: BTreeMap<_, usize> = self
+            .model
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(i, r)| (key(r), i))
+            .collect();
         self.observer.message(&format!(
             "bodies approach by {approach:.3e}, more than contact was prepared for: widened"
         ));
         let model = Model::new(self.model.scene, 2.0 * approach)?;
-        let map: Vec<Option<usize>> =
-            model.rows.iter().map(|r| old.get(&key(r)).copied()).collect();
+        let map: Vec<Option<usize>> = model
+            .rows
+            .iter()
+            .map(|r| old.get(&key(r)).copied())
+            .collect();
         fn carry<T: Copy + Default>(map: &[Option<usize>], from: &[T]) -> Vec<T> {
-            map.iter().map(|i| i.map_or(T::default(), |i| from[i])).collect()
+            map.iter()
+                .map(|i| i.map_or(T::default(), |i| from[i]))
+                .collect()
         }
-        self.point.multipliers = carry(&map, &self.point.multipliers);
-        self.point.statuses = carry(&map, &self.point.statuses);
+        self.point.nodes = carry(&map, &self.point.nodes);
         self.history.slip_origin = carry(&map, &self.history.slip_origin);
         self.history.slip = carry(&map, &self.history.slip);
         self.previous = None;
@@ -297,19 +318,30 @@ impl<'a, 'o> Run<'a, 'o> {
         for answer in &evaluation.plastic {
             self.history.plastic[answer.index] = Some(answer.points.clone());
         }
-        for (index, (status, d)) in trial.statuses.iter().zip(&evaluation.relative).enumerate() {
-            if *status == Status::Slip {
+        for (index, (answer, d)) in evaluation
+            .contact
+            .iter()
+            .zip(&evaluation.relative)
+            .enumerate()
+        {
+            if answer.status == Status::Slip {
                 self.history.slip[index] += d[1].hypot(d[2]);
             }
             for i in 0..2 {
                 self.history.slip_origin[index][i] += d[1 + i];
             }
         }
-        let mut before = std::mem::replace(&mut self.point, trial);
+        let mut accepted = trial;
+        for (node, answer) in accepted.nodes.iter_mut().zip(&evaluation.contact) {
+            node.multiplier = answer.traction;
+        }
+        let mut before = std::mem::replace(&mut self.point, accepted);
         before.time = time_before;
         self.previous = (time_before > 0.0).then_some(before);
         let state = self.state(evaluation);
-        self.observer.increment(&state).map_err(SolveError::Observer)?;
+        self.observer
+            .increment(&state)
+            .map_err(SolveError::Observer)?;
         if last {
             self.states.push(state.clone());
         }
@@ -370,9 +402,11 @@ impl<'a, 'o> Run<'a, 'o> {
                     Side::Lower => &pair.lower,
                 };
                 let nodes = match carrier {
-                    Partner::Surface(name) => {
-                        scene.mesh.surface(name).map(|s| s.nodes()).unwrap_or_default()
-                    }
+                    Partner::Surface(name) => scene
+                        .mesh
+                        .surface(name)
+                        .map(|s| s.nodes())
+                        .unwrap_or_default(),
                     Partner::Plane { .. } => Vec::new(),
                 };
                 ContactField::open(nodes)
@@ -380,7 +414,9 @@ impl<'a, 'o> Run<'a, 'o> {
             .collect();
         for (index, row) in self.model.rows.iter().enumerate() {
             let field = &mut fields[row.pair];
-            let Ok(at) = field.nodes.binary_search(&row.row.node) else { continue };
+            let Ok(at) = field.nodes.binary_search(&row.row.node) else {
+                continue;
+            };
             let (answer, d) = (&evaluation.contact[index], &evaluation.relative[index]);
             let sign = match scene.contacts[row.pair].carrier {
                 Side::Upper => 1.0,
@@ -391,10 +427,11 @@ impl<'a, 'o> Run<'a, 'o> {
             field.gap[at] = -d[0];
             field.traction[at] = row.global(&[0.0, s, t]).map(|v| sign * v);
             field.slip[at] = self.history.slip[index];
-            field.status[at] = self.point.statuses[index].code();
+            field.status[at] = answer.status as u8;
             field.area[at] = row.row.area;
-            field.force[at] =
-                row.global(&answer.traction).map(|v| sign * v * row.row.area);
+            field.force[at] = row
+                .global(&answer.traction)
+                .map(|v| sign * v * row.row.area);
         }
         fields
     }
@@ -404,13 +441,18 @@ impl<'a, 'o> Run<'a, 'o> {
         let planes = model.scene.rigid_planes.iter().zip(&model.dofs.planes);
         planes
             .map(|(plane, equations)| {
-                let node = model.scene.mesh.surface(&plane.surface).and_then(|s| s.faces.first());
+                let node = model
+                    .scene
+                    .mesh
+                    .surface(&plane.surface)
+                    .and_then(|s| s.faces.first());
                 let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
                 let factor = model.factor(&plane.name, point.step, point.time);
-                let force = std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
-                    (crate::scene::PlaneMotion::Driven(load), Some(_)) => factor * load,
-                    _ => 0.0,
-                });
+                let force =
+                    std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
+                        (crate::scene::PlaneMotion::Driven(load), Some(_)) => factor * load,
+                        _ => 0.0,
+                    });
                 PlaneField { travel, force }
             })
             .collect()
@@ -420,16 +462,27 @@ impl<'a, 'o> Run<'a, 'o> {
         match failure {
             Failure::Runaway { node, axis } => self.free_body(node, axis),
             Failure::Factor(FactorError::NotPositiveDefinite { equation }) => {
-                let found = self.model.dofs.equations.iter().enumerate().find_map(|(n, axes)| {
-                    axes.iter().position(|e| *e != FIXED && *e as usize == equation).map(|a| (n, a))
-                });
+                let found = self
+                    .model
+                    .dofs
+                    .equations
+                    .iter()
+                    .enumerate()
+                    .find_map(|(n, axes)| {
+                        axes.iter()
+                            .position(|e| *e != FIXED && *e as usize == equation)
+                            .map(|a| (n, a))
+                    });
                 match found {
                     Some((node, axis)) => self.free_body(node as u32, axis),
                     None => SolveError::Factor(FactorError::NotPositiveDefinite { equation }),
                 }
             }
             Failure::Factor(error) => SolveError::Factor(error),
-            Failure::Slow { residual, penetration } => SolveError::NotConverged {
+            Failure::Slow {
+                residual,
+                penetration,
+            } => SolveError::NotConverged {
                 step: self.model.scene.steps[step].name.clone(),
                 percent: 100.0 * time,
                 iterations: self.counters.iterations - before,
@@ -442,7 +495,11 @@ impl<'a, 'o> Run<'a, 'o> {
 
     fn free_body(&self, node: u32, axis: usize) -> SolveError {
         let mesh = &self.model.scene.mesh;
-        let element = mesh.hexes.iter().position(|h| h.contains(&node)).unwrap_or(0);
+        let element = mesh
+            .hexes
+            .iter()
+            .position(|h| h.contains(&node))
+            .unwrap_or(0);
         SolveError::FreeBody {
             body: mesh.bodies[mesh.body_of(element)].name.clone(),
             axis: ['x', 'y', 'z'][axis],
@@ -452,7 +509,10 @@ impl<'a, 'o> Run<'a, 'o> {
 
 fn describe(failure: &Failure) -> String {
     match failure {
-        Failure::Slow { residual, penetration } => format!(
+        Failure::Slow {
+            residual,
+            penetration,
+        } => format!(
             "slow convergence (residual {residual:.1e}, contact violation {penetration:.1e})"
         ),
         Failure::Runaway { .. } => "displacements left the model".to_owned(),

@@ -1,7 +1,7 @@
 //! Residual and tangent at a displacement.
 
 use super::model::Model;
-use crate::contact::law::{Answer, Status};
+use crate::contact::law::{Answer, Node};
 use crate::fem::bbar::{self, ElementVector};
 use crate::linear::sparse::SymmetricMatrix;
 use crate::material::j2::{self, PlasticPoint};
@@ -41,11 +41,10 @@ pub struct Evaluation {
     pub plastic: Vec<PlasticAnswer>,
 }
 
-/// A trial point: the unknowns, the contact multipliers, and where in the load history it is.
+/// A trial point: the unknowns, the contact nodes, and where in the load history it is.
 pub struct Trial<'t> {
     pub x: &'t [f64],
-    pub multipliers: &'t [[f64; 3]],
-    pub statuses: &'t [Status],
+    pub nodes: &'t [Node],
     pub external: &'t [f64],
     pub step: usize,
     pub time: f64,
@@ -56,7 +55,8 @@ impl Model<'_> {
     pub fn evaluate(&self, history: &History, trial: &Trial) -> Evaluation {
         let u = self.displacement(trial.x, trial.step, trial.time);
         let mut internal = vec![0.0; self.dofs.len()];
-        self.pattern.multiply(&self.stiffness, trial.x, &mut internal);
+        self.pattern
+            .multiply(&self.stiffness, trial.x, &mut internal);
         let plastic = self.plastic_answers(history, &u);
         let mut nodal = vec![[0.0; 3]; u.len()];
         for answer in &plastic {
@@ -68,8 +68,8 @@ impl Model<'_> {
             }
         }
         let (contact, relative) = self.contact_answers(history, trial, &u);
-        for ((row, answer), status) in self.rows.iter().zip(&contact).zip(trial.statuses) {
-            if *status == Status::Open {
+        for ((row, answer), node) in self.rows.iter().zip(&contact).zip(trial.nodes) {
+            if !node.closed {
                 continue;
             }
             let force = row.global(&answer.traction).map(|t| t * row.row.area);
@@ -83,7 +83,12 @@ impl Model<'_> {
         for ((r, external), internal) in residual.iter_mut().zip(trial.external).zip(internal) {
             *r += external - internal;
         }
-        Evaluation { residual, contact, relative, plastic }
+        Evaluation {
+            residual,
+            contact,
+            relative,
+            plastic,
+        }
     }
 
     fn plastic_answers(&self, history: &History, u: &[[f64; 3]]) -> Vec<PlasticAnswer> {
@@ -114,7 +119,12 @@ impl Model<'_> {
                     let stress = elastic.stress(&point.strain);
                     bbar::add_stress_force(&geometry, k, &stress, &mut relief);
                 }
-                Some(PlasticAnswer { index, points: Box::new(points), flows, relief })
+                Some(PlasticAnswer {
+                    index,
+                    points: Box::new(points),
+                    flows,
+                    relief,
+                })
             })
             .collect()
     }
@@ -132,16 +142,13 @@ impl Model<'_> {
                 let d = row.relative(u);
                 let origin = history.slip_origin[index];
                 let measured = [d[0] - row.row.gap, d[1] - origin[0], d[2] - origin[1]];
-                let status = trial.statuses[index];
-                let answer = row.law.traction(status, &trial.multipliers[index], &measured);
-                (answer, measured)
+                (row.law.traction(&trial.nodes[index], &measured), measured)
             })
             .unzip()
     }
 
-    /// Symmetric part of the tangent: bodies with what flows, contact without the coupling of
-    /// friction to pressure (see [`Model::add_coupling`]).
-    pub fn tangent(&self, evaluation: &Evaluation, statuses: &[Status]) -> SymmetricMatrix {
+    /// The tangent: bodies with what flows, closed contact nodes.
+    pub fn tangent(&self, evaluation: &Evaluation) -> SymmetricMatrix {
         let mut matrix = self.stiffness.clone();
         let changes: Vec<_> = evaluation
             .plastic
@@ -165,50 +172,16 @@ impl Model<'_> {
             })
             .collect();
         for (equations, change) in changes {
-            self.pattern.add_block(&mut matrix, &equations, |i, j| change[i][j]);
+            self.pattern
+                .add_block(&mut matrix, &equations, |i, j| change[i][j]);
         }
-        for ((row, answer), status) in self.rows.iter().zip(&evaluation.contact).zip(statuses) {
-            if *status != Status::Open {
+        for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
+            if answer.tangent[0][0] != 0.0 {
                 row.add_stiffness(self, answer, &mut matrix);
             }
         }
         matrix
     }
-
-    /// Does friction couple to pressure anywhere, so that the tangent is unsymmetric?
-    pub fn is_unsymmetric(&self, evaluation: &Evaluation) -> bool {
-        evaluation.contact.iter().any(couples)
-    }
-
-    /// Adds the unsymmetric part of the tangent, slip traction by pressure, times `x` to `y`.
-    pub fn add_coupling(&self, evaluation: &Evaluation, x: &[f64], y: &mut [f64]) {
-        for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
-            if !couples(answer) {
-                continue;
-            }
-            let mut closure = 0.0;
-            for (node, coefficient) in &row.row.terms {
-                for (axis, equation) in self.dofs.equations[*node as usize].iter().enumerate() {
-                    if let Some(value) = x.get(*equation as usize) {
-                        closure += coefficient * value * row.row.normal[axis];
-                    }
-                }
-            }
-            let slope = [0.0, answer.tangent[1][0], answer.tangent[2][0]];
-            let force = row.global(&slope).map(|t| t * closure * row.row.area);
-            for (node, coefficient) in &row.row.terms {
-                for (axis, equation) in self.dofs.equations[*node as usize].iter().enumerate() {
-                    if let Some(value) = y.get_mut(*equation as usize) {
-                        *value += coefficient * force[axis];
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn couples(answer: &Answer) -> bool {
-    answer.tangent[1][0] != 0.0 || answer.tangent[2][0] != 0.0
 }
 
 impl super::model::ContactRow {
@@ -234,7 +207,7 @@ impl super::model::ContactRow {
         ]
     }
 
-    /// Adds area · Cᵀ E C with the symmetric part of the law's tangent E.
+    /// Adds area · Cᵀ E C with the law's tangent E.
     fn add_stiffness(&self, model: &Model, answer: &Answer, matrix: &mut SymmetricMatrix) {
         let frame = [self.row.normal, self.row.tangents[0], self.row.tangents[1]];
         let e = &answer.tangent;
@@ -251,8 +224,10 @@ impl super::model::ContactRow {
             }
         }
         let terms = &self.row.terms;
-        let equations: Vec<u32> =
-            terms.iter().flat_map(|(n, _)| model.dofs.equations[*n as usize]).collect();
+        let equations: Vec<u32> = terms
+            .iter()
+            .flat_map(|(n, _)| model.dofs.equations[*n as usize])
+            .collect();
         model.pattern.add_block(matrix, &equations, |i, j| {
             terms[i / 3].1 * terms[j / 3].1 * global[i % 3][j % 3]
         });

@@ -19,7 +19,11 @@ pub fn search(start: f64, full: f64, mut slope: impl FnMut(f64) -> f64) -> f64 {
             let secant = low + (high - low) * low_slope / (low_slope - high_slope);
             // Regula falsi, kept off the ends; bisection where a slope is not a number.
             let (least, most) = (low + 0.1 * (high - low), low + 0.9 * (high - low));
-            step = if secant.is_finite() { secant.clamp(least, most) } else { 0.5 * (low + high) };
+            step = if secant.is_finite() {
+                secant.clamp(least, most)
+            } else {
+                0.5 * (low + high)
+            };
             let value = slope(step);
             if value.is_finite() && value.abs() <= SHARE * start.abs() {
                 return step;

@@ -20,6 +20,9 @@ use rayon::prelude::*;
 /// enough that few updates are needed and soft enough that the factor stays accurate.
 const PENALTY: f64 = 1000.0;
 
+/// The same for shear against slip: softer, since sticking and slipping nodes trade places.
+const TANGENTIAL_PENALTY: f64 = 30.0;
+
 /// How often the expensive parts ran.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
@@ -188,7 +191,10 @@ impl<'a> Model<'a> {
                     }
                 }
             }
-            (self.source_name(source).to_owned(), self.dofs.gather(&force))
+            (
+                self.source_name(source).to_owned(),
+                self.dofs.gather(&force),
+            )
         });
         forces.collect()
     }
@@ -217,6 +223,7 @@ fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
             law: Law {
                 friction: pair.friction,
                 penalty: PENALTY * pair.penalty_factor * row.stiffness,
+                tangential_penalty: TANGENTIAL_PENALTY * pair.penalty_factor * row.stiffness,
                 stiffness: row.stiffness,
             },
             pair: index,
@@ -236,12 +243,15 @@ pub fn pair_rows(
     moduli: &[f64],
 ) -> (Vec<Row>, Option<f64>) {
     let mesh = &scene.mesh;
-    let Partner::Surface(carrier) = carrier else { return (Vec::new(), None) };
+    let Partner::Surface(carrier) = carrier else {
+        return (Vec::new(), None);
+    };
     let opposite = match other {
         Partner::Surface(name) => mesh.surface(name).map(Opposite::Surface),
-        Partner::Plane { point, normal } => {
-            Some(Opposite::Plane { point: *point, normal: *normal })
-        }
+        Partner::Plane { point, normal } => Some(Opposite::Plane {
+            point: *point,
+            normal: *normal,
+        }),
     };
     let (Some(carrier), Some(opposite)) = (mesh.surface(carrier), opposite) else {
         return (Vec::new(), None);
@@ -272,8 +282,13 @@ fn pattern(mesh: &Mesh, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
         list.dedup();
         list
     };
-    let elements = mesh.hexes.iter().map(|nodes| vertices(&mut nodes.iter().copied()));
-    let contacts = rows.iter().map(|r| vertices(&mut r.row.terms.iter().map(|t| t.0)));
+    let elements = mesh
+        .hexes
+        .iter()
+        .map(|nodes| vertices(&mut nodes.iter().copied()));
+    let contacts = rows
+        .iter()
+        .map(|r| vertices(&mut r.row.terms.iter().map(|t| t.0)));
     let cliques: Vec<Vec<u32>> = elements.chain(contacts).collect();
     Pattern::new(dofs.vertex_start.clone(), cliques.iter().map(Vec::as_slice))
 }

@@ -1,15 +1,16 @@
 //! Newton iterations of one increment.
 //!
-//! Each iteration solves for the displacements with the contact statuses fixed; then the
-//! multipliers take the contact tractions (augmented Lagrange) and the statuses are decided anew.
-//! Both together are a primal-dual active-set method on a positive definite system: it ends when
-//! forces balance, contact conditions hold *and* statuses rest, whatever the penalty.
+//! Each iteration solves for the displacements with the active set and the friction bounds fixed;
+//! then the multipliers take the contact pressures (augmented Lagrange), and set and bounds are
+//! decided anew: a primal-dual active-set method on a positive definite system. The increment ends
+//! when forces balance, contact conditions hold *and* nothing changes any more, whatever the
+//! penalty.
 
 use super::evaluate::{Evaluation, History, Trial};
 use super::line_search;
 use super::model::{Counters, Model};
 use super::observer::{Iteration, Observer};
-use crate::contact::law::Status;
+use crate::contact::law::{Node, Status};
 use crate::linear::cholesky::{Factor, FactorError};
 use crate::linear::krylov::{self, dot, norm};
 
@@ -19,18 +20,23 @@ pub struct Point {
     pub step: usize,
     pub time: f64,
     pub x: Vec<f64>,
-    /// Contact tractions and statuses, row by row.
-    pub multipliers: Vec<[f64; 3]>,
-    pub statuses: Vec<Status>,
+    /// Contact nodes, row by row.
+    pub nodes: Vec<Node>,
 }
 
 /// Why an increment was given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Failure {
     /// The iteration limit was reached at this residual and penetration.
-    Slow { residual: f64, penetration: f64 },
+    Slow {
+        residual: f64,
+        penetration: f64,
+    },
     /// Displacements grew beyond the model, or stopped being numbers.
-    Runaway { node: u32, axis: usize },
+    Runaway {
+        node: u32,
+        axis: usize,
+    },
     Factor(FactorError),
     Cancelled,
 }
@@ -54,13 +60,14 @@ impl LinearSolver {
         &mut self,
         model: &Model,
         evaluation: &Evaluation,
-        statuses: &[Status],
         tolerance: f64,
         counters: &mut Counters,
     ) -> Result<(Vec<f64>, usize, bool), FactorError> {
-        let matrix = model.tangent(evaluation, statuses);
+        let matrix = model.tangent(evaluation);
+        let statuses: Vec<Status> = evaluation.contact.iter().map(|a| a.status).collect();
         let flowing = flowing(evaluation);
-        let stale = self.made_for.0 != statuses || self.made_for.1 != flowing || self.factor.is_none();
+        let stale =
+            self.made_for.0 != statuses || self.made_for.1 != flowing || self.factor.is_none();
         if stale {
             let mut shifted = matrix.clone();
             for start in &model.pattern.columns[..model.pattern.len()] {
@@ -68,18 +75,14 @@ impl LinearSolver {
             }
             let old = self.factor.take();
             self.factor = Some(model.symbolic.factorise(&model.pattern, &shifted, old)?);
-            self.made_for = (statuses.to_vec(), flowing);
+            self.made_for = (statuses, flowing);
             counters.factorisations += 1;
         }
-        let Some(factor) = &self.factor else { return Err(FactorError::Memory) };
-        let unsymmetric = model.is_unsymmetric(evaluation);
+        let Some(factor) = &self.factor else {
+            return Err(FactorError::Memory);
+        };
         let (dx, outcome) = krylov::solve(
-            |x, y| {
-                model.pattern.multiply(&matrix, x, y);
-                if unsymmetric {
-                    model.add_coupling(evaluation, x, y);
-                }
-            },
+            |x, y| model.pattern.multiply(&matrix, x, y),
             |x| model.symbolic.solve(factor, x),
             &evaluation.residual,
             tolerance,
@@ -92,10 +95,15 @@ impl LinearSolver {
 }
 
 fn flowing(evaluation: &Evaluation) -> usize {
-    evaluation.plastic.iter().flat_map(|a| &a.flows).filter(|f| f.is_some()).count()
+    evaluation
+        .plastic
+        .iter()
+        .flat_map(|a| &a.flows)
+        .filter(|f| f.is_some())
+        .count()
 }
 
-/// Brings `point` into balance at its time, starting from its statuses.
+/// Brings `point` into balance at its time, starting from its active set.
 pub fn balance(
     model: &Model,
     history: &History,
@@ -108,28 +116,27 @@ pub fn balance(
     let external = model.external(point.step, point.time);
     let reference = reference_force(model).max(f64::MIN_POSITIVE);
     let limit = 10.0 * size(model);
-    let mut last = Iteration { step: point.step, time: point.time, ..Iteration::default() };
+    let mut last = Iteration {
+        step: point.step,
+        time: point.time,
+        ..Iteration::default()
+    };
     let mut evaluation = evaluate(model, history, point, &point.x, &external, counters);
     loop {
         let residual = norm(&evaluation.residual) / reference;
         let tolerance = (0.05 * controls.residual / residual).clamp(1e-12, 1e-4);
         let (dx, directions, refactored) = solver
-            .solve(model, &evaluation, &point.statuses, tolerance, counters)
+            .solve(model, &evaluation, tolerance, counters)
             .map_err(Failure::Factor)?;
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
         let start = dot(&evaluation.residual, &dx);
         evaluation = evaluate(model, history, point, &step(1.0), &external, counters);
-        // With the statuses fixed only yielding is left for the line search to see.
-        last.line_search = if evaluation.plastic.is_empty() {
-            1.0
-        } else {
-            let full = dot(&evaluation.residual, &dx);
-            line_search::search(start, full, |s| {
-                evaluation = evaluate(model, history, point, &step(s), &external, counters);
-                dot(&evaluation.residual, &dx)
-            })
-        };
+        let full = dot(&evaluation.residual, &dx);
+        last.line_search = line_search::search(start, full, |s| {
+            evaluation = evaluate(model, history, point, &step(s), &external, counters);
+            dot(&evaluation.residual, &dx)
+        });
         point.x = step(last.line_search);
         counters.iterations += 1;
         last.iteration += 1;
@@ -140,37 +147,63 @@ pub fn balance(
         }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
-        last.changed = update_contact(model, point, &evaluation);
-        count(&mut last, model, point, &evaluation);
+        last.changed = update_pressures(model, point, &evaluation);
+        count(&mut last, &evaluation);
         observer.iteration(&last);
-        let balanced = last.residual <= controls.residual;
-        if balanced && last.changed == 0 && last.penetration <= controls.penetration {
-            return Ok(evaluation);
+        if last.residual <= controls.residual && last.changed == 0 {
+            if last.penetration <= controls.penetration {
+                return Ok(evaluation);
+            }
+            update_shears(point, &evaluation);
         }
         if observer.cancelled() {
             return Err(Failure::Cancelled);
         }
         if last.iteration >= controls.iterations {
-            let Iteration { residual, penetration, .. } = last;
-            return Err(Failure::Slow { residual, penetration });
+            let Iteration {
+                residual,
+                penetration,
+                ..
+            } = last;
+            return Err(Failure::Slow {
+                residual,
+                penetration,
+            });
         }
         evaluation = evaluate(model, history, point, &point.x, &external, counters);
     }
 }
 
-/// Multipliers take the tractions, statuses are decided anew; returns how many changed.
-fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> usize {
+/// Pressures become multipliers, active set and friction bounds are decided anew; returns how many
+/// nodes changed.
+fn update_pressures(model: &Model, point: &mut Point, evaluation: &Evaluation) -> usize {
+    // Below this share of the largest pressure a friction bound counts as unchanged.
+    const SAME: f64 = 1e-5;
+    let pressures = evaluation.contact.iter().map(|a| a.traction[0]);
+    let largest = pressures.fold(0.0, f64::max);
     let mut changed = 0;
-    for (index, row) in model.rows.iter().enumerate() {
-        let traction = evaluation.contact[index].traction;
-        let status = row.law.decide(&traction, &evaluation.relative[index]);
-        if status != point.statuses[index] {
-            changed += 1;
+    for (index, (row, node)) in model.rows.iter().zip(&mut point.nodes).enumerate() {
+        let pressure = evaluation.contact[index].traction[0];
+        let closed = row.law.presses(pressure, &evaluation.relative[index]);
+        let pressure = if closed { pressure } else { 0.0 };
+        let bound = row.law.friction * pressure.max(0.0);
+        let moved = (bound - node.bound).abs() > SAME * row.law.friction * largest;
+        changed += usize::from(closed != node.closed || moved);
+        node.multiplier[0] = pressure;
+        (node.closed, node.bound) = (closed, bound);
+        if !closed {
+            node.multiplier = [0.0; 3];
         }
-        point.statuses[index] = status;
-        point.multipliers[index] = if status == Status::Open { [0.0; 3] } else { traction };
     }
     changed
+}
+
+/// Shear tractions become multipliers, so that sticking nodes lose their elastic slip.
+fn update_shears(point: &mut Point, evaluation: &Evaluation) {
+    for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
+        node.multiplier[1] = answer.traction[1];
+        node.multiplier[2] = answer.traction[2];
+    }
 }
 
 fn evaluate(
@@ -185,8 +218,7 @@ fn evaluate(
     counters.friction_updates += model.rows.iter().filter(|r| r.law.friction > 0.0).count();
     let trial = Trial {
         x,
-        multipliers: &point.multipliers,
-        statuses: &point.statuses,
+        nodes: &point.nodes,
         external,
         step: point.step,
         time: point.time,
@@ -194,39 +226,54 @@ fn evaluate(
     model.evaluate(history, &trial)
 }
 
-/// Largest distance between a traction and its multiplier, as a length, over the largest
-/// displacement: zero exactly where all contact conditions hold.
+/// Largest violation of a contact condition, as a length over the largest displacement: closure
+/// of a closed node, slip of a sticking one.
 fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
-    let rows = model.rows.iter().zip(&evaluation.contact).zip(&point.multipliers);
-    let worst = rows
-        .map(|((row, answer), multiplier)| {
-            let d: f64 = (0..3).map(|i| (answer.traction[i] - multiplier[i]).powi(2)).sum();
-            d.sqrt() / row.law.penalty
-        })
-        .fold(0.0, f64::max);
+    let mut worst = 0.0f64;
+    for ((row, answer), node) in model.rows.iter().zip(&evaluation.contact).zip(&point.nodes) {
+        let miss = |i: usize| answer.traction[i] - node.multiplier[i];
+        worst = worst.max(miss(0).abs() / row.law.penalty);
+        if answer.status == Status::Stick {
+            worst = worst.max(miss(1).hypot(miss(2)) / row.law.tangential_penalty);
+        }
+    }
     let travel = point.x.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    if worst == 0.0 { 0.0 } else { worst / travel.max(f64::MIN_POSITIVE) }
+    if worst == 0.0 {
+        0.0
+    } else {
+        worst / travel.max(f64::MIN_POSITIVE)
+    }
 }
 
-fn count(last: &mut Iteration, model: &Model, point: &Point, evaluation: &Evaluation) {
-    let with = |code| point.statuses.iter().filter(|s| s.code() == code).count();
-    (last.sticking, last.slipping) = (with(1), with(2));
-    last.active = model.rows.len() - with(0);
+fn count(last: &mut Iteration, evaluation: &Evaluation) {
+    let with = |status| {
+        evaluation
+            .contact
+            .iter()
+            .filter(|a| a.status == status)
+            .count()
+    };
+    (last.sticking, last.slipping) = (with(Status::Stick), with(Status::Slip));
+    last.active = last.sticking + last.slipping;
     last.flowing = flowing(evaluation);
 }
 
 /// The largest force that the steps apply.
 fn reference_force(model: &Model) -> f64 {
-    (0..model.scene.steps.len()).map(|s| norm(&model.external(s, 1.0))).fold(0.0, f64::max)
+    (0..model.scene.steps.len())
+        .map(|s| norm(&model.external(s, 1.0)))
+        .fold(0.0, f64::max)
 }
 
 /// Diagonal of the box around the model.
 pub fn size(model: &Model) -> f64 {
     let points = &model.scene.mesh.points;
     let span = |axis: usize| {
-        let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
-            (l.min(p[axis]), h.max(p[axis]))
-        });
+        let (low, high) = points
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
+                (l.min(p[axis]), h.max(p[axis]))
+            });
         high - low
     };
     span(0).hypot(span(1)).hypot(span(2))
@@ -235,8 +282,13 @@ pub fn size(model: &Model) -> f64 {
 /// The component that left the model, if any.
 fn runaway(model: &Model, x: &[f64], limit: f64) -> Option<(u32, usize)> {
     let equation = x.iter().position(|v| !(v.abs() <= limit))?;
-    model.dofs.equations.iter().enumerate().find_map(|(node, axes)| {
-        let axis = axes.iter().position(|e| *e as usize == equation)?;
-        Some((node as u32, axis))
-    })
+    model
+        .dofs
+        .equations
+        .iter()
+        .enumerate()
+        .find_map(|(node, axes)| {
+            let axis = axes.iter().position(|e| *e as usize == equation)?;
+            Some((node as u32, axis))
+        })
 }

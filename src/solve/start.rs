@@ -26,7 +26,9 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
         }
     }
     for traction in &scene.tractions {
-        let Some(surface) = scene.mesh.surface(&traction.surface) else { continue };
+        let Some(surface) = scene.mesh.surface(&traction.surface) else {
+            continue;
+        };
         let mut nodal = vec![[0.0; 3]; scene.mesh.points.len()];
         crate::fem::loads::add_traction(&scene.mesh, surface, traction.value, 1.0, &mut nodal);
         for f in nodal {
@@ -45,16 +47,23 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
 
 /// Moves floating bodies into touch and reports what was moved.
 pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
-    let Some(direction) = load_direction(scene) else { return Vec::new() };
+    let Some(direction) = load_direction(scene) else {
+        return Vec::new();
+    };
     let mut placed = held_bodies(scene, direction);
     let mut closings = Vec::new();
     while placed.iter().any(|p| !p) {
-        let Some((body, distance)) = nearest_floating(scene, &placed, direction) else { break };
+        let Some((body, distance)) = nearest_floating(scene, &placed, direction) else {
+            break;
+        };
         placed[body] = true;
         if distance.abs() > tolerance {
             let shift = scale(direction, distance);
             move_body(scene, body, shift);
-            closings.push(Closing { body: scene.mesh.bodies[body].name.clone(), shift });
+            closings.push(Closing {
+                body: scene.mesh.bodies[body].name.clone(),
+                shift,
+            });
         }
     }
     closings
@@ -143,8 +152,11 @@ fn way_to_touch(scene: &Scene, pair: &crate::scene::ContactPair, direction: Vec3
 /// Diagonal of the box around the model.
 pub fn extent(scene: &Scene) -> f64 {
     let span = |axis: usize| {
-        let (low, high) =
-            scene.mesh.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
+        let (low, high) = scene
+            .mesh
+            .points
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
                 (l.min(p[axis]), h.max(p[axis]))
             });
         high - low

@@ -77,9 +77,8 @@ struct Accumulated {
     stiffness: f64,
 }
 
-/// Integrates a pair. Also returns the smallest distance of the two sides at any quadrature
-/// point or facet corner (negative where they overlap), `None` where nothing is within reach.
-pub fn rows(pair: &Pair) -> (Vec<Row>, Option<f64>) {
+/// Integrates a pair.
+pub fn rows(pair: &Pair) -> Vec<Row> {
     let carrier = Side::new(pair, pair.carrier);
     let opposite = match pair.opposite {
         Opposite::Surface(surface) => Some(Side::new(pair, surface)),
@@ -96,22 +95,17 @@ pub fn rows(pair: &Pair) -> (Vec<Row>, Option<f64>) {
             (_, Some(opposite), Some(tree)) => {
                 facet_on_surface(pair, &carrier, index, opposite, tree)
             }
-            _ => (Vec::new(), f64::INFINITY),
+            _ => Vec::new(),
         })
         .collect();
     let mut nodes: BTreeMap<u32, Accumulated> = BTreeMap::new();
-    let mut closest = f64::INFINITY;
-    for (points, distance) in pieces {
-        closest = closest.min(distance);
-        for point in points {
-            point.add_to(&mut nodes);
-        }
+    for point in pieces.iter().flatten() {
+        point.add_to(&mut nodes);
     }
-    let rows = nodes
+    nodes
         .into_iter()
         .filter_map(|(node, sum)| sum.finish(node, pair))
-        .collect();
-    (rows, closest.is_finite().then_some(closest))
+        .collect()
 }
 
 /// A quadrature point with everything that its carrier nodes gather.
@@ -232,12 +226,11 @@ fn facet_on_surface(
     index: usize,
     opposite: &Side,
     tree: &FacetTree,
-) -> (Vec<Contribution>, f64) {
+) -> Vec<Contribution> {
     let mut out = Vec::new();
-    let mut closest = f64::INFINITY;
     let corners = &carrier.corners[index];
     let Some(plane) = FacetPlane::new(corners) else {
-        return (out, closest);
+        return out;
     };
     for other in tree.near(corners, pair.reach) {
         if dot(plane.normal, opposite.normals[other]) > -0.3 {
@@ -251,7 +244,6 @@ fn facet_on_surface(
             if distance.abs() > 4.0 * pair.reach {
                 continue;
             }
-            closest = closest.min(distance);
             out.push(Contribution {
                 carrier_nodes: carrier.faces[index].nodes,
                 opposite_nodes: Some(opposite.faces[other].nodes),
@@ -262,7 +254,7 @@ fn facet_on_surface(
             });
         }
     }
-    (out, closest)
+    out
 }
 
 fn facet_on_plane(
@@ -271,13 +263,12 @@ fn facet_on_plane(
     index: usize,
     origin: Vec3,
     normal: Vec3,
-) -> (Vec<Contribution>, f64) {
-    let mut closest = f64::INFINITY;
+) -> Vec<Contribution> {
     let Some(plane) = FacetPlane::new(&carrier.corners[index]) else {
-        return (Vec::new(), closest);
+        return Vec::new();
     };
     if dot(plane.normal, normal) > -0.3 {
-        return (Vec::new(), closest);
+        return Vec::new();
     }
     let mut out = Vec::new();
     for point in plane.whole() {
@@ -286,7 +277,6 @@ fn facet_on_plane(
         if distance.abs() > 4.0 * pair.reach {
             continue;
         }
-        closest = closest.min(distance);
         out.push(Contribution {
             carrier_nodes: carrier.faces[index].nodes,
             opposite_nodes: None,
@@ -296,7 +286,7 @@ fn facet_on_plane(
             stiffness: carrier.stiffness[index],
         });
     }
-    (out, closest)
+    out
 }
 
 /// Two layers in series.

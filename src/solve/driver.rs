@@ -94,7 +94,7 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
     }
     observer.moved(scene);
     let mut timers = Timers::default();
-    let model = timers.time(Phase::Prepare, || Model::new(scene, 1e-3 * extent))?;
+    let model = timers.time(Phase::Prepare, || Model::new(scene, start::reach(scene)))?;
     let mut run = Run::new(model, observer);
     run.counters.timers = timers;
     let untouched = run.untouched();

@@ -220,7 +220,7 @@ fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
             Side::Upper => (&pair.upper, &pair.lower),
             Side::Lower => (&pair.lower, &pair.upper),
         };
-        let (rows, _) = pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
+        let rows = pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
         all.extend(rows.into_iter().map(|row| ContactRow {
             law: Law {
                 friction: pair.friction,
@@ -235,7 +235,7 @@ fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
     all
 }
 
-/// Rows of one pair and the smallest distance of its sides.
+/// Rows of one pair.
 pub fn pair_rows(
     scene: &Scene,
     carrier: &Partner,
@@ -243,10 +243,10 @@ pub fn pair_rows(
     true_geometry: bool,
     reach: f64,
     moduli: &[f64],
-) -> (Vec<Row>, Option<f64>) {
+) -> Vec<Row> {
     let mesh = &scene.mesh;
     let Partner::Surface(carrier) = carrier else {
-        return (Vec::new(), None);
+        return Vec::new();
     };
     let opposite = match other {
         Partner::Surface(name) => mesh.surface(name).map(Opposite::Surface),
@@ -256,7 +256,7 @@ pub fn pair_rows(
         }),
     };
     let (Some(carrier), Some(opposite)) = (mesh.surface(carrier), opposite) else {
-        return (Vec::new(), None);
+        return Vec::new();
     };
     mortar::rows(&mortar::Pair {
         mesh,

@@ -3,10 +3,14 @@
 //! A force on a body that nothing holds has no equilibrium. So, before any load, every body that
 //! no support holds along the load is moved along it, one after the other from the supported ones
 //! outward, until it just touches. From there the displacements count.
+//!
+//! "Touch" is meant in the measure of the contact method itself: the least weighted gap is zero. A
+//! cylinder on a flat with elements of size h then overlaps by about h²/12R at its lowest point,
+//! and the descent from there converges with a far smaller constant than from the touch of points.
 
 use super::model;
 use crate::geometry::{Vec3, dot, scale, unit};
-use crate::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
+use crate::scene::{Partner, PlaneMotion, Scene, Side};
 
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,15 +38,34 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
         for f in nodal {
             force = crate::geometry::add(force, f);
         }
-        if let TractionValue::Vector(_) = traction.value {
-            continue;
-        }
     }
     // A mirrored model carries no resultant across its mirrors.
     for &axis in &scene.mirrors {
         force[axis] = 0.0;
     }
     unit(force)
+}
+
+/// The initial gap up to which contact is prepared: a little more than bodies approach each other
+/// in small-strain contact, and all that they are made to travel.
+pub fn reach(scene: &Scene) -> f64 {
+    let factors = |name: &str| {
+        let factors = scene.steps.iter().map(|s| s.factor_of(name).abs());
+        factors.fold(0.0, f64::max)
+    };
+    let supports = scene.supports.iter().flat_map(|s| {
+        let factor = factors(&s.name);
+        s.components.iter().flatten().map(move |v| v.abs() * factor)
+    });
+    let planes = scene.rigid_planes.iter().flat_map(|p| {
+        let factor = factors(&p.name);
+        p.motion.iter().map(move |m| match m {
+            PlaneMotion::Held(v) => v.abs() * factor,
+            _ => 0.0,
+        })
+    });
+    let travel = supports.chain(planes).fold(0.0, f64::max);
+    (1e-3 * extent(scene)).max(2.0 * travel)
 }
 
 /// Moves floating bodies into touch and reports what was moved.
@@ -135,14 +158,10 @@ fn way_to_touch(scene: &Scene, pair: &crate::scene::ContactPair, direction: Vec3
     let whole = extent(scene);
     let mut reach = 1e-3 * whole;
     while reach < 2.0 * whole {
-        let (rows, closest) =
-            model::pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
-        let first = rows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
-        if let (Some(distance), Some(row)) = (closest, first)
-            && distance <= reach
-        {
+        let rows = model::pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
+        if let Some(row) = rows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)) {
             let lean = dot(row.normal, direction).abs();
-            return (lean > 0.1).then(|| distance / lean);
+            return (lean > 0.1).then(|| row.gap / lean);
         }
         reach *= 8.0;
     }

@@ -101,11 +101,11 @@ fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
         along_growth: 1.5,
         around_cap: 0.5 * unit,
         along_cap: (0.5 * unit).min(half_length / 8.0),
-        wall_cap: wall * 4.0 / 15.0,
+        wall_cap: wall * 0.4,
         plan_cap: unit.min(half_plan / 4.0),
         middle_cap: (0.7 * unit).min(half_plan / 5.0),
         depth_cap: (0.3 * unit).min(thinnest_plate(geometry) / 3.0),
-        wall_least: 5.0,
+        wall_least: 6.0,
         depth_least: 5.0,
         along_least: 12.0,
     };
@@ -119,6 +119,7 @@ fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
 fn resolved(geometry: &BearingGeometry, level: u8) -> Sizes {
     let finer = 2f64.powf(-0.5 * f64::from(level));
     let base = graded(geometry, 0.025, 2.0);
+    let wall_cap = geometry.wall.unwrap_or(geometry.radius() / 2.0) * 4.0 / 15.0;
     let count = |n: f64| (n / finer).round();
     // Over a given distance the element size grows by the same factor on every level.
     let growth = |ratio: f64| ratio.powf(finer);
@@ -135,7 +136,7 @@ fn resolved(geometry: &BearingGeometry, level: u8) -> Sizes {
         along_growth: growth(1.8),
         around_cap: 1.5 * base.around_cap * finer,
         along_cap: 1.2 * base.along_cap * finer,
-        wall_cap: base.wall_cap * finer,
+        wall_cap: wall_cap * finer,
         plan_cap: 1.5 * base.plan_cap * finer,
         middle_cap: 1.5 * base.middle_cap * finer,
         depth_cap: 1.3 * base.depth_cap * finer,

@@ -27,6 +27,9 @@ pub enum JobError {
         help("name another folder with --out, or make room and give write permission")
     )]
     Output(#[from] OutputError),
+    #[error("interrupted before the first increment was done")]
+    #[diagnostic(code(brinell::job::interrupted))]
+    Interrupted,
     #[error("the closed form for {what} does not apply: {why}")]
     #[diagnostic(code(brinell::job::closed_form))]
     ClosedForm { what: String, why: String },

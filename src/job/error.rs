@@ -14,7 +14,7 @@ pub enum JobError {
     Case(#[from] CaseError),
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Mesh(#[from] MeshError),
+    Mesh(Box<MeshError>),
     #[error(transparent)]
     #[diagnostic(transparent)]
     Gmsh(#[from] GmshError),
@@ -45,6 +45,12 @@ pub enum JobError {
         path: PathBuf,
         error: std::io::Error,
     },
+}
+
+impl From<MeshError> for JobError {
+    fn from(error: MeshError) -> Self {
+        Self::Mesh(Box::new(error))
+    }
 }
 
 impl JobError {

@@ -15,7 +15,7 @@ pub struct RunArgs {
     /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
     #[arg(long)]
     pub mesh: Option<String>,
-    /// Folder for summary.json and the VTK files; by default results/<case>.
+    /// Folder for summary.json and the VTK files; by default results/ and the name of the case.
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Threads to use; by default one a core.

@@ -5,6 +5,7 @@ use super::{CommandResult, Status, say};
 use crate::case::{self, Case};
 use crate::job::{self, JobError, Options};
 use crate::output::table;
+use crate::solve::{Counters, Phase};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -54,6 +55,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
     match result {
         Ok(outcome) => {
             say(&table::render(&outcome.summary));
+            say(&timer_table(&outcome.solution.counters));
             if let Some(out) = &options.out {
                 say(&format!("written to {}", out.display()));
             }
@@ -81,6 +83,23 @@ pub fn run(args: &RunArgs) -> CommandResult {
             Err((status, error.into()))
         }
     }
+}
+
+/// Seconds by phase of the solution.
+fn timer_table(counters: &Counters) -> String {
+    let phases = Phase::ALL.iter().map(|phase| {
+        format!(
+            "  {:14} {:9.2} s",
+            phase.name(),
+            counters.timers.seconds(*phase)
+        )
+    });
+    let factor = format!(
+        "  factor         {:9.1} million entries",
+        1e-6 * counters.factor_entries as f64
+    );
+    let lines: Vec<String> = phases.chain([factor]).collect();
+    format!("Solution\n{}", lines.join("\n"))
 }
 
 fn read(args: &RunArgs) -> Result<Case, JobError> {

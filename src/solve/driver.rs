@@ -5,6 +5,7 @@ use super::model::{Counters, Model};
 use super::newton::{self, Failure, LinearSolver, Point};
 use super::observer::Observer;
 use super::start::{self, Closing};
+use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
 use crate::fem::bbar;
 use crate::fem::dofs::{Conflict, FIXED};
@@ -92,8 +93,10 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
         ));
     }
     observer.moved(scene);
-    let model = Model::new(scene, 1e-3 * extent)?;
+    let mut timers = Timers::default();
+    let model = timers.time(Phase::Prepare, || Model::new(scene, 1e-3 * extent))?;
     let mut run = Run::new(model, observer);
+    run.counters.timers = timers;
     let untouched = run.untouched();
     for name in &untouched {
         run.observer
@@ -286,7 +289,8 @@ impl<'a, 'o> Run<'a, 'o> {
         self.observer.message(&format!(
             "bodies approach by {approach:.3e}, more than contact was prepared for: widened"
         ));
-        let model = Model::new(self.model.scene, 2.0 * approach)?;
+        let prepare = || Model::new(self.model.scene, 2.0 * approach);
+        let model = self.counters.timers.time(Phase::Prepare, prepare)?;
         let map: Vec<Option<usize>> = model
             .rows
             .iter()
@@ -338,7 +342,9 @@ impl<'a, 'o> Run<'a, 'o> {
         let mut before = std::mem::replace(&mut self.point, accepted);
         before.time = time_before;
         self.previous = (time_before > 0.0).then_some(before);
-        let state = self.state(evaluation);
+        let mut timers = self.counters.timers;
+        let state = timers.time(Phase::Recover, || self.state(evaluation));
+        self.counters.timers = timers;
         self.observer
             .increment(&state)
             .map_err(SolveError::Observer)?;

@@ -11,7 +11,9 @@ mod model;
 mod newton;
 mod observer;
 mod start;
+mod timers;
 
 pub use driver::{Solution, SolveError, solve};
 pub use model::Counters;
 pub use observer::{Iteration, Observer, Silent};
+pub use timers::{Phase, Timers};

@@ -1,6 +1,7 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
 use super::driver::SolveError;
+use super::timers::Timers;
 use crate::contact::law::Law;
 use crate::contact::mortar::{self, Opposite, Row};
 use crate::fem::bbar::{self, ElementVector};
@@ -24,7 +25,7 @@ const PENALTY: f64 = 1000.0;
 const TANGENTIAL_PENALTY: f64 = 30.0;
 
 /// How often the expensive parts ran.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Counters {
     pub iterations: usize,
     pub cut_backs: usize,
@@ -38,6 +39,7 @@ pub struct Counters {
     pub equations: usize,
     pub factor_entries: usize,
     pub contact_rows: usize,
+    pub timers: Timers,
 }
 
 /// A contact row with its pair's law.

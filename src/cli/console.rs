@@ -1,5 +1,6 @@
 //! What a running solution shows on the terminal: a line an iteration, a bar for the load.
 
+use super::{Status, say};
 use crate::results::State;
 use crate::solve::{Iteration, Observer};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,7 +15,8 @@ pub struct Console {
 }
 
 impl Console {
-    /// Shows iterations unless `quiet`; Ctrl-C stops between iterations.
+    /// Shows iterations unless `quiet`. Ctrl-C stops between iterations, a second one at once: every
+    /// file is then whole or not there.
     pub fn new(quiet: bool) -> Self {
         let bar = ProgressBar::new(1000);
         if let Ok(style) = ProgressStyle::with_template("{elapsed_precise} {wide_bar} {msg}") {
@@ -23,7 +25,11 @@ impl Console {
         let stop = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&stop);
         // A second handler in one process is refused; the first one then still works.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+        let _ = ctrlc::set_handler(move || {
+            if flag.swap(true, Ordering::Relaxed) {
+                std::process::exit(i32::from(Status::Interrupted as u8));
+            }
+        });
         Self {
             bar,
             stop,
@@ -44,7 +50,7 @@ impl Console {
 
     fn line(&self, text: &str) {
         if !self.quiet {
-            self.bar.suspend(|| println!("{text}"));
+            self.bar.suspend(|| say(text));
         }
     }
 }

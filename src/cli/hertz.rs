@@ -157,7 +157,7 @@ pub fn answer(args: &HertzArgs) -> Result<String, DomainError> {
 /// # Errors
 /// [`DomainError`] for an argument outside its range.
 pub fn run(args: &HertzArgs) -> Result<(), DomainError> {
-    println!("{}", answer(args)?.trim_end());
+    super::say(answer(args)?.trim_end());
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! `brinell mesh`: the mesh of a bearing case, by gmsh.
 
-use super::{CommandResult, Status};
+use super::{CommandResult, Status, say};
 use crate::case;
 use crate::job::{self, JobError};
 use clap::Args;
@@ -24,7 +24,7 @@ pub struct MeshArgs {
 /// Carries out the command.
 pub fn run(args: &MeshArgs) -> CommandResult {
     let text = make(args).map_err(|error| (Status::BadInput, error.into()))?;
-    println!("{text}");
+    say(&text);
     Ok(Status::Done)
 }
 

@@ -6,6 +6,7 @@ pub mod mesh;
 pub mod run;
 
 use clap::{Parser, Subcommand};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Contact stresses of roller bearings by finite elements.
@@ -50,11 +51,17 @@ impl Cli {
                 .map_err(|error| (Status::BadInput, miette::Report::msg(error.to_string()))),
         };
         let status = status.unwrap_or_else(|(status, report)| {
-            eprintln!("{report:?}");
+            // Nobody is left to tell where even this cannot be written.
+            let _ = writeln!(std::io::stderr(), "{report:?}");
             status
         });
         ExitCode::from(status as u8)
     }
+}
+
+/// Prints a line. A reader that has gone, such as `head`, stops nothing.
+fn say(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{text}");
 }
 
 /// What a command comes to: a status, or one with the reason.

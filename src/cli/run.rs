@@ -1,7 +1,7 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
 use super::console::{Console, LEGEND};
-use super::{CommandResult, Status};
+use super::{CommandResult, Status, say};
 use crate::case::{self, Case};
 use crate::job::{self, JobError, Options};
 use crate::output::table;
@@ -16,7 +16,7 @@ pub struct RunArgs {
     /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
     #[arg(long)]
     pub mesh: Option<String>,
-    /// Folder for summary.json and the VTK files; by default results/<case>.
+    /// Folder for summary.json and the VTK files; by default results/ and the name of the case.
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Threads to use; by default one a core.
@@ -48,25 +48,34 @@ pub fn run(args: &RunArgs) -> CommandResult {
     };
     let mut console = Console::new(args.quiet);
     if !args.quiet {
-        println!("{LEGEND}\n");
+        say(&format!("{LEGEND}\n"));
     }
     let result = job::run(&case, &options, &mut console);
     console.finish();
     match result {
         Ok(outcome) => {
-            println!("{}", table::render(&outcome.summary));
-            println!("{}", timer_table(&outcome.solution.counters));
+            say(&table::render(&outcome.summary));
+            say(&timer_table(&outcome.solution.counters));
             if let Some(out) = &options.out {
-                println!("written to {}", out.display());
+                say(&format!("written to {}", out.display()));
             }
-            Ok(if outcome.solution.complete {
+            let missed = outcome.missed_limits(&case);
+            for limit in &missed {
+                say(&format!("FAILED: {limit}"));
+            }
+            Ok(if outcome.interrupted {
+                Status::Interrupted
+            } else if missed.is_empty() {
                 Status::Done
             } else {
-                Status::Interrupted
+                Status::Failed
             })
         }
         Err(error) => {
-            let status = if error.is_not_converged() {
+            // Ctrl-C reaches gmsh too, whose end then looks like a failure.
+            let status = if console.interrupted() {
+                Status::Interrupted
+            } else if error.is_not_converged() {
                 Status::NotConverged
             } else {
                 Status::BadInput

@@ -14,7 +14,7 @@ pub enum JobError {
     Case(#[from] CaseError),
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Mesh(#[from] MeshError),
+    Mesh(Box<MeshError>),
     #[error(transparent)]
     #[diagnostic(transparent)]
     Gmsh(#[from] GmshError),
@@ -27,6 +27,9 @@ pub enum JobError {
         help("name another folder with --out, or make room and give write permission")
     )]
     Output(#[from] OutputError),
+    #[error("interrupted before the first increment was done")]
+    #[diagnostic(code(brinell::job::interrupted))]
+    Interrupted,
     #[error("the closed form for {what} does not apply: {why}")]
     #[diagnostic(code(brinell::job::closed_form))]
     ClosedForm { what: String, why: String },
@@ -42,6 +45,12 @@ pub enum JobError {
         path: PathBuf,
         error: std::io::Error,
     },
+}
+
+impl From<MeshError> for JobError {
+    fn from(error: MeshError) -> Self {
+        Self::Mesh(Box::new(error))
+    }
 }
 
 impl JobError {

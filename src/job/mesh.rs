@@ -81,18 +81,21 @@ fn known_places(case: &Case, bearing: &BearingCase, out: Option<&Path>) -> Vec<P
         return places;
     };
     let file = format!("{stem}-{}.msh.gz", bearing.mesh.preset);
-    let parts: Vec<_> = path
-        .parent()
-        .unwrap_or(Path::new(""))
-        .components()
-        .collect();
-    if let Some(at) = parts.iter().rposition(|p| p.as_os_str() == "cases") {
-        let mut shipped: PathBuf = parts[..at].iter().collect();
-        shipped.push("meshes");
-        shipped.extend(&parts[at + 1..]);
-        places.push(shipped.join(file));
-    }
+    // Where the command is given inside of `cases`, only the absolute path tells.
+    let shipped = shipped_folder(path)
+        .or_else(|| shipped_folder(&std::path::absolute(path).unwrap_or_default()));
+    places.extend(shipped.map(|folder| folder.join(file)));
     places
+}
+
+/// Folder of the meshes that belong to the case at `path`, if that lies below a folder `cases`.
+fn shipped_folder(path: &Path) -> Option<PathBuf> {
+    let parts: Vec<_> = path.parent()?.components().collect();
+    let at = parts.iter().rposition(|p| p.as_os_str() == "cases")?;
+    let mut folder: PathBuf = parts[..at].iter().collect();
+    folder.push("meshes");
+    folder.extend(&parts[at + 1..]);
+    Some(folder)
 }
 
 /// A folder of its own that is removed at the end.

@@ -3,6 +3,7 @@
 mod compare;
 mod error;
 mod left_out;
+mod limits;
 mod mesh;
 mod record;
 
@@ -14,12 +15,16 @@ use crate::results::bore::Bore;
 use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::recover;
 use crate::scene::Scene;
-use crate::solve::{self, Observer, Silent, Solution};
+use crate::solve::{self, Observer, Solution};
 pub use error::JobError;
 pub use mesh::{find_mesh, make_mesh};
 use record::Recorder;
-use std::path::PathBuf;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
+
+/// Name of the summary in the folder of a run.
+const SUMMARY: &str = "summary.json";
 
 /// Where a job writes and what it may leave out.
 #[derive(Debug, Clone)]
@@ -38,9 +43,16 @@ pub struct Outcome {
     pub solution: Solution,
     /// At full load: the end of the first step.
     pub summary: Summary,
+    /// Was the observer's wish to stop met, before or while the elastic peaks were sought?
+    pub interrupted: bool,
 }
 
 impl Outcome {
+    /// Limits that the answer misses, in words.
+    pub fn missed_limits(&self, case: &Case) -> Vec<String> {
+        limits::missed(case, &self.summary.checks)
+    }
+
     /// The state that the summary describes.
     pub fn state(&self) -> &State {
         reported(&self.solution)
@@ -64,6 +76,7 @@ pub fn run(
     let start = Instant::now();
     if let Some(out) = &options.out {
         std::fs::create_dir_all(out).map_err(|error| JobError::folder(out, error))?;
+        forget(&out.join(SUMMARY))?;
     }
     let mesh = find_mesh(case, options.out.as_deref(), &mut |line| {
         observer.message(line)
@@ -80,8 +93,11 @@ pub fn run(
     let mut recorder = Recorder::new(case, options.out.as_deref(), scene.clone(), observer);
     let solution = solve::solve(&mut scene, &mut recorder)?;
     let solve_s = solving.elapsed().as_secs_f64() - recorder.seconds();
+    if !solution.complete && solution.last.displacement.is_empty() {
+        return Err(JobError::Interrupted);
+    }
     let elastic = match options.elastic_peaks {
-        true => elastic_peaks(&scene, &solution, observer)?,
+        true => elastic_peaks(&scene, &solution, observer),
         false => None,
     };
     let timing = Timing {
@@ -91,34 +107,62 @@ pub fn run(
     };
     let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing)?;
     if let Some(out) = &options.out {
-        summary.write(&out.join("summary.json"))?;
+        summary.write(&out.join(SUMMARY))?;
     }
     Ok(Outcome {
+        interrupted: !solution.complete || observer.cancelled(),
         scene,
         solution,
         summary,
     })
 }
 
-/// Peaks of the same scene without plasticity, where it has yielded.
+/// Removes what an earlier run left: a run that fails must not leave another's answer behind.
+fn forget(path: &Path) -> Result<(), JobError> {
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(path, error)),
+        _ => Ok(()),
+    }
+}
+
+/// Peaks of the same scene without plasticity, where it has yielded. The answer stands without
+/// them, so what goes wrong here is told and no error.
 fn elastic_peaks(
     scene: &Scene,
     solution: &Solution,
     observer: &mut dyn Observer,
-) -> Result<Option<Vec<BodyPeaks>>, JobError> {
+) -> Option<Vec<BodyPeaks>> {
     let yielded = reported(solution).peeq.iter().flatten().any(|p| *p > 0.0);
     if !yielded || !solution.complete {
-        return Ok(None);
+        return None;
     }
     observer
         .message("something yielded: solving once more without plasticity, for the elastic peaks");
     let mut elastic = scene.clone();
     elastic.controls.plasticity = false;
     elastic.steps.truncate(1);
-    let solution = solve::solve(&mut elastic, &mut Silent)?;
+    let solution = match solve::solve(&mut elastic, &mut Stoppable(observer)) {
+        Ok(solution) => solution,
+        Err(error) => {
+            observer.message(&format!("no elastic peaks: {error}"));
+            return None;
+        }
+    };
+    if !solution.complete {
+        return None;
+    }
     let state = reported(&solution);
     let recovered = recover(&elastic.mesh, state);
-    Ok(Some(peaks(&elastic, state, &recovered)))
+    Some(peaks(&elastic, state, &recovered))
+}
+
+/// Tells nothing, but stops where the observer behind it wants to.
+struct Stoppable<'o>(&'o dyn Observer);
+
+impl Observer for Stoppable<'_> {
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
 }
 
 fn summarise(

@@ -14,7 +14,7 @@ pub struct Warning(pub String);
 const SMALL_STRAIN: f64 = 0.02;
 
 /// Force that does not balance, or that stabilisation carries, is said from this share on.
-const NOTABLE_SHARE: f64 = 1e-3;
+pub const NOTABLE_SHARE: f64 = 1e-3;
 
 /// The warnings that the figures of a summary call for.
 pub fn warnings(summary: &Summary) -> Vec<Warning> {
@@ -44,6 +44,11 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
         }
     }
     for (name, interface) in &summary.interfaces.0 {
+        if interface.max_pressure <= 0.0 {
+            warn(format!(
+                "{name}: the surfaces do not touch, so this contact pair carries nothing"
+            ));
+        }
         let (Some(q), load) = (&interface.q, interface.normal_force.abs()) else {
             continue;
         };

@@ -6,3 +6,4 @@ mod dent;
 mod interface;
 mod recovery;
 mod summary;
+mod vtk_readback;

@@ -1,12 +1,9 @@
 //! The written VTK files, read back by VTK itself through pyvista.
 
-#[path = "results/block.rs"]
-mod block;
-
 use std::path::Path;
 use std::process::Command;
 
-use block::{add_block, fill_stress, pressed, stack};
+use crate::block::{add_block, fill_stress, pressed, stack};
 use brinell::mesh::Mesh;
 use brinell::output::Series;
 use brinell::output::fields;

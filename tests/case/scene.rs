@@ -1,13 +1,11 @@
 //! The scenes that cases make: names, signs, shares of symmetric models, defaults.
 
-mod case_kit;
-
 use std::path::Path;
 
+use crate::kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
 use brinell::case::bearing::{RollerEnd, TEMPLATE_FILES};
 use brinell::case::{Case, Kind, MisesRead, interfaces, read};
 use brinell::scene::{Partner, PlaneMotion, Scene, Side, TractionValue};
-use case_kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
 
 fn bearing(case: &Case) -> &brinell::case::BearingCase {
     match &case.kind {

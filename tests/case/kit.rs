@@ -1,7 +1,5 @@
 //! What the tests of case files share: texts, toy meshes, and rendered errors.
 
-#![allow(dead_code)]
-
 use brinell::case::{Case, CaseError, parse};
 use brinell::mesh::{Body, Face, Mesh, Surface};
 

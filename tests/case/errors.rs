@@ -1,10 +1,8 @@
 //! One test for each kind of mistake in a case file: the message names the key, the line and the
 //! value.
 
-mod case_kit;
-
+use crate::kit::{BEARING, SCENE, bad, blocks, good, render, with};
 use brinell::case::{ErrorKind, parse, read};
-use case_kit::{BEARING, SCENE, bad, blocks, good, render, with};
 
 /// Asserts that the case is refused, with a message that has all of `parts`.
 #[track_caller]

@@ -1,11 +1,9 @@
 //! The same case in other units is the same scene up to scale; quantities survive a round trip.
 
-mod case_kit;
-
+use crate::kit::{BEARING, SCENE, blocks, centred, good, with};
 use brinell::case::parse;
 use brinell::scene::{PlaneMotion, Scene, TractionValue};
 use brinell::units::{Dimension, Quantity, UnitSystem};
-use case_kit::{BEARING, SCENE, blocks, centred, good, with};
 use proptest::prelude::*;
 
 const DIMENSIONS: [Dimension; 9] = [

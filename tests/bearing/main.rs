@@ -1,0 +1,4 @@
+//! The bearing template and the meshes that are shipped with the program.
+
+mod shipped_meshes;
+mod template;

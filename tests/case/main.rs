@@ -1,0 +1,6 @@
+//! Case files: what is read from them, and how every mistake is refused.
+
+mod errors;
+mod kit;
+mod scene;
+mod units;

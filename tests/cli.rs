@@ -1,0 +1,546 @@
+//! The commands as a user runs them: exit status, messages and files.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdout, Stdio};
+use std::time::{Duration, Instant};
+
+use assert_cmd::assert::Assert;
+use assert_cmd::cargo::cargo_bin_cmd;
+use brinell::mesh::Mesh;
+use brinell::mesh::block::{Block, uniform};
+use brinell::mesh::msh::write::msh41;
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// Two blocks of 2 mm × 2 mm × 1 mm, one on the other, pressed together by 40 N: uniaxial stress.
+const SCENE: &str = r#"title = "two blocks"
+units = "mm-N-MPa"
+
+[mesh]
+file = "blocks.msh"
+
+[steel]
+youngs_modulus = "200 GPa"
+poissons_ratio = 0.3
+elastic = true
+
+[[contact]]
+name = "upper-lower"
+upper = "upper_z_min"
+lower = "lower_z_max"
+friction = 0
+
+[[support]]
+surface = "lower_z_min"
+fixed = "z"
+
+[[support]]
+surface = "lower_x_min"
+fixed = "x"
+
+[[support]]
+surface = "lower_y_min"
+fixed = "y"
+
+[[support]]
+surface = "upper_x_min"
+fixed = "x"
+
+[[support]]
+surface = "upper_y_min"
+fixed = "y"
+
+[[rigid_plane]]
+surface = "upper_z_max"
+force = { z = "-40 N" }
+"#;
+
+/// The lower block, and the upper one with its low corner at (`aside`, 0, 1 + `gap`) mm.
+fn blocks(aside: f64, gap: f64) -> Mesh {
+    let block = |x: f64, z: f64, cells: usize| {
+        let side = |from: f64| uniform(from, from + 2.0, cells);
+        let block = Block::new("block", side(x), side(0.0), uniform(z, z + 1.0, 2));
+        block.build().unwrap()
+    };
+    let lower = block(0.0, 0.0, 3).prefixed("lower_");
+    Mesh::join([lower, block(aside, 1.0 + gap, 4).prefixed("upper_")]).unwrap()
+}
+
+/// A folder with the scene `text` in `scene.toml` and `mesh` beside it.
+fn folder(text: &str, mesh: &Mesh) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("scene.toml"), text).unwrap();
+    std::fs::write(folder.path().join("blocks.msh"), msh41(mesh)).unwrap();
+    folder
+}
+
+fn shipped(case: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("cases/section-2.6.2")
+        .join(case)
+}
+
+/// Runs `brinell` with the words of `line` in `folder`.
+fn brinell(folder: &Path, line: &str) -> Assert {
+    cargo_bin_cmd!("brinell")
+        .current_dir(folder)
+        .args(line.split_whitespace())
+        .assert()
+}
+
+/// The words of a stream, without the frames and line breaks of an error report.
+fn words(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes).replace(['│', '╭', '╰', '─', '·', '×'], " ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Asserts that standard error says all of `parts`.
+#[track_caller]
+fn says(assert: &Assert, parts: &[&str]) {
+    let text = words(&assert.get_output().stderr);
+    for part in parts {
+        assert!(text.contains(part), "`{part}` is not in: {text}");
+    }
+}
+
+fn summary(path: &Path) -> Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+#[track_caller]
+fn close(value: &Value, expected: f64, tolerance: f64) {
+    let value = value.as_f64().unwrap_or(f64::NAN);
+    let error = (value / expected - 1.0).abs();
+    assert!(error <= tolerance, "{value}, expected {expected}");
+}
+
+/// Asserts that `summary` has every key that is promised.
+#[track_caller]
+fn has_every_key(summary: &Value, bodies: &[&str], interfaces: &[&str]) {
+    let has = |value: &Value, keys: &[&str]| {
+        for key in keys {
+            assert!(value.get(key).is_some(), "`{key}` is missing in {value:#}");
+        }
+    };
+    has(
+        summary,
+        &[
+            "case",
+            "units",
+            "brinell_version",
+            "converged",
+            "dofs",
+            "elements",
+            "iterations",
+            "factorisations",
+            "timing",
+            "peak_memory_bytes",
+            "applied_load",
+            "descent",
+            "bodies",
+            "interfaces",
+            "rollers",
+            "checks",
+            "comparison",
+            "assumptions",
+            "left_out",
+            "warnings",
+        ],
+    );
+    has(&summary["timing"], &["mesh_s", "solve_s", "total_s"]);
+    has(
+        &summary["checks"],
+        &[
+            "force_balance",
+            "max_penetration_relative",
+            "coulomb_violation",
+            "stabilisation_share",
+        ],
+    );
+    has(&summary["bodies"], bodies);
+    for body in bodies {
+        let body = &summary["bodies"][body];
+        let keys = [
+            "mises_max",
+            "at",
+            "elastic_mises_max",
+            "peeq_max",
+            "yielded_volume",
+        ];
+        has(body, &keys);
+        let measures = ["centroid", "integration_point", "nodal"];
+        has(&body["mises_max"], &measures);
+        has(&body["at"], &measures);
+    }
+    has(&summary["interfaces"], interfaces);
+    for interface in interfaces {
+        let keys = [
+            "force",
+            "normal_force",
+            "pressure_integral",
+            "max_pressure",
+            "max_penetration",
+            "area",
+            "status_counts",
+            "q",
+        ];
+        has(&summary["interfaces"][interface], &keys);
+    }
+}
+
+/// The files that a collection names, which must all be whole.
+fn collected(folder: &Path, name: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(folder.join(name)).unwrap();
+    let after = |line: &str| Some(line.split_once("file=\"")?.1.split_once('"')?.0.to_string());
+    let files: Vec<String> = text.lines().filter_map(after).collect();
+    for file in &files {
+        let content = std::fs::read_to_string(folder.join(file)).unwrap();
+        assert!(content.trim_end().ends_with("</VTKFile>"), "{file}");
+    }
+    files
+}
+
+#[test]
+fn a_missing_case_is_bad_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = brinell(folder.path(), "run nowhere/case.toml").code(2);
+    says(&run, &["brinell::case::read", "nowhere/case.toml"]);
+}
+
+#[test]
+fn a_wrong_unit_is_marked_in_the_file() {
+    let text = SCENE.replace("200 GPa", "200 mm");
+    let folder = folder(&text, &blocks(0.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml").code(2);
+    let parts = [
+        "brinell::case::unit",
+        "youngs_modulus",
+        "200 mm",
+        "scene.toml:8:",
+    ];
+    says(&run, &parts);
+}
+
+#[test]
+fn a_misspelt_key_is_marked_and_mended() {
+    let text = SCENE.replace("poissons_ratio", "poisons_ratio");
+    let folder = folder(&text, &blocks(0.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml").code(2);
+    let parts = [
+        "brinell::case::unknown_key",
+        "poisons_ratio",
+        "scene.toml:9:",
+        "poissons_ratio",
+    ];
+    says(&run, &parts);
+}
+
+#[test]
+fn a_missing_mesh_file_is_named() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
+    let run = brinell(folder.path(), "run scene.toml").code(2);
+    says(&run, &["blocks.msh"]);
+    assert!(!folder.path().join("results/scene/summary.json").exists());
+}
+
+#[test]
+fn a_surface_that_the_mesh_lacks_is_named() {
+    let text = SCENE.replace("\"upper_z_max\"", "\"upper_top\"");
+    let folder = folder(&text, &blocks(0.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml").code(2);
+    says(&run, &["upper_top", "scene.toml:"]);
+}
+
+#[test]
+fn an_unknown_preset_is_refused_with_the_known_ones() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = shipped("initial-centre.toml");
+    let line = format!("run {} --mesh nonsense", case.display());
+    let run = brinell(folder.path(), &line).code(2);
+    says(&run, &["nonsense", "report-like", "h025", "resolved"]);
+}
+
+#[test]
+fn a_wrong_command_line_is_bad_input() {
+    let folder = tempfile::tempdir().unwrap();
+    for line in ["", "walk", "run", "run a.toml --threads 0", "hertz"] {
+        brinell(folder.path(), line).code(2);
+    }
+}
+
+#[test]
+fn the_handbook_prints_hertz() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "hertz --diameter 3 --wall 0.75 --length 8 --load 65 --yield 100 --friction 0.15";
+    let run = brinell(folder.path(), line).code(0);
+    let text = words(&run.get_output().stdout);
+    for part in ["peak pressure p0 167.17 ksi", "roller 93.202 ksi"] {
+        assert!(text.contains(part), "`{part}` is not in: {text}");
+    }
+    let run = brinell(folder.path(), &format!("{line} --wall 2")).code(2);
+    assert!(!run.get_output().stderr.is_empty());
+}
+
+#[test]
+fn a_scene_runs_from_file_to_files() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    let out = folder.path().join("out");
+    let run = brinell(folder.path(), "run scene.toml --out out --threads 1").code(0);
+    let text = words(&run.get_output().stdout);
+    assert!(text.contains("two blocks: converged"), "{text}");
+    let summary = summary(&out.join("summary.json"));
+    let bodies = ["lower_block", "upper_block"];
+    has_every_key(&summary, &bodies, &["upper-lower"]);
+    assert_eq!(summary["converged"], true);
+    for warning in summary["warnings"].as_array().unwrap() {
+        let warning = warning.as_str().unwrap();
+        assert!(!warning.contains("upper-lower"), "{warning}");
+    }
+    assert_eq!(summary["units"]["stress"], "MPa");
+    close(&summary["applied_load"], 40.0, 1e-9);
+    // σ h / E over both blocks.
+    close(&summary["descent"], 10.0 * 2.0 / 200e3, 1e-7);
+    let interface = &summary["interfaces"]["upper-lower"];
+    close(&interface["normal_force"], 40.0, 1e-7);
+    close(&interface["pressure_integral"], 40.0, 1e-7);
+    close(&interface["max_pressure"], 10.0, 1e-7);
+    close(&interface["area"], 4.0, 1e-9);
+    for body in bodies {
+        let mises = &summary["bodies"][body]["mises_max"];
+        for measure in ["centroid", "integration_point", "nodal"] {
+            close(&mises[measure], 10.0, 1e-7);
+        }
+    }
+    let files = collected(&out, "scene.pvd");
+    assert!(files.iter().any(|f| f.contains("_contact_")), "{files:?}");
+    assert!(files.len() >= 2, "{files:?}");
+}
+
+#[test]
+fn a_gap_in_a_force_driven_scene_is_closed_first() {
+    let folder = folder(SCENE, &blocks(0.0, 0.25));
+    let run = brinell(folder.path(), "run scene.toml --out out").code(0);
+    let text = words(&run.get_output().stdout);
+    assert!(text.contains("upper_block moved by"), "{text}");
+    let summary = summary(&folder.path().join("out/summary.json"));
+    close(
+        &summary["interfaces"]["upper-lower"]["normal_force"],
+        40.0,
+        1e-7,
+    );
+    close(&summary["descent"], 1e-4, 1e-6);
+}
+
+#[test]
+fn a_contact_pair_that_never_touches_is_warned_of_by_name() {
+    let idle = "[[contact]]\nname = \"idle\"\nupper = \"upper_x_max\"\nlower = \"lower_x_max\"\nfriction = 0\n";
+    let folder = folder(&format!("{SCENE}\n{idle}"), &blocks(0.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml --out out --quiet").code(0);
+    let text = words(&run.get_output().stdout);
+    assert!(
+        text.contains("idle: the surfaces do not touch, so this contact pair carries nothing"),
+        "{text}"
+    );
+    let summary = summary(&folder.path().join("out/summary.json"));
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(
+        warnings
+            .iter()
+            .any(|w| w.as_str().unwrap().contains("idle")),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn a_body_that_nothing_can_hold_is_named() {
+    let folder = folder(SCENE, &blocks(40.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml --out out");
+    let code = run.get_output().status.code();
+    assert!(matches!(code, Some(2 | 3)), "{code:?}");
+    says(&run, &["upper_block", "along z"]);
+    assert!(!folder.path().join("out/summary.json").exists());
+}
+
+#[test]
+fn a_run_that_fails_leaves_no_older_answer() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    brinell(folder.path(), "run scene.toml --out out").code(0);
+    std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
+    brinell(folder.path(), "run scene.toml --out out").code(2);
+    assert!(!folder.path().join("out/summary.json").exists());
+}
+
+#[test]
+fn a_load_beyond_the_plastic_limit_does_not_converge() {
+    let text = SCENE.replace("elastic = true", "yield_stress = \"5 MPa\"");
+    let folder = folder(&text, &blocks(0.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml --out out").code(3);
+    says(&run, &["brinell::solve::"]);
+    // What was accepted before is on disk.
+    assert!(!collected(&folder.path().join("out"), "scene.pvd").is_empty());
+}
+
+#[test]
+fn a_step_that_does_not_converge_says_how_far_it_came() {
+    let controls = "[controls]\niterations = 1\nsmallest_increment = 0.1\n";
+    let folder = folder(&format!("{SCENE}\n{controls}"), &blocks(0.0, 0.0));
+    let run = brinell(folder.path(), "run scene.toml --out out").code(3);
+    let parts = [
+        "brinell::solve::not_converged",
+        "step `load` did not converge",
+        "of its load",
+    ];
+    says(&run, &parts);
+    assert!(!folder.path().join("out/summary.json").exists());
+}
+
+const BODIES: [&str; 5] = [
+    "upper_plate",
+    "upper_roller",
+    "intermediate_plate",
+    "lower_roller",
+    "lower_plate",
+];
+
+const INTERFACES: [&str; 4] = [
+    "upper_plate-upper_roller",
+    "upper_roller-intermediate_plate",
+    "intermediate_plate-lower_roller",
+    "lower_roller-lower_plate",
+];
+
+#[test]
+fn the_main_case_runs_from_any_folder_on_its_shipped_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = shipped("initial-centre.toml");
+    let line = format!("run {} --mesh report-like", case.display());
+    let run = cargo_bin_cmd!("brinell")
+        .current_dir(folder.path())
+        .args(line.split_whitespace())
+        // A mesh of its own would need gmsh.
+        .env("BRINELL_GMSH", "/nonexistent/gmsh")
+        .assert()
+        .code(0);
+    let text = words(&run.get_output().stdout);
+    assert!(text.contains("Largest Mises stress, ksi"), "{text}");
+    let out = folder.path().join("results/initial-centre");
+    let summary = summary(&out.join("summary.json"));
+    has_every_key(&summary, &BODIES, &INTERFACES);
+    assert_eq!(summary["converged"], true);
+    close(&summary["applied_load"], 65.0, 1e-9);
+    for interface in INTERFACES {
+        let interface = &summary["interfaces"][interface];
+        close(&interface["normal_force"], 65.0, 1e-6);
+    }
+    for roller in ["upper_roller", "lower_roller"] {
+        let roller = &summary["rollers"][roller];
+        assert!(roller.get("bore_mises").is_some(), "{roller}");
+        assert!(roller["bore_mises_nodal"].is_f64(), "{roller}");
+    }
+    let row = &summary["comparison"][0];
+    for key in [
+        "what",
+        "where",
+        "report",
+        "report_like",
+        "value",
+        "error",
+        "hertz",
+    ] {
+        assert!(row.get(key).is_some(), "`{key}` is missing in {row}");
+    }
+    assert!(!collected(&out, "initial-centre.pvd").is_empty());
+}
+
+#[test]
+fn a_case_finds_its_shipped_mesh_from_its_own_folder() {
+    let out = tempfile::tempdir().unwrap();
+    let line = "run initial-centre.toml --mesh report-like --elastic --quiet --out";
+    let run = cargo_bin_cmd!("brinell")
+        .current_dir(shipped(""))
+        .args(line.split_whitespace())
+        .arg(out.path())
+        .env("BRINELL_GMSH", "/nonexistent/gmsh")
+        .assert();
+    run.code(0);
+}
+
+/// A run of the default mesh of the main case, to be stopped, and its output.
+struct Running {
+    child: Child,
+    output: BufReader<ChildStdout>,
+}
+
+impl Running {
+    fn start(out: &Path) -> Self {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_brinell"))
+            .arg("run")
+            .arg(shipped("initial-centre.toml"))
+            .arg("--out")
+            .arg(out)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let output = BufReader::new(child.stdout.take().unwrap());
+        Self { child, output }
+    }
+
+    /// Reads on until a line satisfies `wanted`.
+    fn until(&mut self, wanted: impl Fn(&str) -> bool) {
+        let mut line = String::new();
+        while !wanted(&line) {
+            line.clear();
+            let read = self.output.read_line(&mut line).unwrap();
+            assert!(read > 0, "the run ended too early");
+        }
+    }
+
+    /// Presses Ctrl-C and returns the exit status.
+    fn interrupt(mut self) -> Option<i32> {
+        let id = self.child.id().to_string();
+        let kill = std::process::Command::new("kill")
+            .args(["-INT", &id])
+            .status();
+        assert!(kill.unwrap().success());
+        let start = Instant::now();
+        let mut rest = String::new();
+        while std::io::Read::read_to_string(&mut self.output, &mut rest).is_ok_and(|n| n > 0) {}
+        let status = self.child.wait().unwrap();
+        assert!(start.elapsed() < Duration::from_secs(60));
+        status.code()
+    }
+}
+
+#[test]
+fn an_interrupted_run_leaves_whole_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut run = Running::start(folder.path());
+    // An increment ends before the next one begins to iterate: its column `it` is 1 again.
+    let first = |line: &str| line.split_whitespace().nth(1) == Some("1");
+    let pvd = folder.path().join("initial-centre.pvd");
+    run.until(first);
+    run.until(|line| first(line) && pvd.exists());
+    assert_eq!(run.interrupt(), Some(130));
+    let files = collected(folder.path(), "initial-centre.pvd");
+    assert!(!files.is_empty());
+    let summary = summary(&folder.path().join("summary.json"));
+    assert_eq!(summary["converged"], false);
+    has_every_key(&summary, &BODIES, &INTERFACES);
+    for entry in std::fs::read_dir(folder.path()).unwrap() {
+        let name = entry.unwrap().file_name();
+        assert!(!name.to_string_lossy().ends_with(".tmp"), "{name:?}");
+    }
+}
+
+#[test]
+fn a_run_interrupted_at_once_leaves_no_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut run = Running::start(folder.path());
+    run.until(|line| line.starts_with("load:"));
+    assert_eq!(run.interrupt(), Some(130));
+    assert!(!folder.path().join("summary.json").exists());
+}

@@ -35,6 +35,7 @@ fn held(surface: &str, axis: usize) -> Support {
         name: surface.into(),
         surface: surface.into(),
         components,
+        ..Support::default()
     }
 }
 

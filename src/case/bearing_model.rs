@@ -63,6 +63,7 @@ impl BearingCase {
                 name: name.to_string(),
                 surface: surface.to_string(),
                 components,
+                ..Support::default()
             },
             place: place.clone(),
         };

@@ -38,6 +38,7 @@ impl Loads {
                 name,
                 surface,
                 components,
+                ..Support::default()
             }));
         }
         for table in root.tables("rigid_plane")? {

@@ -64,8 +64,9 @@ impl DofMap {
     pub fn new(scene: &Scene) -> Result<Self, Conflict> {
         let mesh = &scene.mesh;
         let mut owner = vec![[None::<Owner>; 3]; mesh.points.len()];
-        let mut claim = |mesh: &Mesh, surface: &str, axis: usize, new: Owner| {
+        let mut claim = |mesh: &Mesh, surface: &str, axis: usize, owns: &dyn Fn(u32) -> Owner| {
             for node in mesh.surface(surface).map(|s| s.nodes()).unwrap_or_default() {
+                let new = owns(node);
                 let slot = &mut owner[node as usize][axis];
                 match *slot {
                     Some(old) if !old.agrees(&new) => {
@@ -89,14 +90,17 @@ impl DofMap {
                     PlaneMotion::Driven(_) => Owner::Driven(index),
                     PlaneMotion::Free => continue,
                 };
-                claim(mesh, &plane.surface, axis, new)?;
+                claim(mesh, &plane.surface, axis, &|_| new)?;
             }
         }
         for (index, support) in scene.supports.iter().enumerate() {
             for axis in 0..3 {
-                if let Some(value) = support.components[axis] {
-                    let new = Owner::Held(value, Source::Support(index));
-                    claim(mesh, &support.surface, axis, new)?;
+                if let Some(constant) = support.components[axis] {
+                    let owns = |node: u32| {
+                        let value = support.displacement(axis, &mesh.points[node as usize]);
+                        Owner::Held(value.unwrap_or(constant), Source::Support(index))
+                    };
+                    claim(mesh, &support.surface, axis, &owns)?;
                 }
             }
         }

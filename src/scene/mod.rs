@@ -57,13 +57,24 @@ pub enum Side {
     Lower,
 }
 
-/// Prescribed displacement components on a surface.
-#[derive(Debug, Clone, PartialEq)]
+/// Prescribed displacement components on a surface: constant, or linear in position.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Support {
     pub name: String,
     pub surface: String,
     /// Displacement of each component, `None` where free. Times the factor of the step.
     pub components: [Option<f64>; 3],
+    /// ∂u_i/∂x_j of each prescribed component i, by undeformed position: a node at `x` is moved
+    /// by `components[i]` + Σ `gradient[i][j]` x_j. Times the factor of the step.
+    pub gradient: [[f64; 3]; 3],
+}
+
+impl Support {
+    /// Displacement along `axis` of a node at `x`, at factor one; `None` where free.
+    pub fn displacement(&self, axis: usize, x: &[f64; 3]) -> Option<f64> {
+        let row = &self.gradient[axis];
+        self.components[axis].map(|c| c + row[0] * x[0] + row[1] * x[1] + row[2] * x[2])
+    }
 }
 
 /// A surface that translates as a rigid plane without rotating.

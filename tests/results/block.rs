@@ -120,6 +120,7 @@ pub fn stack() -> Scene {
             name: "ground".to_string(),
             surface: "plate_w-".to_string(),
             components: [Some(0.0); 3],
+            ..Support::default()
         }],
         rigid_planes: vec![RigidPlane {
             name: "top".to_string(),

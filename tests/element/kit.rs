@@ -1,0 +1,81 @@
+//! What the tests share: a scene without contact, its supports and loads.
+
+use brinell::material::Steel;
+use brinell::mesh::Mesh;
+use brinell::results::State;
+use brinell::scene::{Controls, Scene, Step, Support};
+use brinell::solve::{Silent, solve};
+
+/// A scene of one steel with one step to the full load and tight tolerances.
+pub fn scene(mesh: Mesh, steel: Steel) -> Scene {
+    Scene {
+        name: "element test".into(),
+        materials: vec![steel; mesh.bodies.len()],
+        mesh,
+        contacts: Vec::new(),
+        supports: Vec::new(),
+        rigid_planes: Vec::new(),
+        tractions: Vec::new(),
+        steps: vec![step(1.0)],
+        mirrors: Vec::new(),
+        controls: Controls {
+            residual: 1e-12,
+            ..Controls::default()
+        },
+    }
+}
+
+/// A step that takes every load and support to `factor`.
+pub fn step(factor: f64) -> Step {
+    Step {
+        name: format!("to {factor}"),
+        factor,
+        factors: Vec::new(),
+    }
+}
+
+/// Holds one component of a surface.
+pub fn held(surface: &str, axis: usize) -> Support {
+    let mut components = [None; 3];
+    components[axis] = Some(0.0);
+    Support {
+        name: surface.into(),
+        surface: surface.into(),
+        components,
+        ..Support::default()
+    }
+}
+
+/// The states at the ends of the steps.
+pub fn states(scene: &mut Scene) -> Vec<State> {
+    solve(scene, &mut Silent)
+        .unwrap_or_else(|error| panic!("{error}"))
+        .states
+}
+
+/// The state at the end of the last step.
+pub fn last(scene: &mut Scene) -> State {
+    states(scene).pop().expect("a state")
+}
+
+/// The steel of the reference study, ksi: E = 29500, ν = 0.3, yield at 100, and 138 at a total
+/// strain of 0.157 (H = 249.471).
+pub fn report_steel() -> Steel {
+    let tangent = (138.0 - 100.0) / (0.157 - 100.0 / 29500.0);
+    Steel {
+        youngs_modulus: 29500.0,
+        poissons_ratio: 0.3,
+        yield_stress: 100.0,
+        hardening_modulus: 29500.0 * tangent / (29500.0 - tangent),
+    }
+}
+
+/// Fails unless `value` is within the relative `tolerance` of `expected`.
+#[track_caller]
+pub fn close(what: &str, value: f64, expected: f64, tolerance: f64) {
+    let error = (value - expected).abs() / expected.abs();
+    assert!(
+        error <= tolerance,
+        "{what}: {value}, expected {expected}, off by {error:.2e}"
+    );
+}

@@ -28,3 +28,4 @@ pub mod results;
 pub mod scene;
 pub mod solve;
 pub mod units;
+pub mod verify;

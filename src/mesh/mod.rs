@@ -4,6 +4,7 @@ pub mod block;
 pub mod gmsh;
 pub mod hexahedron;
 pub mod join;
+pub mod merge;
 pub mod msh;
 pub mod quality;
 pub mod shape;

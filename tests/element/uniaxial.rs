@@ -35,11 +35,7 @@ fn curve(strain: f64) -> f64 {
 fn cube(motion: PlaneMotion) -> Scene {
     let list = || uniform(0.0, 1.0, 2);
     let off = |x: [f64; 3]| {
-        if x == [0.5; 3] {
-            [0.58, 0.45, 0.56]
-        } else {
-            x
-        }
+        if x == [0.5; 3] { [0.58, 0.45, 0.56] } else { x }
     };
     let mesh = Block::new("cube", list(), list(), list())
         .mapped(off)

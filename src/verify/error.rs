@@ -1,0 +1,28 @@
+//! Why a claim could not be measured.
+
+use crate::analytic::DomainError;
+use crate::mesh::block::BlockError;
+use crate::mesh::join::JoinError;
+use crate::solve::SolveError;
+
+/// The ladder could not measure a claim.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum VerifyError {
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Solve(#[from] SolveError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Block(#[from] BlockError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Join(#[from] JoinError),
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    #[error("the solution has no {0} to read")]
+    #[diagnostic(code(brinell::verify::missing))]
+    Missing(&'static str),
+    #[error("there is no suite `{name}`")]
+    #[diagnostic(code(brinell::verify::suite), help("the suites are {known}"))]
+    Suite { name: String, known: String },
+}

@@ -1,0 +1,5 @@
+//! Whole solutions: blocks, the reference study's centre case, and what must not change them.
+
+mod blocks;
+mod centre;
+mod invariance;

@@ -1,36 +1,6 @@
 //! The trilinear hexahedron as results see it: shape functions, integration points, volumes.
 
-/// Natural coordinates of the corners, in the order of [`Mesh`](crate::mesh::Mesh).
-pub const CORNERS: [[f64; 3]; 8] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-];
-
-/// Distance of the 2x2x2 Gauss points from the centre, 1/sqrt 3.
-pub const GAUSS: f64 = 0.577_350_269_189_625_8;
-
-/// Trilinear shape functions at natural coordinates `xi`.
-pub fn shape(xi: [f64; 3]) -> [f64; 8] {
-    CORNERS.map(|c| 0.125 * (1.0 + c[0] * xi[0]) * (1.0 + c[1] * xi[1]) * (1.0 + c[2] * xi[2]))
-}
-
-/// Derivatives of the shape functions by the natural coordinates.
-pub fn natural_gradients(xi: [f64; 3]) -> [[f64; 3]; 8] {
-    CORNERS.map(|c| {
-        let f = [1.0 + c[0] * xi[0], 1.0 + c[1] * xi[1], 1.0 + c[2] * xi[2]];
-        [
-            0.125 * c[0] * f[1] * f[2],
-            0.125 * c[1] * f[0] * f[2],
-            0.125 * c[2] * f[0] * f[1],
-        ]
-    })
-}
+pub use crate::fem::hex8::{CORNERS, GAUSS, shape, shape_derivatives as natural_gradients};
 
 /// Sums nodal vectors weighted by nodal values, such as a position from shape functions.
 pub fn interpolate(weights: &[f64; 8], nodal: &[[f64; 3]; 8]) -> [f64; 3] {

@@ -10,6 +10,7 @@ use super::evaluate::{Evaluation, History, Trial};
 use super::line_search;
 use super::model::{Counters, Model};
 use super::observer::{Iteration, Observer};
+use super::start;
 use super::timers::Phase;
 use crate::contact::law::{Node, Status};
 use crate::linear::cholesky::{Factor, FactorError};
@@ -170,7 +171,7 @@ pub fn balance(
     let controls = &model.scene.controls;
     let external = model.external(point.step, point.time);
     let reference = reference_force(model).max(f64::MIN_POSITIVE);
-    let limit = 10.0 * size(model);
+    let limit = 10.0 * start::extent(model.scene);
     let mut last = Iteration {
         step: point.step,
         time: point.time,
@@ -328,20 +329,6 @@ fn reference_force(model: &Model) -> f64 {
     (0..model.scene.steps.len())
         .map(|s| norm(&model.external(s, 1.0)))
         .fold(0.0, f64::max)
-}
-
-/// Diagonal of the box around the model.
-pub fn size(model: &Model) -> f64 {
-    let points = &model.scene.mesh.points;
-    let span = |axis: usize| {
-        let (low, high) = points
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
-                (l.min(p[axis]), h.max(p[axis]))
-            });
-        high - low
-    };
-    span(0).hypot(span(1)).hypot(span(2))
 }
 
 /// The component that left the model, if any.

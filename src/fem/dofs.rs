@@ -18,8 +18,8 @@ pub struct DofMap {
     pub vertex_start: Vec<u32>,
     /// Equation of each driven component of each rigid plane.
     pub planes: Vec<[Option<u32>; 3]>,
-    /// Prescribed components: node, axis, displacement at factor one, index of the load that
-    /// moves it (see [`DofMap::prescribed_by`]).
+    /// Prescribed components: node, axis, displacement at factor one, and what
+    /// prescribes it (a [`Source`]).
     pub prescribed: Vec<Prescribed>,
 }
 

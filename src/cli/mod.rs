@@ -4,6 +4,7 @@ mod console;
 pub mod hertz;
 pub mod mesh;
 pub mod run;
+pub mod verify;
 
 use clap::{Parser, Subcommand};
 use std::io::Write;
@@ -25,6 +26,8 @@ enum Command {
     Mesh(mesh::MeshArgs),
     /// The handbook: Hertz, ring and groove figures for a roller on a plate.
     Hertz(hertz::HertzArgs),
+    /// The verification ladder: problems with known answers, and how far off the program is.
+    Verify(verify::VerifyArgs),
 }
 
 /// Exit status of the program.
@@ -46,6 +49,7 @@ impl Cli {
         let status = match self.command {
             Command::Run(args) => run::run(&args),
             Command::Mesh(args) => mesh::run(&args),
+            Command::Verify(args) => verify::run(&args),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| Status::Done)
                 .map_err(|error| (Status::BadInput, miette::Report::msg(error.to_string()))),

@@ -1,0 +1,113 @@
+//! The matrix of claims, for the terminal and for the documentation.
+
+use super::Claim;
+
+/// A number with five digits, as short as it goes.
+fn number(x: f64) -> String {
+    if x == 0.0 {
+        return "0".into();
+    }
+    let size = x.abs();
+    if (1e-3..1e5).contains(&size) {
+        let digits = (4 - size.log10().floor() as i32).clamp(0, 7) as usize;
+        format!("{x:.digits$}")
+    } else {
+        format!("{x:.3e}")
+    }
+}
+
+/// A relative error in percent, or as a power of ten where it is tiny.
+fn share(x: f64) -> String {
+    if x.is_infinite() {
+        "shown".into()
+    } else if x != 0.0 && x < 1e-5 {
+        format!("{x:.0e}")
+    } else {
+        format!("{:.2} %", 100.0 * x)
+    }
+}
+
+fn verdict(claim: &Claim) -> &'static str {
+    match (claim.tolerance.is_infinite(), claim.holds()) {
+        (true, _) => "-",
+        (false, true) => "ok",
+        (false, false) => "FAILS",
+    }
+}
+
+/// A line for the terminal.
+pub fn line(c: &Claim) -> String {
+    format!(
+        "{:5} {:12} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7.2}",
+        verdict(c),
+        c.family,
+        c.claim,
+        number(c.reference),
+        number(c.value),
+        share(c.error),
+        share(c.tolerance),
+        c.dofs,
+        c.seconds
+    )
+}
+
+/// The head of the lines.
+pub fn head() -> String {
+    format!(
+        "{:5} {:12} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7}",
+        "", "family", "claim", "reference", "value", "error", "allowed", "dofs", "s"
+    )
+}
+
+/// The page `docs/verification.md`.
+pub fn page(claims: &[Claim]) -> String {
+    let failed = claims.iter().filter(|c| !c.holds()).count();
+    let mut text = format!(
+        "# Verification\n\n\
+         Written by `brinell verify --all --write`; do not edit. Each claim is solved afresh.\n\
+         Errors are relative to the reference unless the claim says otherwise; `shown` marks values\n\
+         that stand beside a claim without a tolerance. Seconds are wall-clock, those of the\n\
+         solution that the value was read from.\n\n\
+         {} claims, {failed} outside their tolerance.\n\n\
+         | | family | claim | reference | value | error | allowed | unknowns | s |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
+        claims.len()
+    );
+    for c in claims {
+        text.push_str(&format!(
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {:.2} |\n",
+            verdict(c),
+            c.family,
+            c.claim,
+            number(c.reference),
+            number(c.value),
+            share(c.error),
+            share(c.tolerance),
+            c.dofs,
+            c.seconds
+        ));
+    }
+    text.push_str("\n## Sources and tolerances\n\n| family | claim | reference from | why this tolerance |\n|---|---|---|---|\n");
+    for c in claims {
+        text.push_str(&format!(
+            "| {} | {} | {} | {} |\n",
+            c.family, c.claim, c.source, c.why
+        ));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_claim_that_fails_says_so() {
+        let mut claim = Claim::relative("p0", 103.0, 100.0, 0.01);
+        assert!(line(&claim).starts_with("FAILS") && page(&[claim.clone()]).contains("| FAILS |"));
+        claim.tolerance = 0.05;
+        assert!(line(&claim).starts_with("ok"));
+        let nan = Claim::relative("p0", f64::NAN, 100.0, 0.01);
+        assert!(line(&nan).starts_with("FAILS"));
+    }
+}

@@ -1,9 +1,9 @@
 //! `[controls]`: the tolerances and increments of the solver.
 
-use super::error::CaseError;
+use super::error::{CaseError, ErrorKind};
 use super::parse::Table;
 use super::source::Located;
-use crate::scene::Controls;
+use crate::scene::{Controls, ElementKind};
 
 const KEYS: &[&str] = &[
     "residual",
@@ -12,6 +12,7 @@ const KEYS: &[&str] = &[
     "smallest_increment",
     "iterations",
     "plasticity",
+    "element",
 ];
 
 /// The controls of the case, with the defaults of [`Controls`].
@@ -53,6 +54,17 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     }
     if let Some(field) = table.get("plasticity") {
         controls.plasticity = field.boolean()?.value;
+    }
+    if let Some(field) = table.get("element") {
+        let name = field.string()?;
+        controls.element = match name.value.as_str() {
+            "bbar" => ElementKind::Bbar,
+            "enhanced" => ElementKind::Enhanced,
+            _ => {
+                let why = "must be \"bbar\" or \"enhanced\"";
+                return Err(name.place.error(ErrorKind::Value, why));
+            }
+        };
     }
     Ok(controls)
 }

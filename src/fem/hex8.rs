@@ -56,15 +56,7 @@ impl Geometry {
         };
         for (k, corner) in CORNERS.iter().enumerate() {
             let dn = shape_derivatives(corner.map(|c| c * GAUSS));
-            let mut jacobian = [[0.0; 3]; 3];
-            for (x, d) in corners.iter().zip(&dn) {
-                for i in 0..3 {
-                    for j in 0..3 {
-                        jacobian[i][j] += x[i] * d[j];
-                    }
-                }
-            }
-            let (inverse, det) = invert(&jacobian);
+            let (inverse, det) = invert(&jacobian(corners, &dn));
             g.volumes[k] = det;
             g.volume += det;
             for a in 0..8 {
@@ -82,8 +74,21 @@ impl Geometry {
     }
 }
 
+/// ∂x_i/∂ξ_j from the corners and the derivatives of the shape functions.
+pub(super) fn jacobian(corners: &[[f64; 3]; 8], derivatives: &[[f64; 3]; 8]) -> [[f64; 3]; 3] {
+    let mut jacobian = [[0.0; 3]; 3];
+    for (x, d) in corners.iter().zip(derivatives) {
+        for i in 0..3 {
+            for j in 0..3 {
+                jacobian[i][j] += x[i] * d[j];
+            }
+        }
+    }
+    jacobian
+}
+
 /// Inverse and determinant of a 3×3 matrix.
-fn invert(m: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
+pub(super) fn invert(m: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
     let cofactor = |i: usize, j: usize| {
         let (a, b) = ((i + 1) % 3, (i + 2) % 3);
         let (c, d) = ((j + 1) % 3, (j + 2) % 3);

@@ -2,5 +2,7 @@
 
 pub mod bbar;
 pub mod dofs;
+pub mod element;
+pub mod enhanced;
 pub mod hex8;
 pub mod loads;

@@ -3,4 +3,5 @@
 pub mod cholesky;
 pub mod krylov;
 pub mod ordering;
+pub mod small;
 pub mod sparse;

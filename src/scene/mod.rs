@@ -146,6 +146,18 @@ pub struct Controls {
     pub iterations: usize,
     /// Integrate plasticity? `false` keeps every body elastic.
     pub plasticity: bool,
+    /// The hexahedron that all bodies are made of.
+    pub element: ElementKind,
+}
+
+/// A formulation of the eight-node hexahedron.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ElementKind {
+    /// Element-mean volumetric strain: what "C3D8" stands for. Robust, but stiff in bending.
+    #[default]
+    Bbar,
+    /// Incompatible modes, as in "C3D8I": bends exactly where it is a brick.
+    Enhanced,
 }
 
 impl Default for Controls {
@@ -157,6 +169,7 @@ impl Default for Controls {
             smallest_increment: 1e-4,
             iterations: 40,
             plasticity: true,
+            element: ElementKind::default(),
         }
     }
 }

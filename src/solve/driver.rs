@@ -7,7 +7,6 @@ use super::observer::Observer;
 use super::start::{self, Closing};
 use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
-use crate::fem::bbar;
 use crate::fem::dofs::{Conflict, FIXED};
 use crate::linear::cholesky::FactorError;
 use crate::results::{ContactField, PlaneField, State};
@@ -382,16 +381,10 @@ impl<'a, 'o> Run<'a, 'o> {
             .into_par_iter()
             .map(|element| {
                 let local = mesh.hexes[element].map(|n| u[n as usize]);
-                let geometry = model.geometry(element as u32);
                 let elastic = &model.elastic[mesh.body_of(element)];
                 let points = plastic[element].copied().unwrap_or_default();
-                let stress = std::array::from_fn(|k| {
-                    let mut strain = bbar::strain(&geometry, k, &local);
-                    for (e, p) in strain.iter_mut().zip(points[k].strain) {
-                        *e -= p;
-                    }
-                    elastic.stress(&strain)
-                });
+                let shape = model.element(element as u32);
+                let stress = shape.stress(elastic, &local, &points);
                 (stress, points.map(|p| p.peeq))
             })
             .unzip()

@@ -2,7 +2,8 @@
 
 use super::model::Model;
 use crate::contact::law::{Answer, Node};
-use crate::fem::bbar::{self, ElementVector};
+use crate::fem::bbar::ElementVector;
+use crate::fem::element::Answer as ElementAnswer;
 use crate::linear::sparse::SymmetricMatrix;
 use crate::material::j2::{self, PlasticPoint};
 use rayon::prelude::*;
@@ -29,6 +30,19 @@ pub struct PlasticAnswer {
     pub flows: [Option<j2::Flow>; 8],
     /// Force that the plastic strain takes off the elastic answer.
     relief: ElementVector,
+}
+
+impl PlasticAnswer {
+    /// For displacements so far off that the element has no answer: no force either, so that the
+    /// step there is not taken.
+    fn lost(index: usize, points: [PlasticPoint; 8]) -> Self {
+        Self {
+            index,
+            points: Box::new(points),
+            flows: [None; 8],
+            relief: [[f64::NAN; 3]; 8],
+        }
+    }
 }
 
 /// Everything known at a trial displacement.
@@ -101,29 +115,21 @@ impl Model<'_> {
                 let local = nodes.map(|n| u[n as usize]);
                 let body = mesh.body_of(element as usize);
                 let (steel, elastic) = (&self.scene.materials[body], &self.elastic[body]);
-                let geometry = self.geometry(element);
+                let shape = self.element(element);
                 let old = history.plastic[index].as_deref();
-                let mut points = old.copied().unwrap_or_default();
-                let mut flows = [None; 8];
-                for k in 0..8 {
-                    let strain = bbar::strain(&geometry, k, &local);
-                    let update = j2::update(steel, elastic, &strain, &points[k]);
-                    points[k] = update.point;
-                    flows[k] = update.flow;
-                }
+                let start = old.copied().unwrap_or_default();
+                let Some(answer) = shape.answer(steel, elastic, &local, &start) else {
+                    return Some(PlasticAnswer::lost(index, start));
+                };
+                let ElementAnswer { points, flows } = answer;
                 if old.is_none() && flows.iter().all(Option::is_none) {
                     return None;
                 }
-                let mut relief = [[0.0; 3]; 8];
-                for (k, point) in points.iter().enumerate() {
-                    let stress = elastic.stress(&point.strain);
-                    bbar::add_stress_force(&geometry, k, &stress, &mut relief);
-                }
                 Some(PlasticAnswer {
                     index,
+                    relief: shape.relief(elastic, &points),
                     points: Box::new(points),
                     flows,
-                    relief,
                 })
             })
             .collect()
@@ -157,17 +163,8 @@ impl Model<'_> {
             .map(|answer| {
                 let element = self.yielding[answer.index];
                 let body = self.scene.mesh.body_of(element as usize);
-                let geometry = self.geometry(element);
-                let mut change = Box::new([[0.0; 24]; 24]);
-                for (k, flow) in answer.flows.iter().enumerate() {
-                    if let Some(flow) = flow {
-                        let volume = geometry.volumes[k];
-                        let factor = (flow.beta - 1.0) * self.elastic[body].shear * volume;
-                        bbar::add_deviatoric(&geometry, k, factor, &mut change);
-                        let factor = -flow.softening * volume;
-                        bbar::add_direction(&geometry, k, &flow.direction, factor, &mut change);
-                    }
-                }
+                let shape = self.element(element);
+                let change = Box::new(shape.tangent_change(&self.elastic[body], &answer.flows));
                 (self.element_equations(element), change)
             })
             .collect();

@@ -4,9 +4,8 @@ use super::driver::SolveError;
 use super::timers::Timers;
 use crate::contact::law::Law;
 use crate::contact::mortar::{self, Opposite, Row};
-use crate::fem::bbar::{self, ElementVector};
 use crate::fem::dofs::{DofMap, FIXED, Source};
-use crate::fem::hex8::Geometry;
+use crate::fem::element::Element;
 use crate::fem::loads;
 use crate::linear::cholesky::Symbolic;
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
@@ -81,7 +80,7 @@ impl<'a> Model<'a> {
         let rows = contact_rows(scene, reach);
         let pattern = pattern(mesh, &dofs, &rows);
         let symbolic = Symbolic::new(&pattern)?;
-        let stiffness = elastic_stiffness(mesh, &dofs, &elastic, &pattern);
+        let stiffness = elastic_stiffness(scene, &dofs, &elastic, &pattern);
         let yielding = if scene.controls.plasticity {
             let bodies = mesh.bodies.iter().zip(&scene.materials);
             bodies
@@ -150,9 +149,9 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Geometry of an element.
-    pub fn geometry(&self, element: u32) -> Geometry {
-        Geometry::new(&self.scene.mesh.corners(element as usize))
+    /// The element with its shape.
+    pub fn element(&self, element: u32) -> Element {
+        shaped(self.scene, element as usize)
     }
 
     /// Equations of an element's 24 components.
@@ -180,13 +179,8 @@ impl<'a> Model<'a> {
                 if local.iter().flatten().all(|v| *v == 0.0) {
                     continue;
                 }
-                let geometry = self.geometry(element as u32);
                 let moduli = &self.elastic[mesh.body_of(element)];
-                let mut out: ElementVector = [[0.0; 3]; 8];
-                for k in 0..8 {
-                    let stress = moduli.stress(&bbar::strain(&geometry, k, &local));
-                    bbar::add_stress_force(&geometry, k, &stress, &mut out);
-                }
+                let out = self.element(element as u32).elastic_force(moduli, &local);
                 for (node, f) in nodes.iter().zip(out) {
                     for axis in 0..3 {
                         force[*node as usize][axis] -= f[axis];
@@ -295,23 +289,25 @@ fn pattern(mesh: &Mesh, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
     Pattern::new(dofs.vertex_start.clone(), cliques.iter().map(Vec::as_slice))
 }
 
+fn shaped(scene: &Scene, element: usize) -> Element {
+    Element::new(scene.controls.element, &scene.mesh.corners(element))
+}
+
 fn elastic_stiffness(
-    mesh: &Mesh,
+    scene: &Scene,
     dofs: &DofMap,
     elastic: &[Elastic],
     pattern: &Pattern,
 ) -> SymmetricMatrix {
     // Element matrices in parallel, a batch at a time; sums in element order.
     const BATCH: usize = 1024;
+    let mesh = &scene.mesh;
     let mut matrix = pattern.zeros();
     for start in (0..mesh.hexes.len()).step_by(BATCH) {
         let end = (start + BATCH).min(mesh.hexes.len());
         let blocks: Vec<_> = (start..end)
             .into_par_iter()
-            .map(|e| {
-                let geometry = Geometry::new(&mesh.corners(e));
-                Box::new(bbar::stiffness(&geometry, &elastic[mesh.body_of(e)]))
-            })
+            .map(|e| Box::new(shaped(scene, e).stiffness(&elastic[mesh.body_of(e)])))
             .collect();
         for (e, block) in (start..end).zip(blocks) {
             let equations = element_equations(mesh, dofs, e);

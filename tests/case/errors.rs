@@ -474,6 +474,10 @@ fn impossible_controls() {
         &["controls.iterations = 0", "1 or more"],
     );
     refused(
+        &with_control("element = \"c3d8\""),
+        &["controls.element", "c3d8", "\"bbar\" or \"enhanced\""],
+    );
+    refused(
         &with_control("iterations = -3"),
         &["controls.iterations = -3"],
     );

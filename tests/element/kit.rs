@@ -3,11 +3,13 @@
 use brinell::material::Steel;
 use brinell::mesh::Mesh;
 use brinell::results::State;
-use brinell::scene::{Controls, Scene, Step, Support};
+use brinell::scene::{Controls, ElementKind, Scene, Step, Support};
 use brinell::solve::{Silent, solve};
 
+pub const KINDS: [ElementKind; 2] = [ElementKind::Bbar, ElementKind::Enhanced];
+
 /// A scene of one steel with one step to the full load and tight tolerances.
-pub fn scene(mesh: Mesh, steel: Steel) -> Scene {
+pub fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
     Scene {
         name: "element test".into(),
         materials: vec![steel; mesh.bodies.len()],
@@ -20,6 +22,7 @@ pub fn scene(mesh: Mesh, steel: Steel) -> Scene {
         mirrors: Vec::new(),
         controls: Controls {
             residual: 1e-12,
+            element,
             ..Controls::default()
         },
     }
@@ -35,11 +38,13 @@ pub fn step(factor: f64) -> Step {
 }
 
 /// Holds one component of a surface.
+///
+/// Named after both: a scene may hold several components of one surface.
 pub fn held(surface: &str, axis: usize) -> Support {
     let mut components = [None; 3];
     components[axis] = Some(0.0);
     Support {
-        name: surface.into(),
+        name: format!("{surface} {axis}"),
         surface: surface.into(),
         components,
         ..Support::default()

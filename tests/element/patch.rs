@@ -6,7 +6,7 @@
 use crate::kit;
 use brinell::material::Steel;
 use brinell::mesh::{Body, Face, Mesh, Surface, surface::faces_of};
-use brinell::scene::{Scene, Support};
+use brinell::scene::{ElementKind, Scene, Support};
 
 const INNER: [[f64; 3]; 8] = [
     [0.249, 0.342, 0.192],
@@ -65,8 +65,8 @@ fn mesh() -> Mesh {
 }
 
 /// u = ½ 10⁻³ (2x + y + z), v = ½ 10⁻³ (x + 2y + z), w = ½ 10⁻³ (x + y + 2z) on the boundary.
-fn patch(steel: Steel) -> Scene {
-    let mut scene = kit::scene(mesh(), steel);
+fn patch(steel: Steel, kind: ElementKind) -> Scene {
+    let mut scene = kit::scene(mesh(), steel, kind);
     scene.supports = vec![Support {
         name: "boundary".into(),
         surface: "boundary".into(),
@@ -84,18 +84,20 @@ fn patch(steel: Steel) -> Scene {
 /// every shear stress 400.
 #[test]
 fn a_linear_field_is_exact_on_a_distorted_mesh() {
-    let mut scene = patch(Steel::elastic(1e6, 0.25));
-    let state = kit::last(&mut scene);
-    for stress in state.stress.iter().flatten() {
-        for (i, s) in stress.iter().enumerate() {
-            let exact = if i < 3 { 2000.0 } else { 400.0 };
-            kit::close("stress", *s, exact, 1e-9);
+    for kind in kit::KINDS {
+        let mut scene = patch(Steel::elastic(1e6, 0.25), kind);
+        let state = kit::last(&mut scene);
+        for stress in state.stress.iter().flatten() {
+            for (i, s) in stress.iter().enumerate() {
+                let exact = if i < 3 { 2000.0 } else { 400.0 };
+                kit::close("stress", *s, exact, 1e-9);
+            }
         }
-    }
-    for (x, u) in scene.mesh.points.iter().zip(&state.displacement) {
-        let sum = x[0] + x[1] + x[2];
-        for i in 0..3 {
-            assert!((u[i] - 0.5e-3 * (sum + x[i])).abs() < 1e-12);
+        for (x, u) in scene.mesh.points.iter().zip(&state.displacement) {
+            let sum = x[0] + x[1] + x[2];
+            for i in 0..3 {
+                assert!((u[i] - 0.5e-3 * (sum + x[i])).abs() < 1e-12);
+            }
         }
     }
 }
@@ -103,22 +105,24 @@ fn a_linear_field_is_exact_on_a_distorted_mesh() {
 /// The same field in a steel that yields: one state of stress everywhere.
 #[test]
 fn a_linear_field_is_uniform_when_the_steel_flows() {
-    let mut scene = patch(Steel {
+    let steel = Steel {
         youngs_modulus: 1e6,
         poissons_ratio: 0.25,
         yield_stress: 300.0,
         hardening_modulus: 1e4,
-    });
-    let state = kit::last(&mut scene);
-    // Shear alone deviates: the Mises stress goes from 1200 down to the hardened yield surface.
-    let (shear, trial) = (4e5, 400.0 * 3.0);
-    let peeq = (trial - 300.0) / (3.0 * shear + 1e4);
-    let tau = 400.0 * (300.0 + 1e4 * peeq) / trial;
-    for (stress, peeqs) in state.stress.iter().zip(&state.peeq) {
-        for (s, p) in stress.iter().zip(peeqs) {
-            kit::close("PEEQ", *p, peeq, 1e-9);
-            for (i, s) in s.iter().enumerate() {
-                kit::close("stress", *s, if i < 3 { 2000.0 } else { tau }, 1e-9);
+    };
+    // Equal normal strains: only shear deviates, with a trial Mises stress of √(3 · 3 · 400²).
+    let (shear, trial) = (4e5, 1200.0);
+    let peeq = (trial - steel.yield_stress) / (3.0 * shear + steel.hardening_modulus);
+    let tau = 400.0 * (steel.yield_stress + steel.hardening_modulus * peeq) / trial;
+    for kind in kit::KINDS {
+        let state = kit::last(&mut patch(steel, kind));
+        for (stress, peeqs) in state.stress.iter().zip(&state.peeq) {
+            for (stress, p) in stress.iter().zip(peeqs) {
+                kit::close("PEEQ", *p, peeq, 1e-9);
+                for (i, s) in stress.iter().enumerate() {
+                    kit::close("stress", *s, if i < 3 { 2000.0 } else { tau }, 1e-9);
+                }
             }
         }
     }

@@ -79,7 +79,7 @@ impl<'a> Model<'a> {
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
         let rows = contact_rows(scene, reach);
         let pattern = pattern(mesh, &dofs, &rows);
-        let symbolic = Symbolic::new(&pattern)?;
+        let symbolic = Symbolic::new(&pattern, 0)?;
         let stiffness = elastic_stiffness(scene, &dofs, &elastic, &pattern);
         let yielding = if scene.controls.plasticity {
             let bodies = mesh.bodies.iter().zip(&scene.materials);

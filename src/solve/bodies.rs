@@ -1,8 +1,9 @@
 //! Bodies seen from where something happens: contact and plastic flow.
 //!
-//! Away from contact and yielding elements a body is linear. It is condensed onto the nodes that
-//! matter, once, and Newton iterations never see the rest. Where that would not pay, because most
-//! nodes matter or because the body is small, its equations stay as they are.
+//! Away from contact and yielding elements a body is linear. It is condensed, once, onto the nodes
+//! that it shares with contact rows and yielding elements, and Newton iterations never see the
+//! rest. Where that would not pay, because most nodes matter or because the body is small, its
+//! equations stay as they are.
 
 use super::driver::SolveError;
 use crate::fem::dofs::{DofMap, FIXED};
@@ -46,12 +47,14 @@ pub struct Plan<'a> {
     pub elastic: &'a [Elastic],
     /// Vertices that must be kept.
     pub needed: &'a [bool],
+    /// Elements that are expected to flow, ascending: never condensed.
+    pub flow: &'a [u32],
 }
 
-/// Bodies that share vertices.
+/// Bodies that share vertices, without the elements that are expected to flow.
 struct Group {
     elements: Vec<u32>,
-    /// Ascending.
+    /// Vertices of the elements, ascending.
     vertices: Vec<u32>,
 }
 
@@ -99,11 +102,19 @@ impl Bodies {
             sparse_elements: Vec::new(),
             superelements: Vec::new(),
         };
-        let mut vertices: Vec<u32> = sparse.iter().flat_map(|g| &g.vertices).copied().collect();
-        vertices.sort_unstable();
-        for vertex in vertices {
-            bodies.keep(plan.dofs, vertex);
+        // What a condensed part does not hold comes first.
+        let mut sparsely = plan.needed.to_vec();
+        for (kept, ..) in &condensed {
+            kept.iter().for_each(|v| sparsely[*v as usize] = false);
         }
+        for group in &sparse {
+            let vertices = group.vertices.iter();
+            vertices.for_each(|v| sparsely[*v as usize] = true);
+        }
+        for vertex in (0..sparsely.len()).filter(|v| sparsely[*v]) {
+            bodies.keep(plan.dofs, vertex as u32);
+        }
+        bodies.sparse_elements = plan.flow.to_vec();
         for group in sparse {
             bodies.sparse_elements.extend(group.elements);
         }
@@ -250,13 +261,21 @@ fn groups(plan: &Plan, vertex_of: &[u32]) -> Vec<Group> {
         let elements: Vec<u32> = members
             .flat_map(|b| mesh.bodies[b].elements.clone())
             .map(|e| e as u32)
+            .filter(|e| plan.flow.binary_search(e).is_err())
             .collect();
-        let of_group = |v: &usize| owner[*v].is_some_and(|b| group[b] == index);
-        let vertices: Vec<u32> = (0..vertices).filter(of_group).map(|v| v as u32).collect();
-        if !elements.is_empty() {
-            made.push(Group { elements, vertices });
+        let mut touched = vec![false; vertices];
+        for element in &elements {
+            let free = equations(plan, *element as usize).into_iter();
+            free.filter(|e| *e != FIXED)
+                .for_each(|e| touched[vertex_of[e as usize] as usize] = true);
         }
+        let vertices = (0..vertices as u32).filter(|v| touched[*v as usize]);
+        made.push(Group {
+            vertices: vertices.collect(),
+            elements,
+        });
     }
+    made.retain(|group| !group.elements.is_empty());
     made
 }
 
@@ -275,7 +294,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
     let pattern = local_pattern(plan, vertex_of, &group);
     let condensation = Condensation::new(&pattern, &kept)?;
     // Each iteration factorises what is kept as a dense matrix.
-    if (condensation.kept() as f64).powi(3) / 6.0 > condensation.work() / 3.0 {
+    if (condensation.kept() as f64).powi(3) / 6.0 > condensation.work() {
         return Ok(Made::Sparse(group));
     }
     let matrix = assemble(plan, &group.elements, &pattern, |e| local_of[e as usize]);

@@ -126,6 +126,8 @@ struct Run<'a, 'o> {
     point: Point,
     /// Unknowns and multipliers of the accepted increment before this one, for extrapolation.
     previous: Option<Point>,
+    /// A better first guess than extrapolation.
+    guess: Option<Point>,
     counters: Counters,
     states: Vec<State>,
     last: State,
@@ -151,6 +153,7 @@ impl<'a, 'o> Run<'a, 'o> {
             },
             solver: LinearSolver::default(),
             previous: None,
+            guess: None,
             states: Vec::new(),
             last: State::default(),
             counters,
@@ -210,15 +213,20 @@ impl<'a, 'o> Run<'a, 'o> {
                     if self.widen_reach(&evaluation)? {
                         continue;
                     }
-                    if self.expect_flow(&trial)? {
-                        continue;
-                    }
                     let iterations = self.counters.iterations - before;
-                    let last = target >= 1.0;
-                    self.accept(trial, &evaluation, time, last)?;
-                    time = target;
                     if iterations <= controls.iterations / 3 {
                         size *= 1.5;
+                    }
+                    let flow = self.unexpected_flow(&trial, size / target);
+                    if flow.missed {
+                        self.expect(flow.elements, Some(&trial))?;
+                        size = target - time;
+                        continue;
+                    }
+                    self.accept(trial, &evaluation, time, target >= 1.0)?;
+                    time = target;
+                    if !flow.elements.is_empty() {
+                        self.expect(flow.elements, None)?;
                     }
                 }
                 Err(Failure::Cancelled) => return Ok(false),
@@ -242,7 +250,10 @@ impl<'a, 'o> Run<'a, 'o> {
     }
 
     /// First guess at `target`: on along the last increment.
-    fn predict(&self, step: usize, time: f64, target: f64) -> Point {
+    fn predict(&mut self, step: usize, time: f64, target: f64) -> Point {
+        if let Some(guess) = self.guess.take() {
+            return guess;
+        }
         let mut guess = self.point.clone();
         guess.step = step;
         guess.time = target;
@@ -266,7 +277,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let near = 0.02 * self.model.reach;
         for (r, node) in self.model.rows.iter().zip(&mut trial.nodes) {
             if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
-                (node.closed, node.bound) = (true, f64::INFINITY);
+                (node.closed, node.sticks) = (true, true);
             }
         }
     }
@@ -291,23 +302,31 @@ impl<'a, 'o> Run<'a, 'o> {
         Ok(true)
     }
 
-    /// Condenses anew where elements flow that were not expected to, keeping also those that soon
-    /// will.
-    fn expect_flow(&mut self, trial: &Point) -> Result<bool, SolveError> {
-        let timers = &mut self.counters.timers;
+    /// Flow outside the elements where it was expected, now or if the loads grow by the share
+    /// `next` of themselves.
+    fn unexpected_flow(&mut self, trial: &Point, next: f64) -> UnexpectedFlow {
         let model = &self.model;
-        let hot = timers.time(Phase::Recover, || unexpected_flow(model, trial));
-        if hot.is_empty() {
-            return Ok(false);
-        }
-        self.expected.flow.extend(hot);
+        let look = || unexpected_flow(model, trial, 1.0 + next);
+        self.counters.timers.time(Phase::Recover, look)
+    }
+
+    /// Condenses anew, with `elements` kept; the next increment starts from `guess`.
+    fn expect(&mut self, elements: Vec<u32>, guess: Option<&Point>) -> Result<(), SolveError> {
+        self.expected.flow.extend(elements);
         self.expected.flow.sort_unstable();
-        self.observer.message(&format!(
-            "{} elements may yield: kept when the bodies are condensed",
-            self.expected.flow.len()
-        ));
+        let guess = guess.map(|p| (p.clone(), self.model.displacement(&p.x, p.step, p.time)));
         self.rebuild()?;
-        Ok(true)
+        self.guess = guess.map(|(point, u)| Point {
+            x: self.model.unknowns(&u),
+            ..point
+        });
+        self.observer.message(&format!(
+            "{} elements may yield: {} of {} unknowns kept",
+            self.expected.flow.len(),
+            self.counters.kept_equations,
+            self.counters.equations,
+        ));
+        Ok(())
     }
 
     /// Prepares the model for what is expected now, and carries the state over.
@@ -542,12 +561,18 @@ impl<'a, 'o> Run<'a, 'o> {
     }
 }
 
-/// Where an element yields that the model takes for elastic: all such elements, and those that will
-/// yield as the load grows.
-fn unexpected_flow(model: &Model, trial: &Point) -> Vec<u32> {
-    // The stress below a contact grows with the root of the load, or more slowly.
-    let growth = load_to_come(model, trial).sqrt();
-    const EARLY: f64 = 0.9;
+/// Elements that yield, or soon will, though the model takes them for elastic.
+struct UnexpectedFlow {
+    elements: Vec<u32>,
+    /// Does one of them yield already?
+    missed: bool,
+}
+
+fn unexpected_flow(model: &Model, trial: &Point, next: f64) -> UnexpectedFlow {
+    // Below a contact the stress grows with the root of the load, in bending with the load; where
+    // it flows, neighbours take over some.
+    const EARLY: f64 = 0.85;
+    let growth = |ratio: f64| ratio.powf(0.75);
     let scene = model.scene;
     let u = model.displacement(&trial.x, trial.step, trial.time);
     let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
@@ -564,13 +589,19 @@ fn unexpected_flow(model: &Model, trial: &Point) -> Vec<u32> {
             (e, worst / scene.materials[body].yield_stress)
         })
         .collect();
-    if shares.iter().all(|(_, share)| *share <= 1.0) {
-        return Vec::new();
+    let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+    let to_come = load_to_come(model, trial);
+    // As long as nothing will flow before the next look, all is well.
+    let limit = if most * growth(next.min(to_come)) > 1.0 {
+        EARLY / growth(to_come)
+    } else {
+        f64::INFINITY
+    };
+    let hot = shares.into_iter().filter(|(_, share)| *share > limit);
+    UnexpectedFlow {
+        elements: hot.map(|(element, _)| element).collect(),
+        missed: most > 1.0,
     }
-    let hot = shares
-        .into_iter()
-        .filter(|(_, share)| share * growth > EARLY);
-    hot.map(|(element, _)| element).collect()
 }
 
 /// How many times larger than now a load still gets.

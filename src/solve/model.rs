@@ -21,9 +21,6 @@ use crate::scene::{Partner, PlaneMotion, Scene, Side, Step};
 /// enough that few updates are needed and soft enough that the factor stays accurate.
 const PENALTY: f64 = 1000.0;
 
-/// The same for shear against slip: softer, since sticking and slipping nodes trade places.
-const TANGENTIAL_PENALTY: f64 = 30.0;
-
 /// How often the expensive parts ran.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Counters {
@@ -112,6 +109,7 @@ impl<'a> Model<'a> {
             dofs: &all,
             elastic: &elastic,
             needed: &needed(scene, &all, &rows, &expected.flow),
+            flow: &expected.flow,
         };
         let mut bodies = Bodies::new(&plan)?;
         let dofs = bodies.kept_dofs(&all);
@@ -124,7 +122,7 @@ impl<'a> Model<'a> {
         let mut model = Self {
             loads: load_vectors(scene, &all),
             reference: 0.0,
-            yielding: yielding(scene, &bodies, &expected.flow),
+            yielding: yielding(scene, &bodies),
             scene,
             elastic,
             pattern,
@@ -283,19 +281,10 @@ fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -> Ve
     needed
 }
 
-/// Elements that may flow: those that are expected to, and all that were not condensed.
-fn yielding(scene: &Scene, bodies: &Bodies, flow: &[u32]) -> Vec<u32> {
-    if !scene.controls.plasticity {
-        return Vec::new();
-    }
+/// Elements that may flow: none of them is condensed.
+fn yielding(scene: &Scene, bodies: &Bodies) -> Vec<u32> {
     let sparse = bodies.sparse_elements.iter().copied();
-    let mut list: Vec<u32> = sparse
-        .filter(|e| can_yield(scene, *e))
-        .chain(flow.iter().copied())
-        .collect();
-    list.sort_unstable();
-    list.dedup();
-    list
+    sparse.filter(|e| can_yield(scene, *e)).collect()
 }
 
 /// Is the element of a steel that yields?
@@ -322,7 +311,6 @@ fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
             law: Law {
                 friction: pair.friction,
                 penalty: PENALTY * pair.penalty_factor * row.stiffness,
-                tangential_penalty: TANGENTIAL_PENALTY * pair.penalty_factor * row.stiffness,
                 stiffness: row.stiffness,
             },
             pair: index,

@@ -569,10 +569,9 @@ struct UnexpectedFlow {
 }
 
 fn unexpected_flow(model: &Model, trial: &Point, next: f64) -> UnexpectedFlow {
-    // Below a contact the stress grows with the root of the load, in bending with the load; where
-    // it flows, neighbours take over some.
-    const EARLY: f64 = 0.85;
-    let growth = |ratio: f64| ratio.powf(0.75);
+    // Below a contact the stress grows with the root of the load, in bending with the load, and
+    // where it flows neighbours take over some. Elements too many cost less than condensing again.
+    const EARLY: f64 = 0.7;
     let scene = model.scene;
     let u = model.displacement(&trial.x, trial.step, trial.time);
     let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
@@ -592,8 +591,8 @@ fn unexpected_flow(model: &Model, trial: &Point, next: f64) -> UnexpectedFlow {
     let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
     let to_come = load_to_come(model, trial);
     // As long as nothing will flow before the next look, all is well.
-    let limit = if most * growth(next.min(to_come)) > 1.0 {
-        EARLY / growth(to_come)
+    let limit = if most * next.min(to_come).powf(0.75) > 1.0 {
+        EARLY / to_come
     } else {
         f64::INFINITY
     };

@@ -14,6 +14,7 @@ mod bending;
 mod bumps;
 mod hertz_sphere;
 mod patch;
+mod ring;
 mod uniaxial;
 
 pub use claim::Claim;
@@ -35,10 +36,11 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 4] = [
+pub const SUITES: [Suite; 5] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
+    suite("ring", ring::claims),
     suite("hertz-sphere", hertz_sphere::claims),
 ];
 

@@ -15,6 +15,7 @@ mod bumps;
 mod hertz_sphere;
 mod patch;
 mod ring;
+mod tube;
 mod uniaxial;
 
 pub use claim::Claim;
@@ -36,11 +37,12 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 5] = [
+pub const SUITES: [Suite; 6] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
     suite("ring", ring::claims),
+    suite("tube", tube::claims),
     suite("hertz-sphere", hertz_sphere::claims),
 ];
 

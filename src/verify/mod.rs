@@ -14,6 +14,7 @@ mod bending;
 mod bumps;
 mod hertz_sphere;
 mod patch;
+mod punch;
 mod ring;
 mod tube;
 mod uniaxial;
@@ -37,12 +38,13 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 6] = [
+pub const SUITES: [Suite; 7] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
     suite("ring", ring::claims),
     suite("tube", tube::claims),
+    suite("punch", punch::claims),
     suite("hertz-sphere", hertz_sphere::claims),
 ];
 

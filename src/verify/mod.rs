@@ -16,6 +16,7 @@ mod hertz_sphere;
 mod patch;
 mod punch;
 mod ring;
+mod sphere_plastic;
 mod tube;
 mod uniaxial;
 
@@ -38,7 +39,7 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 7] = [
+pub const SUITES: [Suite; 8] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
@@ -46,6 +47,7 @@ pub const SUITES: [Suite; 7] = [
     suite("tube", tube::claims),
     suite("punch", punch::claims),
     suite("hertz-sphere", hertz_sphere::claims),
+    suite("sphere-plastic", sphere_plastic::claims),
 ];
 
 const fn suite(

@@ -108,8 +108,9 @@ impl Case {
         let [mises, nodal] = self.under_load()?;
         let top = self.exact.bore_stress(0.0)?.mises();
         let side = self.exact.bore_stress(FRAC_PI_2)?.hoop;
-        let [vertical, horizontal] = self.diameter_changes()?;
+        let [vertical, pressed, horizontal] = self.diameter_changes()?;
         let inner = self.exact.diameter_change(self.inner, 0.0)?;
+        let whole = self.exact.diameter_change(RADIUS, 0.0)?;
         let outer = self.exact.diameter_change(RADIUS, FRAC_PI_2)?;
         Ok(vec![
             self.claim("Mises, bore under the load", mises, top, 0.01)
@@ -123,6 +124,8 @@ impl Case {
             )
             .because(STRESS),
             self.claim("inner diameter along the load", vertical, inner, 0.01)
+                .because(DIAMETER),
+            self.claim("outer diameter along the load", pressed, whole, 0.01)
                 .because(DIAMETER),
             self.claim("outer diameter across it", horizontal, outer, 0.01)
                 .because(DIAMETER),
@@ -174,11 +177,12 @@ impl Case {
         Ok(YOUNG / (1.0 - POISSON * POISSON) * strain)
     }
 
-    /// Change of the inner diameter along the load and of the outer one across it.
-    fn diameter_changes(&self) -> Result<[f64; 2], VerifyError> {
+    /// Change of the inner and the outer diameter along the load, and of the outer across it.
+    fn diameter_changes(&self) -> Result<[f64; 3], VerifyError> {
         let at = |p| kit::displacement_at(&self.run.scene.mesh, self.run.state(), p);
-        let (inner, outer) = (at([self.inner, 0.0, 0.0])?, at([0.0, RADIUS, 0.0])?);
-        Ok([2.0 * inner[0], 2.0 * outer[1]])
+        let inner = at([self.inner, 0.0, 0.0])?[0];
+        let (pressed, across) = (at([RADIUS, 0.0, 0.0])?[0], at([0.0, RADIUS, 0.0])?[1]);
+        Ok([inner, pressed, across].map(|u| 2.0 * u))
     }
 }
 
@@ -192,7 +196,7 @@ fn mesh(inner: f64, layers: usize) -> Result<(Mesh, Vec<f64>), VerifyError> {
     let angles = angles(0.25 * SPREAD, 1.5 * size / RADIUS);
     let mut mesh = Block::new(
         "ring",
-        uniform(inner, RADIUS, layers),
+        radii(inner, layers),
         angles.clone(),
         uniform(0.0, LAYER, 1),
     )
@@ -208,6 +212,16 @@ fn mesh(inner: f64, layers: usize) -> Result<(Mesh, Vec<f64>), VerifyError> {
         });
     }
     Ok((mesh, edges))
+}
+
+/// Radii of the nodes: equal layers, the outermost halved three times for the pressed arc.
+fn radii(inner: f64, layers: usize) -> Vec<f64> {
+    let mut list = uniform(inner, RADIUS, layers);
+    let size = (RADIUS - inner) / layers as f64;
+    list.pop();
+    list.extend([2.0, 4.0, 8.0].map(|part| RADIUS - size / part));
+    list.push(RADIUS);
+    list
 }
 
 /// Angles of the nodes: steps of `fine` under the load, growing to `coarse`.

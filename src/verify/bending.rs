@@ -36,6 +36,8 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     let beams = [
         (bbar, BBAR, coarse, Regular, [0.9947, 0.0996, 0.0257]),
         (bbar, BBAR, fine, Regular, [0.9990, 0.9254, 0.7650]),
+        (bbar, BBAR, coarse, Trapezoidal, [0.9956, 0.0290, 0.0106]),
+        (bbar, BBAR, coarse, Parallelogram, [0.9955, 0.0473, 0.0144]),
         (enhanced, MODES, coarse, Regular, [0.9876, 0.9782, 0.9729]),
         (enhanced, MODES, fine, Regular, [0.9985, 0.9960, 0.9956]),
         (

@@ -11,7 +11,7 @@ use crate::fem::dofs::{Conflict, FIXED};
 use crate::linear::cholesky::FactorError;
 use crate::material::mises;
 use crate::results::{ContactField, PlaneField, State};
-use crate::scene::{Partner, Scene, Side};
+use crate::scene::{Partner, PlaneMotion, Scene, Side};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -502,10 +502,12 @@ impl<'a, 'o> Run<'a, 'o> {
                     .and_then(|s| s.faces.first());
                 let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
                 let factor = model.factor(&plane.name, point.step, point.time);
+                let held = plane.motion.map(|m| matches!(m, PlaneMotion::Held(_)));
+                let reaction = model.reaction(&self.history.plastic, u, &plane.surface, held);
                 let force =
                     std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
-                        (crate::scene::PlaneMotion::Driven(load), Some(_)) => factor * load,
-                        _ => 0.0,
+                        (PlaneMotion::Driven(load), Some(_)) => factor * load,
+                        _ => reaction[axis],
                     });
                 PlaneField { travel, force }
             })

@@ -11,6 +11,7 @@ mod line_search;
 mod model;
 mod newton;
 mod observer;
+mod reaction;
 mod start;
 mod timers;
 

@@ -18,7 +18,7 @@ pub enum Round {
 
 impl Round {
     /// Height of the face over its lowest point.
-    fn rise(&self, x: f64, y: f64) -> f64 {
+    pub fn rise(&self, x: f64, y: f64) -> f64 {
         let (radius, square) = match *self {
             Self::Sphere(radius) => (radius, x * x + y * y),
             Self::Cylinder(radius, 0) => (radius, x * x),

@@ -5,11 +5,13 @@ use std::time::Instant;
 use super::VerifyError;
 use super::claim::Claim;
 use crate::material::Steel;
+use crate::mesh::block::cylindrical;
 use crate::mesh::{Mesh, Surface};
+use crate::results::hex::GaussRule;
 use crate::results::{ContactField, State};
 use crate::scene::{
-    ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support, Traction,
-    TractionValue,
+    ContactPair, Controls, ElementKind, Partner, PlaneMotion, RigidPlane, Scene, Side, Step,
+    Support, Traction, TractionValue,
 };
 use crate::solve::{Silent, Solution, solve};
 
@@ -139,6 +141,43 @@ pub fn displacement_at(mesh: &Mesh, state: &State, at: [f64; 3]) -> Result<[f64;
     let node = node.ok_or(VerifyError::Missing("node"))?;
     Ok(state.displacement[node])
 }
+
+/// ∫ σ dV over the modelled part, component by component.
+///
+/// By virtual work with a displacement u = x along an axis, the force times the height of a body
+/// that is pressed between planes across that axis: exact for what the solver balanced.
+pub fn stress_integral(mesh: &Mesh, state: &State) -> [f64; 6] {
+    let rule = GaussRule::new();
+    let mut sum = [0.0; 6];
+    for (e, points) in state.stress.iter().enumerate() {
+        for (stress, volume) in points.iter().zip(rule.volumes(&mesh.corners(e))) {
+            for (s, t) in sum.iter_mut().zip(stress) {
+                *s += t * volume;
+            }
+        }
+    }
+    sum
+}
+
+/// Cylindrical coordinates (radius, angle from x to y, z) to Cartesian ones, with the edges of a
+/// quarter exactly on the axes.
+pub fn quarter([radius, angle, z]: [f64; 3]) -> [f64; 3] {
+    let [x, y, z] = cylindrical([radius, angle, z]);
+    let exact = |c: f64| if c.abs() < 1e-12 * radius { 0.0 } else { c };
+    [exact(x), exact(y), z]
+}
+
+/// Supports of a quarter of a ring in plane strain, meshed as (radius, angle, z) by [`quarter`].
+pub fn quarter_supports() -> Vec<Support> {
+    let faces = [("y_min", 1), ("y_max", 0), ("z_min", 2), ("z_max", 2)];
+    faces.map(|(face, axis)| held(face, axis)).into()
+}
+
+/// Both elements, and what claims call them.
+pub const KINDS: [(ElementKind, &str); 2] = [
+    (ElementKind::Bbar, "B-bar"),
+    (ElementKind::Enhanced, "enhanced"),
+];
 
 /// A solved scene and what it cost.
 pub struct Run {

@@ -14,6 +14,10 @@ mod bending;
 mod bumps;
 mod hertz_sphere;
 mod patch;
+mod punch;
+mod ring;
+mod sphere_plastic;
+mod tube;
 mod uniaxial;
 
 pub use claim::Claim;
@@ -35,11 +39,15 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 4] = [
+pub const SUITES: [Suite; 8] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
+    suite("ring", ring::claims),
+    suite("tube", tube::claims),
+    suite("punch", punch::claims),
     suite("hertz-sphere", hertz_sphere::claims),
+    suite("sphere-plastic", sphere_plastic::claims),
 ];
 
 const fn suite(

@@ -7,12 +7,14 @@ use crate::analytic::patch::{INNER_NODES, POISSONS_RATIO, YOUNGS_MODULUS, stress
 use crate::material::Steel;
 use crate::mesh::block::{Block, uniform};
 use crate::mesh::{Body, Mesh};
-use crate::scene::Support;
+use crate::scene::{ElementKind, Support};
 
 pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     let (equal, unequal) = (uniform(0.0, 1.0, 2), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
+    let [bbar, enhanced] = kit::KINDS;
     Ok(vec![
-        solid()?,
+        solid(bbar)?,
+        solid(enhanced)?,
         contact(
             "equal blocks, meshes that do not match",
             uniform(0.0, 1.0, 3),
@@ -27,7 +29,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Seven distorted hexahedra in the unit cube, displacement prescribed on its faces.
-fn solid() -> Result<Claim, VerifyError> {
+fn solid((kind, name): (ElementKind, &str)) -> Result<Claim, VerifyError> {
     let mut points: Vec<[f64; 3]> = [0.0, 1.0]
         .iter()
         .flat_map(|z| [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| [x, y, *z]))
@@ -62,11 +64,12 @@ fn solid() -> Result<Claim, VerifyError> {
         ..kit::support("outside", [Some(0.0); 3])
     }];
     scene.controls.residual = 1e-12;
+    scene.controls.element = kind;
     let run = kit::run(scene)?;
     let exact = stress();
     let exact = [exact.xx, exact.yy, exact.zz, exact.xy, exact.yz, exact.zx];
     let claim = Claim::small(
-        "solid patch, largest error of a stress component / 2000",
+        format!("solid patch, {name}: largest error of a stress / 2000"),
         worst(&run, |_, i| exact[i]) / exact[0],
         1e-9,
     );

@@ -3,3 +3,4 @@
 mod blocks;
 mod centre;
 mod invariance;
+mod reaction;

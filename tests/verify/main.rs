@@ -1,3 +1,4 @@
 //! Problems with known answers.
 
+mod ladder;
 mod problem_h;

@@ -1,0 +1,79 @@
+//! The force of a plane whose motion is prescribed.
+
+use brinell::material::Steel;
+use brinell::mesh::block::{Block, uniform};
+use brinell::results::load::applied;
+use brinell::scene::{Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Support};
+use brinell::solve::{Silent, solve};
+
+/// A bar of 2 × 3 × 1 pressed along z by `squeeze`, free to widen.
+fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 3], f64) {
+    let mesh = Block::new(
+        "bar",
+        uniform(0.0, 2.0, 2),
+        uniform(0.0, 3.0, 3),
+        uniform(0.0, 1.0, 2),
+    )
+    .build()
+    .unwrap();
+    let held = |surface: &str, axis: usize| {
+        let mut components = [None; 3];
+        components[axis] = Some(0.0);
+        Support {
+            name: surface.into(),
+            surface: surface.into(),
+            components,
+            ..Support::default()
+        }
+    };
+    let mut scene = Scene {
+        name: "bar".into(),
+        materials: vec![Steel {
+            youngs_modulus: 1000.0,
+            poissons_ratio: 0.3,
+            yield_stress: 1.0,
+            hardening_modulus: hardening,
+        }],
+        mesh,
+        contacts: Vec::new(),
+        supports: vec![held("x_min", 0), held("y_min", 1), held("z_min", 2)],
+        rigid_planes: vec![RigidPlane {
+            name: "press".into(),
+            surface: "z_max".into(),
+            motion: [
+                PlaneMotion::Free,
+                PlaneMotion::Free,
+                PlaneMotion::Held(-squeeze),
+            ],
+        }],
+        tractions: Vec::new(),
+        steps: vec![Step {
+            name: "press".into(),
+            factor: 1.0,
+            factors: Vec::new(),
+        }],
+        mirrors: Vec::new(),
+        controls: Controls {
+            element,
+            ..Controls::default()
+        },
+    };
+    let solution = solve(&mut scene, &mut Silent).unwrap();
+    let load = applied(&scene, &solution.last);
+    (scene, solution.last.planes[0].force, load)
+}
+
+#[test]
+fn a_moved_plane_carries_its_reaction() {
+    let hardening = 10.0;
+    let tangent = 1000.0 * hardening / (1000.0 + hardening);
+    // Elastic, and ten times beyond yield.
+    for (squeeze, stress) in [(5e-4, 0.5), (1e-2, 1.0 + tangent * (1e-2 - 1e-3))] {
+        for element in [ElementKind::Bbar, ElementKind::Enhanced] {
+            let (_, force, load) = pressed(element, squeeze, hardening);
+            assert!((force[2] / (-6.0 * stress) - 1.0).abs() < 1e-8, "{force:?}");
+            assert_eq!(force[..2], [0.0, 0.0]);
+            assert_eq!(load, -force[2]);
+        }
+    }
+}

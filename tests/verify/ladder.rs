@@ -1,0 +1,69 @@
+//! Families of the ladder at the extent that ends in seconds: every claim holds.
+
+use brinell::verify::{Claim, Extent, matrix, suites};
+
+/// Solves the fast part of `suite`; fails where a claim does not hold.
+#[track_caller]
+fn holds(suite: &str) -> Vec<Claim> {
+    let mut claims = Vec::new();
+    for suite in suites(Some(suite)).expect("exists") {
+        claims.extend(suite.measure(Extent::Fast).expect("solves"));
+    }
+    for claim in &claims {
+        println!("{}", matrix::line(claim));
+    }
+    let failed: Vec<String> = claims
+        .iter()
+        .filter(|c| !c.holds())
+        .map(matrix::line)
+        .collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+    claims
+}
+
+/// Says of every claim with a tolerance where its reference comes from and why it is so wide.
+#[track_caller]
+fn explains(claims: &[Claim]) {
+    assert!(!claims.is_empty());
+    for claim in claims {
+        assert!(!claim.source.is_empty(), "{}: no source", claim.claim);
+        let shown = claim.tolerance.is_infinite();
+        assert!(shown || !claim.why.is_empty(), "{}: no reason", claim.claim);
+    }
+}
+
+#[test]
+fn patch() {
+    explains(&holds("patch"));
+}
+
+#[test]
+fn uniaxial() {
+    explains(&holds("uniaxial"));
+}
+
+#[test]
+fn bending() {
+    explains(&holds("bending"));
+}
+
+#[test]
+fn ring() {
+    explains(&holds("ring"));
+}
+
+#[test]
+fn tube() {
+    explains(&holds("tube"));
+}
+
+#[test]
+fn punch() {
+    explains(&holds("punch"));
+}
+
+/// Slow: none of its claims is fast.
+#[test]
+fn sphere_plastic() {
+    assert!(holds("sphere-plastic").is_empty());
+}

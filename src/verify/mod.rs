@@ -12,9 +12,19 @@ pub mod problem_h;
 
 mod bending;
 mod bumps;
+mod cattaneo_mindlin;
+mod crossed_cylinders;
+mod disc;
+mod equal_steels;
+mod full_sliding;
+mod hertz_line;
 mod hertz_sphere;
 mod patch;
+mod penalty;
+mod profile;
+mod rubbing;
 mod uniaxial;
+mod v_groove;
 
 pub use claim::Claim;
 pub use error::VerifyError;
@@ -35,11 +45,18 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 4] = [
+pub const SUITES: [Suite; 11] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
+    suite("hertz-line", hertz_line::claims),
     suite("hertz-sphere", hertz_sphere::claims),
+    suite("crossed-cylinders", crossed_cylinders::claims),
+    suite("v-groove", v_groove::claims),
+    suite("equal-steels", equal_steels::claims),
+    suite("cattaneo-mindlin", cattaneo_mindlin::claims),
+    suite("full-sliding", full_sliding::claims),
+    suite("penalty", penalty::claims),
 ];
 
 const fn suite(

@@ -1,3 +1,3 @@
 //! Problems with known answers.
 
-mod problem_h;
+mod contacts;

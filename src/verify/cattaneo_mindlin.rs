@@ -57,7 +57,7 @@ fn at(across: usize, stick: f64, profile: f64) -> Result<Vec<Claim>, VerifyError
         .because("a quarter of h/c: the strip ends between two nodes"),
         Claim::small(of("q(x) in L2, relative"), traction, profile)
             .from("Cattaneo, Mindlin; Johnson 7.2(d)")
-            .because("one and a half times what linear pieces through the exact values miss"),
+            .because("up to twice what linear pieces through the exact values miss"),
     ];
     Ok(claims.map(|claim| run.claim(claim)).into())
 }

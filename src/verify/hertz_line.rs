@@ -125,7 +125,7 @@ fn fields(run: &Run, reading: &Reading) -> Result<Vec<Claim>, VerifyError> {
             .because("the residual is 1e-8 of the load"),
     ];
     for (body, tolerance) in [("block", 0.025), ("cylinder", 0.01)] {
-        let what = format!("Mises on the axis of the {body}, 0.2 to 2 a deep, rms error / peak");
+        let what = format!("Mises on the axis, {body}, 0.2 to 2 a: rms error / peak");
         claims.push(
             Claim::small(what, along_axis(run, body, &hertz)?, tolerance)
                 .from("McEwen; Johnson 4.49")

@@ -45,7 +45,7 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 11] = [
+pub const SUITES: [Suite; 12] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
@@ -57,6 +57,7 @@ pub const SUITES: [Suite; 11] = [
     suite("cattaneo-mindlin", cattaneo_mindlin::claims),
     suite("full-sliding", full_sliding::claims),
     suite("penalty", penalty::claims),
+    suite("penalty-bearing", penalty::claims_of_bearing),
 ];
 
 const fn suite(

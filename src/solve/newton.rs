@@ -170,7 +170,7 @@ pub fn balance(
 ) -> Result<Evaluation, Failure> {
     let controls = &model.scene.controls;
     let external = model.external(point.step, point.time);
-    let reference = reference_force(model).max(f64::MIN_POSITIVE);
+    let reference = model.reference.max(f64::MIN_POSITIVE);
     let limit = 10.0 * start::extent(model.scene);
     let mut last = Iteration {
         step: point.step,
@@ -322,13 +322,6 @@ fn count(last: &mut Iteration, evaluation: &Evaluation) {
     (last.sticking, last.slipping) = (with(Status::Stick), with(Status::Slip));
     last.active = last.sticking + last.slipping;
     last.flowing = flowing(evaluation);
-}
-
-/// The largest force that the steps apply.
-fn reference_force(model: &Model) -> f64 {
-    (0..model.scene.steps.len())
-        .map(|s| norm(&model.external(s, 1.0)))
-        .fold(0.0, f64::max)
 }
 
 /// The component that left the model, if any.

@@ -303,7 +303,9 @@ mod tests {
         symbolic.solve(&factor, &mut exact);
 
         let mut kept = vec![false; 40];
-        [3usize, 17, 39].map(|v| kept[v] = true);
+        for vertex in [3, 17, 39] {
+            kept[vertex] = true;
+        }
         let condensation = Condensation::new(&pattern, &kept).unwrap();
         assert_eq!(condensation.kept_equations(), [6, 7, 34, 35, 78, 79]);
         let (part, schur) = condensation.eliminate(&pattern, matrix).unwrap();

@@ -61,11 +61,14 @@ struct Group {
 /// What became of a group.
 enum Made {
     Sparse(Group),
-    Condensed {
-        kept_vertices: Vec<u32>,
-        part: Part,
-        schur: Mat<f64>,
-    },
+    Condensed(Box<Condensed>),
+}
+
+struct Condensed {
+    part: Part,
+    kept_vertices: Vec<u32>,
+    /// The part's stiffness seen from the kept vertices.
+    schur: Mat<f64>,
 }
 
 impl Bodies {
@@ -84,15 +87,11 @@ impl Bodies {
         for result in made {
             match result? {
                 Made::Sparse(group) => sparse.push(group),
-                Made::Condensed {
-                    kept_vertices,
-                    part,
-                    schur,
-                } => condensed.push((kept_vertices, part, schur)),
+                Made::Condensed(made) => condensed.push(*made),
             }
         }
         // Small ones are eliminated first: a chain of bodies then fills nothing in.
-        condensed.sort_by_key(|(kept, ..)| kept.len());
+        condensed.sort_by_key(|made| made.kept_vertices.len());
         let mut bodies = Self {
             parts: Vec::new(),
             kept_of: vec![FIXED; plan.dofs.len()],
@@ -104,8 +103,9 @@ impl Bodies {
         };
         // What a condensed part does not hold comes first.
         let mut sparsely = plan.needed.to_vec();
-        for (kept, ..) in &condensed {
-            kept.iter().for_each(|v| sparsely[*v as usize] = false);
+        for made in &condensed {
+            let kept = made.kept_vertices.iter();
+            kept.for_each(|v| sparsely[*v as usize] = false);
         }
         for group in &sparse {
             let vertices = group.vertices.iter();
@@ -119,15 +119,15 @@ impl Bodies {
             bodies.sparse_elements.extend(group.elements);
         }
         bodies.sparse_elements.sort_unstable();
-        for (kept_vertices, part, schur) in condensed {
+        for made in condensed {
             let first = bodies.vertex_start.len() as u32 - 1;
-            for vertex in kept_vertices {
+            for vertex in made.kept_vertices {
                 bodies.keep(plan.dofs, vertex);
             }
             let range = first..bodies.vertex_start.len() as u32 - 1;
             bodies.condensed_vertices += range.len();
-            bodies.superelements.push((range, schur));
-            bodies.parts.push(part);
+            bodies.superelements.push((range, made.schur));
+            bodies.parts.push(made.part);
         }
         Ok(bodies)
     }
@@ -299,7 +299,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
     }
     let matrix = assemble(plan, &group.elements, &pattern, |e| local_of[e as usize]);
     match condensation.eliminate(&pattern, matrix) {
-        Ok((substructure, schur)) => Ok(Made::Condensed {
+        Ok((substructure, schur)) => Ok(Made::Condensed(Box::new(Condensed {
             kept_vertices: (group.vertices.iter().zip(&kept))
                 .filter_map(|(v, kept)| kept.then_some(*v))
                 .collect(),
@@ -308,7 +308,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
                 substructure,
             },
             schur,
-        }),
+        }))),
         // Held at the kept nodes alone it could still turn.
         Err(FactorError::NotPositiveDefinite { .. }) => Ok(Made::Sparse(group)),
         Err(error) => Err(error.into()),

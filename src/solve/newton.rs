@@ -210,10 +210,9 @@ pub fn balance(
         last.changed = update_contact(model, point, &evaluation);
         count(&mut last, &evaluation);
         observer.iteration(&last);
-        if last.residual <= controls.residual && last.changed == 0 {
-            if last.penetration <= controls.penetration {
-                return Ok(evaluation);
-            }
+        let settled = last.changed == 0 && last.penetration <= controls.penetration;
+        if settled && last.residual <= controls.residual {
+            return Ok(evaluation);
         }
         if observer.cancelled() {
             return Err(Failure::Cancelled);

@@ -1,6 +1,7 @@
 //! Why a claim could not be measured.
 
 use crate::analytic::DomainError;
+use crate::job::JobError;
 use crate::mesh::block::BlockError;
 use crate::mesh::join::JoinError;
 use crate::solve::SolveError;
@@ -17,6 +18,9 @@ pub enum VerifyError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Join(#[from] JoinError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Job(#[from] JobError),
     #[error(transparent)]
     Domain(#[from] DomainError),
     #[error("the solution has no {0} to read")]

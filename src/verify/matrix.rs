@@ -38,7 +38,7 @@ fn verdict(claim: &Claim) -> &'static str {
 /// A line for the terminal.
 pub fn line(c: &Claim) -> String {
     format!(
-        "{:5} {:12} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7.2}",
+        "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7.2}",
         verdict(c),
         c.family,
         c.claim,
@@ -54,7 +54,7 @@ pub fn line(c: &Claim) -> String {
 /// The head of the lines.
 pub fn head() -> String {
     format!(
-        "{:5} {:12} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7}",
+        "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7}",
         "", "family", "claim", "reference", "value", "error", "allowed", "dofs", "s"
     )
 }

@@ -12,13 +12,23 @@ pub mod problem_h;
 
 mod bending;
 mod bumps;
+mod cattaneo_mindlin;
+mod crossed_cylinders;
+mod disc;
+mod equal_steels;
+mod full_sliding;
+mod hertz_line;
 mod hertz_sphere;
 mod patch;
+mod penalty;
+mod profile;
 mod punch;
 mod ring;
+mod rubbing;
 mod sphere_plastic;
 mod tube;
 mod uniaxial;
+mod v_groove;
 
 pub use claim::Claim;
 pub use error::VerifyError;
@@ -39,15 +49,23 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 8] = [
+pub const SUITES: [Suite; 16] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
     suite("ring", ring::claims),
     suite("tube", tube::claims),
     suite("punch", punch::claims),
+    suite("hertz-line", hertz_line::claims),
     suite("hertz-sphere", hertz_sphere::claims),
+    suite("crossed-cylinders", crossed_cylinders::claims),
+    suite("v-groove", v_groove::claims),
     suite("sphere-plastic", sphere_plastic::claims),
+    suite("equal-steels", equal_steels::claims),
+    suite("cattaneo-mindlin", cattaneo_mindlin::claims),
+    suite("full-sliding", full_sliding::claims),
+    suite("penalty", penalty::claims),
+    suite("penalty-bearing", penalty::claims_of_bearing),
 ];
 
 const fn suite(

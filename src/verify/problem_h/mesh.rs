@@ -1,12 +1,11 @@
 //! The meshes of problem H, nested or of a given size.
 
-use std::f64::consts::FRAC_PI_4;
-
 use super::grading::Grading;
 use super::{DEPTH, HALF_WIDTH, RADIUS};
 use crate::mesh::Mesh;
 use crate::mesh::block::{Block, uniform};
 use crate::verify::VerifyError;
+use crate::verify::disc::{ARC, QuarterDisc, TO_CORE};
 
 /// Which mesh of problem H.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,7 +67,23 @@ pub fn half(sizes: &Sizes) -> Result<Mesh, VerifyError> {
 /// Two quarter discs, one the mirror image of the other, touching at the origin. Surfaces:
 /// `cylinder_contact`, `lower_contact`, `symmetry`, `top`, `bottom`, `back` and `front`.
 pub fn twins(sizes: &Sizes) -> Result<Mesh, VerifyError> {
-    let mut lower = cylinder(sizes)?.mirrored(1);
+    let mut mesh = facing(cylinder(sizes)?)?;
+    mark_symmetry(&mut mesh);
+    Ok(mesh)
+}
+
+/// The twins without symmetry: two half discs. Surfaces as [`twins`], without `symmetry`.
+pub fn full_twins(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+    let mut upper = both(cylinder(sizes)?, "cylinder")?;
+    mark_cylinder(&mut upper);
+    let mut mesh = facing(upper)?;
+    mark_sides(&mut mesh);
+    Ok(mesh)
+}
+
+/// `upper` with its mirror image below, called `lower`.
+fn facing(upper: Mesh) -> Result<Mesh, VerifyError> {
+    let mut lower = upper.clone().mirrored(1);
     lower.bodies[0].name = "lower".into();
     for surface in &mut lower.surfaces {
         surface.name = match surface.name.as_str() {
@@ -77,17 +92,18 @@ pub fn twins(sizes: &Sizes) -> Result<Mesh, VerifyError> {
             other => format!("lower_{other}"),
         };
     }
-    let mut mesh = Mesh::join([lower, cylinder(sizes)?])?;
-    mark_symmetry(&mut mesh);
-    mark_sides(&mut mesh);
-    Ok(mesh)
+    Ok(Mesh::join([lower, upper])?)
+}
+
+/// A half model with its mirror image, as one body without surfaces.
+fn both(half: Mesh, name: &str) -> Result<Mesh, VerifyError> {
+    let image = half.clone().mirrored(0);
+    Ok(Mesh::weld(name, [image, half], TOLERANCE)?)
 }
 
 /// The whole problem, without symmetry: half disc on a block twice as wide. Surfaces as
 /// [`half`], without `symmetry`.
 pub fn full(sizes: &Sizes) -> Result<Mesh, VerifyError> {
-    let both =
-        |mesh: Mesh, name: &str| Mesh::weld(name, [mesh.clone().mirrored(0), mesh], TOLERANCE);
     let mut block = both(block(sizes)?, "block")?;
     let mut cylinder = both(cylinder(sizes)?, "cylinder")?;
     mark_block(&mut block);
@@ -146,58 +162,18 @@ fn block(sizes: &Sizes) -> Result<Mesh, VerifyError> {
     Ok(mesh)
 }
 
-/// The quarter disc: a sector over the contact, a sector beside it, and a core.
 fn cylinder(sizes: &Sizes) -> Result<Mesh, VerifyError> {
-    /// Distance of the core's corners from the centre, on the axes and on the diagonal.
-    const CORE: f64 = 0.45 * RADIUS;
-    const CORNER: f64 = 0.42 * RADIUS;
-    /// Elements around the upper sector before splitting.
-    const UPPER: usize = 5;
     let h = HALF_WIDTH / sizes.across as f64;
-    let around = Grading::new(h, 1.5 * HALF_WIDTH, RADIUS * FRAC_PI_4, sizes.growth);
-    let inward = Grading::new(h, 1.25 * HALF_WIDTH, RADIUS - CORE, sizes.growth);
-    let last = inward.at(inward.cells() as f64);
-    // Share of the way from the arc to the core, and of the way round each sector.
-    let shares = |grading: &Grading, total: f64| -> Vec<f64> {
-        let nodes = grading.nodes(sizes.parts);
-        let end = nodes.len() - 1;
-        let share = |(k, s): (usize, f64)| if k == end { 1.0 } else { s / total };
-        nodes.into_iter().enumerate().map(share).collect()
+    let around = Grading::new(h, 1.5 * HALF_WIDTH, RADIUS * ARC, sizes.growth);
+    let inward = Grading::new(h, 1.25 * HALF_WIDTH, RADIUS * TO_CORE, sizes.growth);
+    let disc = QuarterDisc {
+        radius: RADIUS,
+        arcs: around.nodes(sizes.parts),
+        depths: inward.nodes(sizes.parts),
+        rest: 5 * sizes.parts,
+        layers: sizes.layer(),
     };
-    let round = shares(&around, around.at(around.cells() as f64));
-    let deep = shares(&inward, last);
-    let upper = uniform(0.0, 1.0, UPPER * sizes.parts);
-    // In the plane of the disc, v downward from the centre; y = R − v.
-    let bottom = |f: f64| [CORNER * f, CORE + (CORNER - CORE) * f];
-    let side = |g: f64| [CORNER + (CORE - CORNER) * g, CORNER * (1.0 - g)];
-    let sector = |angle: f64, core: [f64; 2], t: f64| {
-        let arc = [RADIUS * angle.sin(), RADIUS * angle.cos()];
-        let x = arc[0] + (core[0] - arc[0]) * t;
-        [x, RADIUS - (arc[1] + (core[1] - arc[1]) * t)]
-    };
-    let lower =
-        Block::new("sector", round.clone(), deep.clone(), sizes.layer()).mapped(|[f, t, z]| {
-            let [x, y] = sector(f * FRAC_PI_4, bottom(f), t);
-            [x, y, z]
-        });
-    let beside = Block::new("beside", upper.clone(), deep, sizes.layer()).mapped(|[g, t, z]| {
-        let [x, y] = sector((1.0 + g) * FRAC_PI_4, side(g), t);
-        [x, y, z]
-    });
-    // Transfinite interpolation between the core's four sides.
-    let core = Block::new("core", round, upper, sizes.layer()).mapped(|[f, g, z]| {
-        let (low, right) = (bottom(f), side(g));
-        let (top, left) = ([f * CORE, 0.0], [0.0, CORE * (1.0 - g)]);
-        let corners = [[0.0, CORE], [CORNER, CORNER], [0.0, 0.0], [CORE, 0.0]];
-        let [x, v] = [0, 1].map(|i| {
-            (1.0 - g) * low[i] + g * top[i] + (1.0 - f) * left[i] + f * right[i]
-                - (1.0 - f) * ((1.0 - g) * corners[0][i] + g * corners[2][i])
-                - f * ((1.0 - g) * corners[1][i] + g * corners[3][i])
-        });
-        [x, RADIUS - v, z]
-    });
-    let parts = [lower.build()?, beside.build()?, core.build()?];
-    let mut mesh = Mesh::weld("cylinder", parts, TOLERANCE)?;
+    let mut mesh = disc.build("cylinder")?;
     mark_cylinder(&mut mesh);
     Ok(mesh)
 }
@@ -240,6 +216,7 @@ mod tests {
             half(&Sizes::with(8)),
             twins(&Sizes::with(4)),
             full(&Sizes::with(4)),
+            full_twins(&Sizes::with(4)),
         ] {
             for part in mesh.unwrap().quality() {
                 assert!(part.min_scaled_jacobian > 0.05, "{part:?}");

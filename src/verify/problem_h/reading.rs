@@ -3,10 +3,10 @@
 use super::{HALF_WIDTH, LOAD, PRESSURE};
 use crate::results::State;
 use crate::results::peaks::{BodyPeaks, peaks};
-use crate::results::quad::integrate;
 use crate::results::recovery::recover;
 use crate::results::strip::{Strip, half_width};
 use crate::scene::Scene;
+use crate::verify::profile::{misfit, spots};
 use crate::verify::{VerifyError, energy, kit};
 
 /// The three Mises peaks of a body, ksi.
@@ -51,18 +51,12 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
         ..Strip::across(0)
     };
     let force: f64 = field.force.iter().map(|f| f[1]).sum();
-    let (mut miss, mut norm) = (0.0, 0.0);
     let hertz = |x: f64| PRESSURE * (1.0 - (x / HALF_WIDTH).powi(2)).max(0.0).sqrt();
-    for face in &surface.faces {
-        let corners = face.corners(&scene.mesh);
-        let nodal = face.nodes.map(|n| kit::at_node(field, &field.pressure, n));
-        integrate(&corners, |shape, area| {
-            let p: f64 = shape.iter().zip(nodal).map(|(n, p)| n * p).sum();
-            let x: f64 = shape.iter().zip(corners).map(|(n, c)| n * c[0]).sum();
-            miss += area * (p - hertz(x)).powi(2);
-            norm += area * hertz(x).powi(2);
-        });
-    }
+    let profile = misfit(
+        &spots(scene, state)?,
+        |s| s.pressure,
+        |s| Ok(hertz(s.at[0])),
+    )?;
     let recovered = recover(&scene.mesh, state);
     let bodies = peaks(scene, state, &recovered);
     let of = |name: &str| {
@@ -83,7 +77,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
         block: of("block"),
         cylinder: of("cylinder"),
         balance: -force / (0.5 * LOAD * thickness) - 1.0,
-        profile: (miss / norm).sqrt(),
+        profile,
         energy: energy::potential(scene, state) / thickness,
         shear: shears.fold(0.0, f64::max) / pressure,
     })

@@ -5,6 +5,7 @@ use crate::mesh::gmsh::GmshError;
 use crate::mesh::msh::MeshError;
 use crate::output::OutputError;
 use crate::solve::SolveError;
+use crate::verify::VerifyError;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -27,6 +28,9 @@ pub enum JobError {
         help("name another folder with --out, or make room and give write permission")
     )]
     Output(#[from] OutputError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    BuiltIn(#[from] VerifyError),
     #[error("interrupted before the first increment was done")]
     #[diagnostic(code(brinell::job::interrupted))]
     Interrupted,

@@ -8,6 +8,7 @@ pub mod merge;
 pub mod msh;
 pub mod quality;
 pub mod shape;
+pub mod split;
 pub mod surface;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.

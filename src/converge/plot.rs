@@ -206,11 +206,14 @@ fn decades(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     if low > high {
         return 0.1..10.0;
     }
-    let [low, mut high] = [low.log10().floor(), (high * 1.001).log10().ceil()];
+    let [low, mut high] = [
+        low.log10().floor() as i32,
+        (high * 1.001).log10().ceil() as i32,
+    ];
     if low == high {
-        high += 1.0;
+        high += 1;
     }
-    10f64.powf(low)..10f64.powf(high)
+    10f64.powi(low)..10f64.powi(high)
 }
 
 fn tick(value: &f64) -> String {

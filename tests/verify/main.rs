@@ -1,3 +1,4 @@
 //! Problems with known answers.
 
 mod problem_h;
+mod rates;

@@ -29,17 +29,22 @@ pub fn write_page(study: &Study, peers: &Peers) -> Result<(), ConvergeError> {
 pub fn page(study: &Study, peers: &Peers) -> String {
     let mut text = format!(
         "# Convergence\n\n\
-         Written by `brinell converge problem-h --threads 1 --write`; do not edit.\n\n\
+         Written by `brinell converge problem-h --threads {} --levels {} --write`; do not edit.\n\n\
          Problem H: half a cylinder of 1.5 in radius pressed on a block, plane strain, 8.125 kip/in\n\
          ([`cases/problem-h.toml`](../cases/problem-h.toml)), on nested meshes: from level to level every\n\
          element is split into four, beginning with two elements across the half-width of the contact.\n\n\
          ![Error against CPU seconds, both elements and other programs](images/problem-h.svg)\n\n\
+         *Sharp dips are where an error changes its sign. The other programs ran on meshes that stay coarse\n\
+         away from the contact, Brinell on nested ones that are refined everywhere: more unknowns at the\n\
+         same a/h, and errors that keep falling.*\n\n\
          ## Cost\n\n\
          Building the scene, solving it and reading its quantities, with {} thread{}; the mesh is made\n\
          before. Memory is the largest that the process had resident during the level{}. Unknowns are\n\
-         those that are free.\n\n\
+         those that are free: two components a node.\n\n\
          | level | a/h | element | elements | unknowns | iterations | wall s | CPU s | memory MB |\n\
          |---|---|---|---|---|---|---|---|---|\n",
+        study.threads,
+        study.levels.iter().map(|l| l.level + 1).max().unwrap_or(0),
         study.threads,
         if study.threads == 1 { "" } else { "s" },
         if study.levels.iter().all(|l| l.cost.peak_is_own) {

@@ -49,14 +49,18 @@ const LEGEND_LINE: u32 = 20;
 /// What a level is drawn against.
 type Abscissa = fn(&Level) -> f64;
 
+/// More quantities than this are drawn against one axis only.
+const MANY: usize = 12;
 /// Smaller errors are drawn as this, in percent.
 const LEAST: f64 = 1e-3;
 
-/// Every quantity with errors, against unknowns on the left and CPU seconds on the right.
+/// Every quantity with errors, against unknowns on the left and CPU seconds on the right; where
+/// they are many, against CPU seconds only.
 pub fn figure(study: &Study) -> Figure {
     let curves = study.curves();
     let elements = study.elements();
     let mut panels = Vec::new();
+    let many = study.quantities.len() > MANY;
     for quantity in &study.quantities {
         let of: Vec<&Curve> = curves
             .iter()
@@ -66,7 +70,7 @@ pub fn figure(study: &Study) -> Figure {
             ("unknowns", |l| l.dofs as f64),
             ("CPU seconds", |l| l.cost.cpu_s),
         ];
-        for (x, at) in axes {
+        for (x, at) in axes.into_iter().skip(usize::from(many)) {
             let lines = of.iter().filter_map(|c| own_line(study, &elements, c, at));
             panels.push(Panel {
                 title: format!("{}, error in %", quantity.name),

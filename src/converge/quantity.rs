@@ -23,6 +23,8 @@ pub struct Quantity {
     pub unit: String,
     pub value: f64,
     pub known: Option<Known>,
+    /// Is it a peak beside a loaded edge, where elastic stress has no limit?
+    pub at_singular_edge: bool,
 }
 
 /// The case that is built in: problem H, to be had without a file under this name.
@@ -72,6 +74,7 @@ fn of_problem_h(outcome: &Outcome) -> Result<Vec<Quantity>, ConvergeError> {
             unit: unit.into(),
             value,
             known,
+            at_singular_edge: false,
         }
     };
     let mut list = vec![
@@ -113,7 +116,7 @@ fn of_summary(case: &Case, outcome: &Outcome) -> Vec<Quantity> {
     let summary = &outcome.summary;
     let (length, force, stress) = (case.units.length(), case.units.force(), case.units.stress());
     let mut list = Vec::new();
-    let mut add = |name: String, unit: &str, value: Option<f64>| {
+    let mut add = |name: String, unit: &str, value: Option<f64>, at_singular_edge: bool| {
         // A level without this value leaves it out; the study puts "not a number" in its place.
         if let Some(value) = value {
             list.push(Quantity {
@@ -121,41 +124,41 @@ fn of_summary(case: &Case, outcome: &Outcome) -> Vec<Quantity> {
                 unit: unit.to_owned(),
                 value,
                 known: None,
+                at_singular_edge,
             });
         }
     };
-    add("descent".into(), length, summary.descent);
+    add("descent".into(), length, summary.descent, false);
     let yielded = outcome.state().peeq.iter().flatten().any(|p| *p > 0.0);
     let energy = energy::strain_energy(&outcome.scene, outcome.state());
     add(
         "strain energy".into(),
         &format!("{force} {length}"),
         (!yielded).then_some(energy),
+        false,
     );
     for (name, interface) in &summary.interfaces.0 {
-        add(
-            format!("peak pressure {name}"),
-            stress,
-            Some(interface.max_pressure),
-        );
+        let pressure = Some(interface.max_pressure);
+        add(format!("peak pressure {name}"), stress, pressure, false);
     }
     for (name, body) in &summary.bodies.0 {
-        let singular = body.at_singular_edge;
-        for ((place, value), edge) in places(&body.mises_max).into_iter().zip(singular.each()) {
-            let mark = if edge { " (loaded edge)" } else { "" };
-            add(format!("Mises {name}, {place}{mark}"), stress, value);
+        let edges = places(&body.at_singular_edge);
+        for ((place, value), (_, edge)) in places(&body.mises_max).into_iter().zip(edges) {
+            add(format!("Mises {name}, {place}"), stress, value, edge);
         }
         if yielded {
-            add(format!("plastic strain {name}"), "", Some(body.peeq_max));
+            let strain = Some(body.peeq_max);
+            add(format!("plastic strain {name}"), "", strain, false);
         }
     }
     for (name, roller) in &summary.rollers.0 {
-        add(format!("bore Mises {name}"), stress, roller.bore_mises);
+        let mises = roller.bore_mises;
+        add(format!("bore Mises {name}"), stress, mises, false);
     }
     list
 }
 
-fn places(three: &Three<Option<f64>>) -> [(&'static str, Option<f64>); 3] {
+fn places<T: Copy>(three: &Three<T>) -> [(&'static str, T); 3] {
     [
         ("centroid", three.centroid),
         ("nodal", three.nodal),

@@ -30,6 +30,8 @@ pub struct Measured {
     pub name: String,
     pub unit: String,
     pub known: Option<Known>,
+    /// On one level at least, a peak beside a loaded edge, which grows with every refinement.
+    pub at_singular_edge: bool,
 }
 
 /// What errors are measured from.
@@ -73,6 +75,8 @@ pub struct Curve {
     pub quantity: String,
     pub unit: String,
     pub element: &'static str,
+    /// Is it, on one level at least, a peak beside a loaded edge, which grows with every refinement?
+    pub at_singular_edge: bool,
     pub reference: Option<Reference>,
     /// Limit and order of the three finest levels, whatever the reference is.
     pub extrapolated: Option<[f64; 2]>,
@@ -127,6 +131,7 @@ impl Study {
                     name: q.name.clone(),
                     unit: q.unit.clone(),
                     known: q.known.clone(),
+                    at_singular_edge: false,
                 });
                 for earlier in &mut self.levels {
                     earlier.values.push(f64::NAN);
@@ -134,6 +139,9 @@ impl Study {
             }
         }
         let value = |name: &str| quantities.iter().find(|q| q.name == name);
+        for measured in &mut self.quantities {
+            measured.at_singular_edge |= value(&measured.name).is_some_and(|q| q.at_singular_edge);
+        }
         level.values = self
             .quantities
             .iter()
@@ -219,6 +227,7 @@ impl Study {
             quantity: measured.name.clone(),
             unit: measured.unit.clone(),
             element,
+            at_singular_edge: measured.at_singular_edge,
             extrapolated: limit.map(|l| [l.value, l.order]),
             order: if exact {
                 by_squares
@@ -271,6 +280,7 @@ pub(super) mod tests {
                     within: 0.0,
                     origin: "made up",
                 }),
+                at_singular_edge: name == "pressure",
             };
             let quantities = vec![
                 quantity("energy", 2.0 + size * size, None),
@@ -311,6 +321,7 @@ pub(super) mod tests {
         );
         assert!((energy.errors[2].unwrap() - 1.0 / 32.0).abs() < 1e-12);
         assert_eq!(pressure.reference, Some(Reference::Finest { value: 4.0 }));
+        assert!(pressure.at_singular_edge && !energy.at_singular_edge);
         assert_eq!(pressure.errors, [Some(-0.25), Some(0.25), None]);
         assert_eq!(stress.reference.as_ref().unwrap().kind(), "known");
         assert!((stress.order.unwrap() - 1.0).abs() < 1e-12);

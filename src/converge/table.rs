@@ -92,6 +92,9 @@ fn one(curve: &Curve, study: &Study) -> String {
         ]);
     }
     text.push_str(&columns.render());
+    if curve.at_singular_edge {
+        text.push_str("  beside a loaded edge, where elastic stress has no limit\n");
+    }
     text
 }
 

@@ -178,7 +178,10 @@ impl Job {
                 say(&table::line(&level));
                 study.push(level, quantities);
                 json::write(study, &self.out.join(JSON))?;
-                plot::write(&plot::figure(study), &self.out.join(PLOT))?;
+                let figure = plot::figure(study);
+                if !figure.panels.is_empty() {
+                    plot::write(&figure, &self.out.join(PLOT))?;
+                }
             }
         }
         Ok(Status::Done)

@@ -80,7 +80,7 @@ pub fn figure(study: &Study) -> Figure {
             });
         }
     }
-    panels.retain(|p| p.lines.iter().any(|l| l.points.len() > 1));
+    panels.retain(|p| p.lines.iter().any(|l| !l.points.is_empty()));
     Figure {
         panels,
         legend: own_names(&elements),

@@ -5,10 +5,12 @@
 //! nothing; between iterations λ takes the pressure and the set is decided anew. When the set and λ
 //! rest, the contact conditions hold exactly, whatever the penalty ε.
 //!
-//! *Tangential*: radial return of λ + ε_t d onto the disc of radius μ p, with p from the iteration
-//! before. For a given bound that is the slope of a convex potential, so that the tangent is
-//! symmetric and a line search is sound; the bound itself settles within a few iterations
-//! (in equal steels pressure hardly feels shear at all).
+//! *Tangential*: the same with stick and slip (Hüeber, Stadler and Wohlmuth 2008). Within an
+//! iteration a sticking node carries λ + ε d, whatever Coulomb says; a slipping one carries the
+//! bound μ p of the iteration before, along its slip. For given sets and bounds that is the slope
+//! of a convex potential, so that the tangent is symmetric (in equal steels pressure hardly feels
+//! shear at all, and the bound settles quickly). Between iterations a sticking node slips if its
+//! shear exceeds the bound, and a slipping one sticks if it moves against its shear.
 //!
 //! Components everywhere: normal (compression positive), two tangents. d is the closure beyond
 //! the gap and the slip since the last increment.
@@ -28,11 +30,9 @@ pub enum Status {
 pub struct Law {
     /// Coulomb's coefficient.
     pub friction: f64,
-    /// ε, pressure per closure.
+    /// ε, traction per closure and per slip of a sticking node.
     pub penalty: f64,
-    /// ε_t, shear traction per slip.
-    pub tangential_penalty: f64,
-    /// Weight of d against λ where the active set is decided: the stiffness of the bodies there.
+    /// c, weight of d against λ where the sets are decided: the stiffness of the bodies there.
     pub stiffness: f64,
 }
 
@@ -40,6 +40,7 @@ pub struct Law {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Node {
     pub closed: bool,
+    pub sticks: bool,
     /// λ: pressure and shear.
     pub multiplier: [f64; 3],
     /// Largest shear traction, μ p of the iteration before.
@@ -54,6 +55,10 @@ pub struct Answer {
     pub status: Status,
 }
 
+/// Weight of slip against λ where the direction of slip is found, over the stiffness of the
+/// bodies: large, so that the direction is that of the slip after few iterations.
+const TURNING: f64 = 30.0;
+
 impl Law {
     /// Traction of a node at d.
     pub fn traction(&self, node: &Node, d: &[f64; 3]) -> Answer {
@@ -67,18 +72,21 @@ impl Law {
         if self.friction == 0.0 {
             return answer;
         }
-        let trial = [1, 2].map(|i| node.multiplier[i] + self.tangential_penalty * d[i]);
-        let shear = trial[0].hypot(trial[1]);
-        if shear <= node.bound {
+        if node.sticks {
             answer.status = Status::Stick;
-            for i in 0..2 {
-                answer.traction[1 + i] = trial[i];
-                answer.tangent[1 + i][1 + i] = self.tangential_penalty;
+            for i in 1..3 {
+                answer.traction[i] = node.multiplier[i] + self.penalty * d[i];
+                answer.tangent[i][i] = self.penalty;
             }
             return answer;
         }
+        let trial = self.along(&node.multiplier, d);
+        let shear = trial[0].hypot(trial[1]);
+        if shear == 0.0 {
+            return answer;
+        }
         let e = trial.map(|t| t / shear);
-        let turn = self.tangential_penalty * node.bound / shear;
+        let turn = TURNING * self.stiffness * node.bound / shear;
         for i in 0..2 {
             answer.traction[1 + i] = node.bound * e[i];
             for j in 0..2 {
@@ -89,9 +97,58 @@ impl Law {
         answer
     }
 
-    /// Does the node press, given its pressure and d?
-    pub fn presses(&self, pressure: f64, d: &[f64; 3]) -> bool {
-        pressure + self.stiffness * d[0] > 0.0
+    /// The way a slipping node pulls: along its slip, or along λ while it has none. Slip against
+    /// λ does not count; a node that moves back is to stick first.
+    fn along(&self, multiplier: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
+        let [s, t] = [multiplier[1], multiplier[2]];
+        let against = (s * d[1] + t * d[2]).min(0.0) / (s * s + t * t).max(f64::MIN_POSITIVE);
+        let weight = TURNING * self.stiffness;
+        [
+            s + weight * (d[1] - against * s),
+            t + weight * (d[2] - against * t),
+        ]
+    }
+
+    /// λ + c d, tangential.
+    fn trial(&self, multiplier: [f64; 2], d: &[f64; 3]) -> [f64; 2] {
+        [0, 1].map(|i| multiplier[i] + self.stiffness * d[1 + i])
+    }
+
+    /// The node after an iteration that ended with `traction` at d: multipliers take the tractions,
+    /// sets and bound are decided anew.
+    pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3]) -> Node {
+        let [pressure, s, t] = *traction;
+        if pressure + self.stiffness * d[0] <= 0.0 {
+            return Node::default();
+        }
+        let mut next = Node {
+            closed: true,
+            sticks: false,
+            multiplier: [pressure, 0.0, 0.0],
+            bound: self.friction * pressure.max(0.0),
+        };
+        if self.friction == 0.0 {
+            return next;
+        }
+        let old = match node.sticks {
+            true => [s, t],
+            false => [node.multiplier[1], node.multiplier[2]],
+        };
+        let trial = self.trial(old, d);
+        let shear = trial[0].hypot(trial[1]);
+        next.sticks = !node.closed || shear <= next.bound;
+        let along = match (next.sticks, node.sticks) {
+            (false, true) => trial,
+            _ => [s, t],
+        };
+        let size = along[0].hypot(along[1]);
+        if next.sticks {
+            (next.multiplier[1], next.multiplier[2]) = (s, t);
+        } else if size > 0.0 {
+            let scale = next.bound / size;
+            (next.multiplier[1], next.multiplier[2]) = (scale * along[0], scale * along[1]);
+        }
+        next
     }
 }
 
@@ -102,13 +159,13 @@ mod tests {
     const LAW: Law = Law {
         friction: 0.15,
         penalty: 1000.0,
-        tangential_penalty: 100.0,
         stiffness: 10.0,
     };
 
-    fn closed(multiplier: [f64; 3]) -> Node {
+    fn closed(multiplier: [f64; 3], sticks: bool) -> Node {
         Node {
             closed: true,
+            sticks,
             multiplier,
             bound: 0.15 * multiplier[0],
         }
@@ -116,16 +173,33 @@ mod tests {
 
     #[test]
     fn an_overloaded_node_slips_along_its_shear() {
-        let answer = LAW.traction(&closed([10.0, 3.0, -4.0]), &[0.0; 3]);
+        let node = closed([10.0, 3.0, -4.0], true);
+        let traction = LAW.traction(&node, &[0.0; 3]).traction;
+        assert_eq!(traction, [10.0, 3.0, -4.0]);
+        let next = LAW.decide(&node, &traction, &[0.0; 3]);
+        assert!(!next.sticks);
+        let answer = LAW.traction(&next, &[0.0; 3]);
         assert_eq!(answer.status, Status::Slip);
         let t = answer.traction;
         assert!((t[1] - 0.9).abs() < 1e-14 && (t[2] + 1.2).abs() < 1e-14);
     }
 
     #[test]
+    fn a_slipping_node_that_moves_back_sticks() {
+        let node = closed([10.0, 1.5, 0.0], false);
+        let back = [0.0, -0.01, 0.0];
+        let traction = LAW.traction(&node, &back).traction;
+        assert!(LAW.decide(&node, &traction, &back).sticks);
+        let on = [0.0, 0.01, 0.0];
+        let traction = LAW.traction(&node, &on).traction;
+        assert!(!LAW.decide(&node, &traction, &on).sticks);
+    }
+
+    #[test]
     fn the_tangent_is_the_derivative_of_the_traction() {
-        for d in [[0.001, 0.002, 0.003], [0.001, 0.02, 0.03]] {
-            let node = closed([10.0, 0.5, -0.5]);
+        for sticks in [true, false] {
+            let d = [0.001, 0.02, 0.03];
+            let node = closed([10.0, 0.5, -0.5], sticks);
             let base = LAW.traction(&node, &d);
             for j in 0..3 {
                 let mut moved = d;
@@ -141,7 +215,9 @@ mod tests {
 
     #[test]
     fn tension_opens_and_penetration_closes() {
-        assert!(!LAW.presses(-1.0, &[1e-6, 0.0, 0.0]));
-        assert!(LAW.presses(0.0, &[1e-6, 0.0, 0.0]));
+        let node = closed([10.0, 0.0, 0.0], false);
+        let d = [1e-6, 0.0, 0.0];
+        assert!(!LAW.decide(&node, &[-1.0, 0.0, 0.0], &d).closed);
+        assert!(LAW.decide(&node, &[0.0; 3], &d).closed);
     }
 }

@@ -7,8 +7,8 @@
 //! uniform pressure passes the patch test on meshes that do not match.
 
 use super::search::FacetTree;
-use super::segment::{FacetPlane, SegmentPoint, interpolate};
-use crate::geometry::{Vec3, add, dot, scale, sub, tangents, unit};
+use super::segment::{self, SegmentPoint, View, interpolate};
+use crate::geometry::{Vec3, add, dot, norm, scale, sub, tangents, unit};
 use crate::mesh::shape::{self, Shape};
 use crate::mesh::{Face, Mesh, Surface};
 use rayon::prelude::*;
@@ -184,7 +184,7 @@ impl<'a> Side<'a> {
             .collect();
         let normals = corners
             .iter()
-            .map(|c| FacetPlane::new(c).map_or([0.0; 3], |plane| plane.normal))
+            .map(|c| segment::normal(c).unwrap_or_default())
             .collect();
         let stiffness = surface.faces.iter().zip(&corners).map(|(face, corners)| {
             let thickness = depth(mesh, face, corners);
@@ -220,6 +220,8 @@ fn depth(mesh: &Mesh, face: &Face, corners: &[Vec3; 4]) -> f64 {
     geometry.volume / (0.5 * crate::geometry::norm(diagonals))
 }
 
+/// The facet is projected along the mean normal of both sides, found in a few passes: seen so, two
+/// bodies that are mirror images face each other point by point.
 fn facet_on_surface(
     pair: &Pair,
     carrier: &Side,
@@ -227,34 +229,71 @@ fn facet_on_surface(
     opposite: &Side,
     tree: &FacetTree,
 ) -> Vec<Contribution> {
-    let mut out = Vec::new();
-    let corners = &carrier.corners[index];
-    let Some(plane) = FacetPlane::new(corners) else {
-        return out;
+    const PASSES: usize = 4;
+    const SAME: f64 = 1e-10;
+    let facet = Facing {
+        index,
+        others: tree.near(&carrier.corners[index], pair.reach),
+        carrier,
+        opposite,
     };
-    for other in tree.near(corners, pair.reach) {
-        if dot(plane.normal, opposite.normals[other]) > -0.3 {
-            continue;
+    let mut direction = carrier.normals[index];
+    let mut out = facet.project(direction, pair.reach);
+    for _ in 1..PASSES {
+        let sum = out
+            .iter()
+            .fold([0.0; 3], |sum, c| add(sum, scale(c.normal, c.point.area)));
+        let Some(mean) = unit(sum) else { break };
+        if norm(sub(mean, direction)) < SAME {
+            break;
         }
-        for point in plane.overlap(&opposite.corners[other]) {
-            let (xs, ns) = carrier.at(index, &point.carrier);
-            let (xm, nm) = opposite.at(other, &point.opposite);
-            let gap = sub(xm, xs);
-            let distance = dot(gap, plane.normal);
-            if distance.abs() > 4.0 * pair.reach {
-                continue;
-            }
-            out.push(Contribution {
-                carrier_nodes: carrier.faces[index].nodes,
-                opposite_nodes: Some(opposite.faces[other].nodes),
-                point,
-                gap,
-                normal: sub(ns, nm),
-                stiffness: series(carrier.stiffness[index], opposite.stiffness[other]),
-            });
-        }
+        direction = mean;
+        out = facet.project(direction, pair.reach);
     }
     out
+}
+
+/// A carrier facet and what may lie opposite.
+struct Facing<'a> {
+    index: usize,
+    others: Vec<usize>,
+    carrier: &'a Side<'a>,
+    opposite: &'a Side<'a>,
+}
+
+impl Facing<'_> {
+    /// What the facet gathers when projected along `direction`.
+    fn project(&self, direction: Vec3, reach: f64) -> Vec<Contribution> {
+        let (carrier, opposite, index) = (self.carrier, self.opposite, self.index);
+        let normal = carrier.normals[index];
+        let mut out = Vec::new();
+        if dot(normal, direction) < 0.5 {
+            return out;
+        }
+        let view = View::new(&carrier.corners[index], normal, direction);
+        for &other in &self.others {
+            if dot(normal, opposite.normals[other]) > -0.3 {
+                continue;
+            }
+            for point in view.overlap(&opposite.corners[other]) {
+                let (xs, ns) = carrier.at(index, &point.carrier);
+                let (xm, nm) = opposite.at(other, &point.opposite);
+                let gap = sub(xm, xs);
+                if dot(gap, normal).abs() > 4.0 * reach {
+                    continue;
+                }
+                out.push(Contribution {
+                    carrier_nodes: carrier.faces[index].nodes,
+                    opposite_nodes: Some(opposite.faces[other].nodes),
+                    point,
+                    gap,
+                    normal: sub(ns, nm),
+                    stiffness: series(carrier.stiffness[index], opposite.stiffness[other]),
+                });
+            }
+        }
+        out
+    }
 }
 
 fn facet_on_plane(
@@ -264,14 +303,12 @@ fn facet_on_plane(
     origin: Vec3,
     normal: Vec3,
 ) -> Vec<Contribution> {
-    let Some(plane) = FacetPlane::new(&carrier.corners[index]) else {
-        return Vec::new();
-    };
-    if dot(plane.normal, normal) > -0.3 {
+    let facing = carrier.normals[index];
+    if dot(facing, normal) > -0.3 {
         return Vec::new();
     }
     let mut out = Vec::new();
-    for point in plane.whole() {
+    for point in View::new(&carrier.corners[index], facing, facing).whole() {
         let (x, _) = carrier.at(index, &point.carrier);
         let distance = dot(sub(x, origin), normal);
         if distance.abs() > 4.0 * pair.reach {

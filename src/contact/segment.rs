@@ -1,8 +1,8 @@
 //! Where a carrier facet and an opposite facet overlap: quadrature points on both.
 //!
-//! Both facets are projected along the carrier facet's normal, their overlap is cut into
-//! triangles, and each triangle gets a Gauss rule (Puso and Laursen 2004). On parallelograms the
-//! products of two bilinear shape functions are integrated exactly.
+//! Both facets are projected along one direction, their overlap is cut into triangles, and each
+//! triangle gets a Gauss rule (Puso and Laursen 2004). On parallelograms the products of two
+//! bilinear shape functions are integrated exactly.
 
 use super::clip::{self, Point};
 use crate::geometry::{Vec3, add, cross, dot, scale, sub, tangents, unit};
@@ -13,16 +13,17 @@ pub struct SegmentPoint {
     /// Shape functions of the carrier facet and of the opposite facet.
     pub carrier: [f64; 4],
     pub opposite: [f64; 4],
-    /// Area that the point stands for, measured on the carrier's plane.
+    /// Area that the point stands for, measured on the carrier facet.
     pub area: f64,
 }
 
-/// The plane in which a carrier facet is integrated.
-pub struct FacetPlane {
+/// A carrier facet, seen along the direction in which it is projected.
+pub struct View {
     origin: Vec3,
-    pub normal: Vec3,
     axes: [Vec3; 2],
     corners: [Point; 4],
+    /// Area of the facet's own plane over that of its view.
+    stretch: f64,
 }
 
 /// Degree-4 rule on a triangle (Dunavant 1985): barycentric coordinates and weights.
@@ -43,20 +44,24 @@ const RULE: [([f64; 3], f64); 6] = {
     ]
 };
 
-impl FacetPlane {
-    /// The mean plane of a facet; `None` for a facet without area.
-    pub fn new(facet: &[Vec3; 4]) -> Option<Self> {
-        let normal = unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))?;
+/// Unit normal of a facet's mean plane; `None` for a facet without area.
+pub fn normal(facet: &[Vec3; 4]) -> Option<Vec3> {
+    unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))
+}
+
+impl View {
+    /// Of a facet with the unit normal `normal` along the unit vector `direction`, which must not
+    /// lie in the facet.
+    pub fn new(facet: &[Vec3; 4], normal: Vec3, direction: Vec3) -> Self {
         let origin = scale(facet.iter().fold([0.0; 3], |sum, p| add(sum, *p)), 0.25);
-        let axes = tangents(normal);
-        let mut plane = Self {
+        let mut view = Self {
             origin,
-            normal,
-            axes,
+            axes: tangents(direction),
             corners: [[0.0; 2]; 4],
+            stretch: dot(normal, direction).recip(),
         };
-        plane.corners = facet.map(|p| plane.project(p));
-        Some(plane)
+        view.corners = facet.map(|p| view.project(p));
+        view
     }
 
     fn project(&self, p: Vec3) -> Point {
@@ -64,10 +69,10 @@ impl FacetPlane {
         [dot(r, self.axes[0]), dot(r, self.axes[1])]
     }
 
-    /// Quadrature points of the overlap with `opposite`, whose normal faces this one.
+    /// Quadrature points of the overlap with `opposite`, whose normal faces the carrier's.
     pub fn overlap(&self, opposite: &[Vec3; 4]) -> Vec<SegmentPoint> {
         let window = opposite.map(|p| self.project(p));
-        // Seen along the carrier's normal the opposite facet runs clockwise.
+        // Seen from the carrier the opposite facet runs clockwise.
         let mut turned = window;
         turned.reverse();
         let polygon = clip::intersect(&self.corners, &turned);
@@ -107,7 +112,7 @@ impl FacetPlane {
                     points.push(SegmentPoint {
                         carrier,
                         opposite,
-                        area: weight * area,
+                        area: self.stretch * weight * area,
                     });
                 }
             }
@@ -185,8 +190,8 @@ mod tests {
             [1.25, 1.0, 0.1],
             [1.25, 0.0, 0.1],
         ];
-        let plane = FacetPlane::new(&carrier).unwrap();
-        let points = plane.overlap(&opposite);
+        let up = [0.0, 0.0, 1.0];
+        let points = View::new(&carrier, up, up).overlap(&opposite);
         let area: f64 = points.iter().map(|p| p.area).sum();
         assert!((area - 0.75).abs() < 1e-14);
         // ∫ (1-x)(1-y) * (1-(x-0.25))(1-y) over the overlap; the y part is 1/3.
@@ -197,5 +202,17 @@ mod tests {
             .map(|p| p.area * p.carrier[0] * p.opposite[0])
             .sum();
         assert!((sum - exact).abs() < 1e-14, "{sum} {exact}");
+    }
+    #[test]
+    fn area_is_measured_on_the_facet_whatever_the_view() {
+        let facet = [
+            [0.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [2.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ];
+        let view = View::new(&facet, [0.0, 0.0, 1.0], [0.6, 0.0, 0.8]);
+        let area: f64 = view.whole().iter().map(|p| p.area).sum();
+        assert!((area - 2.0).abs() < 1e-14, "{area}");
     }
 }

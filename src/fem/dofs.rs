@@ -151,6 +151,21 @@ impl DofMap {
         map
     }
 
+    /// Vertex of each equation.
+    pub fn vertices(&self) -> Vec<u32> {
+        let mut vertex_of = vec![0; self.len()];
+        for (vertex, range) in self.vertex_start.windows(2).enumerate() {
+            vertex_of[range[0] as usize..range[1] as usize].fill(vertex as u32);
+        }
+        vertex_of
+    }
+
+    /// Equations of an element's 24 components.
+    pub fn of_element(&self, mesh: &Mesh, element: usize) -> [u32; 24] {
+        let nodes = mesh.hexes[element];
+        std::array::from_fn(|k| self.equations[nodes[k / 3] as usize][k % 3])
+    }
+
     /// Number of equations.
     pub fn len(&self) -> usize {
         self.vertex_start.last().map_or(0, |n| *n as usize)

@@ -39,8 +39,15 @@ pub fn list(case: &Case, scene: &Scene, solution: &Solution) -> Vec<String> {
     lines.push(
         "elastic stiffness and contact operator are integrated once and never again".to_owned(),
     );
+    let counters = &solution.counters;
+    if counters.kept_equations < counters.equations {
+        lines.push(format!(
+            "bodies are condensed: iterations see {} of {} unknowns",
+            counters.kept_equations, counters.equations
+        ));
+    }
     let carriers: usize = solution.last.contacts.iter().map(|c| c.nodes.len()).sum();
-    let rows = solution.counters.contact_rows;
+    let rows = counters.contact_rows;
     if carriers > rows {
         lines.push(format!(
             "contact is prepared at {rows} of {carriers} carrier nodes, the others being out of reach"

@@ -28,12 +28,13 @@ pub enum FactorError {
 }
 
 impl Symbolic {
-    /// Orders the pattern and finds the structure of its factor.
+    /// Orders the pattern, its last `tail` vertices behind all others as they stand, and finds the
+    /// structure of its factor.
     ///
     /// # Errors
     /// [`FactorError::Memory`].
-    pub fn new(pattern: &Pattern) -> Result<Self, FactorError> {
-        let forward = ordering::nested_dissection(pattern);
+    pub fn new(pattern: &Pattern, tail: usize) -> Result<Self, FactorError> {
+        let forward = ordering::nested_dissection(pattern, tail);
         let mut inverse = vec![0u32; forward.len()];
         for (k, equation) in forward.iter().enumerate() {
             inverse[*equation as usize] = k as u32;
@@ -116,12 +117,12 @@ impl Symbolic {
     }
 }
 
-fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
+pub(super) fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
     let n = pattern.len();
     SymbolicSparseColMatRef::new_checked(n, n, &pattern.columns, None, &pattern.rows)
 }
 
-fn parallelism() -> Par {
+pub(super) fn parallelism() -> Par {
     match rayon::current_num_threads() {
         0 | 1 => Par::Seq,
         threads => Par::rayon(threads),
@@ -145,7 +146,7 @@ mod tests {
         let x: Vec<f64> = (0..n).map(|i| f64::from(i).sin()).collect();
         let mut b = vec![0.0; n as usize];
         pattern.multiply(&m, &x, &mut b);
-        let symbolic = Symbolic::new(&pattern).unwrap();
+        let symbolic = Symbolic::new(&pattern, 0).unwrap();
         let factor = symbolic.factorise(&pattern, &m, None).unwrap();
         symbolic.solve(&factor, &mut b);
         assert!(b.iter().zip(&x).all(|(b, x)| (b - x).abs() < 1e-12));

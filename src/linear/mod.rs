@@ -5,3 +5,4 @@ pub mod krylov;
 pub mod ordering;
 pub mod small;
 pub mod sparse;
+pub mod substructure;

@@ -9,110 +9,163 @@ use std::sync::Mutex;
 /// METIS draws on the C library's random state: one call at a time keeps it reproducible.
 static METIS: Mutex<()> = Mutex::new(());
 
-/// New order of the equations: `order[k]` is the equation that is eliminated as number k.
-pub fn nested_dissection(pattern: &Pattern) -> Vec<u32> {
-    let vertices = dissect(pattern);
+/// New order of the equations: `order[k]` is the equation that is eliminated as number k. The last
+/// `tail` vertices keep their place behind all others.
+pub fn nested_dissection(pattern: &Pattern, tail: usize) -> Vec<u32> {
+    let count = vertices(pattern);
+    let last: Vec<bool> = (0..count).map(|v| v + tail >= count).collect();
+    with_last(pattern, &last).0
+}
+
+/// Order with the marked vertices last and ascending, and how many equations come before them.
+pub fn with_last(pattern: &Pattern, last: &[bool]) -> (Vec<u32>, usize) {
+    let graph = Graph::without(pattern, last);
     let mut order = Vec::with_capacity(pattern.len());
-    for vertex in vertices {
-        let vertex = vertex as usize;
+    let push = |order: &mut Vec<u32>, vertex: usize| {
         order.extend(pattern.vertex_start[vertex]..pattern.vertex_start[vertex + 1]);
+    };
+    for local in graph.postorder(&graph.dissect()) {
+        push(&mut order, graph.vertices[local as usize] as usize);
     }
-    order
+    let before = order.len();
+    (0..last.len())
+        .filter(|v| last[*v])
+        .for_each(|v| push(&mut order, v));
+    (order, before)
 }
 
-/// Elimination order of the vertices.
-fn dissect(pattern: &Pattern) -> Vec<u32> {
-    let count = pattern.vertex_start.len().saturating_sub(1);
-    let mut start: Vec<i32> = pattern.adjacency_start.iter().map(|v| *v as i32).collect();
-    let mut adjacency: Vec<i32> = pattern.adjacency.iter().map(|v| *v as i32).collect();
-    let mut weights: Vec<i32> = pattern
-        .vertex_start
-        .windows(2)
-        .map(|w| (w[1] - w[0]) as i32)
-        .collect();
-    let mut vertices = count as i32;
-    let (mut perm, mut inverse) = (vec![0i32; count], vec![0i32; count]);
-    let status = {
-        let _one_at_a_time = METIS
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner());
-        // SAFETY: all arrays have the lengths METIS documents for `vertices` vertices, and the
-        // graph is symmetric without loops by construction; the options may be null.
-        unsafe {
-            metis_sys::METIS_NodeND(
-                &mut vertices,
-                start.as_mut_ptr(),
-                adjacency.as_mut_ptr(),
-                weights.as_mut_ptr(),
-                std::ptr::null_mut(),
-                perm.as_mut_ptr(),
-                inverse.as_mut_ptr(),
-            )
+fn vertices(pattern: &Pattern) -> usize {
+    pattern.vertex_start.len().saturating_sub(1)
+}
+
+/// The graph that is dissected: some of a pattern's vertices.
+struct Graph {
+    /// Their numbers in the pattern.
+    vertices: Vec<u32>,
+    start: Vec<i32>,
+    adjacency: Vec<i32>,
+    /// Equations of each vertex.
+    weights: Vec<i32>,
+}
+
+impl Graph {
+    fn without(pattern: &Pattern, last: &[bool]) -> Self {
+        let mut local = vec![-1i32; vertices(pattern)];
+        let mut graph = Self {
+            vertices: Vec::new(),
+            start: vec![0],
+            adjacency: Vec::new(),
+            weights: Vec::new(),
+        };
+        for (vertex, number) in local.iter_mut().enumerate().filter(|(v, _)| !last[*v]) {
+            *number = graph.vertices.len() as i32;
+            graph.vertices.push(vertex as u32);
         }
-    };
-    let order: Vec<u32> = if status == metis_sys::rstatus_et_METIS_OK {
-        perm.iter().map(|v| *v as u32).collect()
-    } else {
-        // The natural order is correct, only slower.
-        (0..count as u32).collect()
-    };
-    postorder(pattern, &order)
-}
-
-/// Reorders `order` along a postorder of its elimination tree: the same fill, but columns of a
-/// supernode stand together.
-fn postorder(pattern: &Pattern, order: &[u32]) -> Vec<u32> {
-    let parent = elimination_tree(pattern, order);
-    let count = order.len();
-    let (mut first_child, mut sibling) = (vec![u32::MAX; count + 1], vec![u32::MAX; count]);
-    // Backwards, so that children come out in ascending order; roots hang on `count`.
-    for k in (0..count).rev() {
-        let parent = (parent[k] as usize).min(count);
-        sibling[k] = first_child[parent];
-        first_child[parent] = k as u32;
+        for &vertex in &graph.vertices {
+            let vertex = vertex as usize;
+            let neighbours = pattern.adjacency_start[vertex]..pattern.adjacency_start[vertex + 1];
+            let neighbours = &pattern.adjacency[neighbours.start as usize..neighbours.end as usize];
+            let inside = neighbours.iter().map(|v| local[*v as usize]);
+            graph.adjacency.extend(inside.filter(|v| *v >= 0));
+            graph.start.push(graph.adjacency.len() as i32);
+            let equations = pattern.vertex_start[vertex + 1] - pattern.vertex_start[vertex];
+            graph.weights.push(equations as i32);
+        }
+        graph
     }
-    let mut out = Vec::with_capacity(count);
-    let mut stack = vec![count as u32];
-    while let Some(&top) = stack.last() {
-        let child = first_child[top as usize];
-        if child == u32::MAX {
-            stack.pop();
-            if (top as usize) < count {
-                out.push(order[top as usize]);
+
+    fn neighbours(&self, vertex: usize) -> &[i32] {
+        &self.adjacency[self.start[vertex] as usize..self.start[vertex + 1] as usize]
+    }
+
+    /// Elimination order of the vertices.
+    fn dissect(&self) -> Vec<u32> {
+        let count = self.vertices.len();
+        if count == 0 {
+            return Vec::new();
+        }
+        let mut vertices = count as i32;
+        let (mut start, mut adjacency) = (self.start.clone(), self.adjacency.clone());
+        let mut weights = self.weights.clone();
+        let (mut perm, mut inverse) = (vec![0i32; count], vec![0i32; count]);
+        let status = {
+            let _one_at_a_time = METIS
+                .lock()
+                .unwrap_or_else(|poisoned| poisoned.into_inner());
+            // SAFETY: all arrays have the lengths METIS documents for `vertices` vertices, and the
+            // graph is symmetric without loops by construction; the options may be null.
+            unsafe {
+                metis_sys::METIS_NodeND(
+                    &mut vertices,
+                    start.as_mut_ptr(),
+                    adjacency.as_mut_ptr(),
+                    weights.as_mut_ptr(),
+                    std::ptr::null_mut(),
+                    perm.as_mut_ptr(),
+                    inverse.as_mut_ptr(),
+                )
             }
+        };
+        if status == metis_sys::rstatus_et_METIS_OK {
+            perm.iter().map(|v| *v as u32).collect()
         } else {
-            first_child[top as usize] = sibling[child as usize];
-            stack.push(child);
+            // The natural order is correct, only slower.
+            (0..count as u32).collect()
         }
     }
-    out
-}
 
-/// Parent of each position in the elimination tree of the reordered graph, `u32::MAX` for roots
-/// (Liu 1990, with path compression).
-fn elimination_tree(pattern: &Pattern, order: &[u32]) -> Vec<u32> {
-    let count = order.len();
-    let mut position = vec![0u32; count];
-    for (k, vertex) in order.iter().enumerate() {
-        position[*vertex as usize] = k as u32;
-    }
-    let (mut parent, mut ancestor) = (vec![u32::MAX; count], vec![u32::MAX; count]);
-    for k in 0..count as u32 {
-        let vertex = order[k as usize] as usize;
-        let range =
-            pattern.adjacency_start[vertex] as usize..pattern.adjacency_start[vertex + 1] as usize;
-        for &other in &pattern.adjacency[range] {
-            let mut i = position[other as usize];
-            while i < k {
-                let next = ancestor[i as usize];
-                ancestor[i as usize] = k;
-                if next == u32::MAX {
-                    parent[i as usize] = k;
-                    break;
+    /// Reorders `order` along a postorder of its elimination tree: the same fill, but columns of a
+    /// supernode stand together.
+    fn postorder(&self, order: &[u32]) -> Vec<u32> {
+        let parent = self.elimination_tree(order);
+        let count = order.len();
+        let (mut first_child, mut sibling) = (vec![u32::MAX; count + 1], vec![u32::MAX; count]);
+        // Backwards, so that children come out in ascending order; roots hang on `count`.
+        for k in (0..count).rev() {
+            let parent = (parent[k] as usize).min(count);
+            sibling[k] = first_child[parent];
+            first_child[parent] = k as u32;
+        }
+        let mut out = Vec::with_capacity(count);
+        let mut stack = vec![count as u32];
+        while let Some(&top) = stack.last() {
+            let child = first_child[top as usize];
+            if child == u32::MAX {
+                stack.pop();
+                if (top as usize) < count {
+                    out.push(order[top as usize]);
                 }
-                i = next;
+            } else {
+                first_child[top as usize] = sibling[child as usize];
+                stack.push(child);
             }
         }
+        out
     }
-    parent
+
+    /// Parent of each position in the elimination tree of the reordered graph, `u32::MAX` for roots
+    /// (Liu 1990, with path compression).
+    fn elimination_tree(&self, order: &[u32]) -> Vec<u32> {
+        let count = order.len();
+        let mut position = vec![0u32; count];
+        for (k, vertex) in order.iter().enumerate() {
+            position[*vertex as usize] = k as u32;
+        }
+        let (mut parent, mut ancestor) = (vec![u32::MAX; count], vec![u32::MAX; count]);
+        for k in 0..count as u32 {
+            for &other in self.neighbours(order[k as usize] as usize) {
+                let mut i = position[other as usize];
+                while i < k {
+                    let next = ancestor[i as usize];
+                    ancestor[i as usize] = k;
+                    if next == u32::MAX {
+                        parent[i as usize] = k;
+                        break;
+                    }
+                    i = next;
+                }
+            }
+        }
+        parent
+    }
 }

@@ -1,7 +1,7 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
-use super::evaluate::{Evaluation, History};
-use super::model::{Counters, Model};
+use super::evaluate::{Evaluation, History, PlasticElement};
+use super::model::{ContactRow, Counters, Expected, Model, can_yield};
 use super::newton::{self, Failure, LinearSolver, Point};
 use super::observer::Observer;
 use super::start::{self, Closing};
@@ -9,6 +9,7 @@ use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
 use crate::fem::dofs::{Conflict, FIXED};
 use crate::linear::cholesky::FactorError;
+use crate::material::mises;
 use crate::results::{ContactField, PlaneField, State};
 use crate::scene::{Partner, Scene, Side};
 use rayon::prelude::*;
@@ -93,8 +94,12 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
     }
     observer.moved(scene);
     let mut timers = Timers::default();
-    let model = timers.time(Phase::Prepare, || Model::new(scene, start::reach(scene)))?;
-    let mut run = Run::new(model, observer);
+    let expected = Expected {
+        reach: start::reach(scene),
+        flow: Vec::new(),
+    };
+    let model = timers.time(Phase::Prepare, || Model::new(scene, &expected))?;
+    let mut run = Run::new(model, expected, observer);
     run.counters.timers = timers;
     let untouched = run.untouched();
     for name in &untouched {
@@ -114,27 +119,27 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
 
 struct Run<'a, 'o> {
     model: Model<'a>,
+    expected: Expected,
     observer: &'o mut dyn Observer,
     solver: LinearSolver,
     history: History,
     point: Point,
     /// Unknowns and multipliers of the accepted increment before this one, for extrapolation.
     previous: Option<Point>,
+    /// A better first guess than extrapolation.
+    guess: Option<Point>,
     counters: Counters,
     states: Vec<State>,
     last: State,
 }
 
 impl<'a, 'o> Run<'a, 'o> {
-    fn new(model: Model<'a>, observer: &'o mut dyn Observer) -> Self {
+    fn new(model: Model<'a>, expected: Expected, observer: &'o mut dyn Observer) -> Self {
         let rows = model.rows.len();
-        let counters = Counters {
-            equations: model.dofs.len(),
-            factor_entries: model.symbolic.factor_entries(),
-            contact_rows: rows,
-            ..Counters::default()
-        };
+        let mut counters = Counters::default();
+        counters.measure(&model);
         Self {
+            expected,
             history: History {
                 plastic: vec![None; model.yielding.len()],
                 slip_origin: vec![[0.0; 2]; rows],
@@ -148,6 +153,7 @@ impl<'a, 'o> Run<'a, 'o> {
             },
             solver: LinearSolver::default(),
             previous: None,
+            guess: None,
             states: Vec::new(),
             last: State::default(),
             counters,
@@ -208,11 +214,19 @@ impl<'a, 'o> Run<'a, 'o> {
                         continue;
                     }
                     let iterations = self.counters.iterations - before;
-                    let last = target >= 1.0;
-                    self.accept(trial, &evaluation, time, last)?;
-                    time = target;
                     if iterations <= controls.iterations / 3 {
                         size *= 1.5;
+                    }
+                    let flow = self.unexpected_flow(&trial, size / target);
+                    if flow.missed {
+                        self.expect(flow.elements, Some(&trial))?;
+                        size = target - time;
+                        continue;
+                    }
+                    self.accept(trial, &evaluation, time, target >= 1.0)?;
+                    time = target;
+                    if !flow.elements.is_empty() {
+                        self.expect(flow.elements, None)?;
                     }
                 }
                 Err(Failure::Cancelled) => return Ok(false),
@@ -236,7 +250,10 @@ impl<'a, 'o> Run<'a, 'o> {
     }
 
     /// First guess at `target`: on along the last increment.
-    fn predict(&self, step: usize, time: f64, target: f64) -> Point {
+    fn predict(&mut self, step: usize, time: f64, target: f64) -> Point {
+        if let Some(guess) = self.guess.take() {
+            return guess;
+        }
         let mut guess = self.point.clone();
         guess.step = step;
         guess.time = target;
@@ -260,7 +277,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let near = 0.02 * self.model.reach;
         for (r, node) in self.model.rows.iter().zip(&mut trial.nodes) {
             if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
-                (node.closed, node.bound) = (true, f64::INFINITY);
+                (node.closed, node.sticks) = (true, true);
             }
         }
     }
@@ -277,18 +294,53 @@ impl<'a, 'o> Run<'a, 'o> {
         if approach <= self.model.reach {
             return Ok(false);
         }
-        let key = |r: &super::model::ContactRow| (r.pair, r.row.node);
-        let old: BTreeMap<_, usize> = self
-            .model
-            .rows
-            .iter()
-            .enumerate()
-            .map(|(i, r)| (key(r), i))
-            .collect();
         self.observer.message(&format!(
             "bodies approach by {approach:.3e}, more than contact was prepared for: widened"
         ));
-        let prepare = || Model::new(self.model.scene, 2.0 * approach);
+        self.expected.reach = 2.0 * approach;
+        self.rebuild()?;
+        Ok(true)
+    }
+
+    /// Flow outside the elements where it was expected, now or if the loads grow by the share
+    /// `next` of themselves.
+    fn unexpected_flow(&mut self, trial: &Point, next: f64) -> UnexpectedFlow {
+        let model = &self.model;
+        let look = || unexpected_flow(model, trial, 1.0 + next);
+        self.counters.timers.time(Phase::Recover, look)
+    }
+
+    /// Condenses anew, with `elements` kept; the next increment starts from `guess`.
+    fn expect(&mut self, elements: Vec<u32>, guess: Option<&Point>) -> Result<(), SolveError> {
+        self.expected.flow.extend(elements);
+        self.expected.flow.sort_unstable();
+        let guess = guess.map(|p| (p.clone(), self.model.displacement(&p.x, p.step, p.time)));
+        self.rebuild()?;
+        self.guess = guess.map(|(point, u)| Point {
+            x: self.model.unknowns(&u),
+            ..point
+        });
+        self.observer.message(&format!(
+            "{} elements may yield: {} of {} unknowns kept",
+            self.expected.flow.len(),
+            self.counters.kept_equations,
+            self.counters.equations,
+        ));
+        Ok(())
+    }
+
+    /// Prepares the model for what is expected now, and carries the state over.
+    fn rebuild(&mut self) -> Result<(), SolveError> {
+        let key = |r: &ContactRow| (r.pair, r.row.node);
+        let rows = self.model.rows.iter().enumerate();
+        let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
+        let yielding = self.model.yielding.iter().copied();
+        let histories = yielding.zip(std::mem::take(&mut self.history.plastic));
+        let mut histories: BTreeMap<u32, PlasticElement> = histories.collect();
+        let (scene, expected) = (self.model.scene, &self.expected);
+        let displacement =
+            (self.model).displacement(&self.point.x, self.point.step, self.point.time);
+        let prepare = || Model::new(scene, expected);
         let model = self.counters.timers.time(Phase::Prepare, prepare)?;
         let map: Vec<Option<usize>> = model
             .rows
@@ -301,14 +353,17 @@ impl<'a, 'o> Run<'a, 'o> {
                 .collect()
         }
         self.point.nodes = carry(&map, &self.point.nodes);
+        self.point.x = model.unknowns(&displacement);
         self.history.slip_origin = carry(&map, &self.history.slip_origin);
         self.history.slip = carry(&map, &self.history.slip);
+        self.history.plastic = (model.yielding.iter())
+            .map(|e| histories.remove(e).flatten())
+            .collect();
         self.previous = None;
         self.solver = LinearSolver::default();
-        self.counters.contact_rows = model.rows.len();
-        self.counters.factor_entries = model.symbolic.factor_entries();
+        self.counters.measure(&model);
         self.model = model;
-        Ok(true)
+        Ok(())
     }
 
     fn accept(
@@ -437,7 +492,7 @@ impl<'a, 'o> Run<'a, 'o> {
 
     fn plane_fields(&self, u: &[[f64; 3]]) -> Vec<PlaneField> {
         let (model, point) = (&self.model, &self.point);
-        let planes = model.scene.rigid_planes.iter().zip(&model.dofs.planes);
+        let planes = model.scene.rigid_planes.iter().zip(&model.all.planes);
         planes
             .map(|(plane, equations)| {
                 let node = model
@@ -504,6 +559,64 @@ impl<'a, 'o> Run<'a, 'o> {
             axis: ['x', 'y', 'z'][axis],
         }
     }
+}
+
+/// Elements that yield, or soon will, though the model takes them for elastic.
+struct UnexpectedFlow {
+    elements: Vec<u32>,
+    /// Does one of them yield already?
+    missed: bool,
+}
+
+fn unexpected_flow(model: &Model, trial: &Point, next: f64) -> UnexpectedFlow {
+    // Below a contact the stress grows with the root of the load, in bending with the load; where
+    // it flows, neighbours take over some.
+    const EARLY: f64 = 0.85;
+    let growth = |ratio: f64| ratio.powf(0.75);
+    let scene = model.scene;
+    let u = model.displacement(&trial.x, trial.step, trial.time);
+    let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
+        .into_par_iter()
+        .filter(|e| can_yield(scene, *e) && model.yielding.binary_search(e).is_err())
+        .map(|e| {
+            let body = scene.mesh.body_of(e as usize);
+            let local = scene.mesh.hexes[e as usize].map(|n| u[n as usize]);
+            let virgin = Default::default();
+            let stress = model
+                .element(e)
+                .stress(&model.elastic[body], &local, &virgin);
+            let worst = stress.iter().map(mises).fold(0.0, f64::max);
+            (e, worst / scene.materials[body].yield_stress)
+        })
+        .collect();
+    let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+    let to_come = load_to_come(model, trial);
+    // As long as nothing will flow before the next look, all is well.
+    let limit = if most * growth(next.min(to_come)) > 1.0 {
+        EARLY / growth(to_come)
+    } else {
+        f64::INFINITY
+    };
+    let hot = shares.into_iter().filter(|(_, share)| *share > limit);
+    UnexpectedFlow {
+        elements: hot.map(|(element, _)| element).collect(),
+        missed: most > 1.0,
+    }
+}
+
+/// How many times larger than now a load still gets.
+fn load_to_come(model: &Model, trial: &Point) -> f64 {
+    let scene = model.scene;
+    let names = (scene.tractions.iter().map(|t| &t.name))
+        .chain(scene.rigid_planes.iter().map(|p| &p.name))
+        .chain(scene.supports.iter().map(|s| &s.name));
+    let ratios = names.map(|name| {
+        let now = model.factor(name, trial.step, trial.time).abs();
+        let later = scene.steps[trial.step..].iter();
+        let most = later.map(|s| s.factor_of(name).abs()).fold(0.0, f64::max);
+        if now > 0.0 { most / now } else { 1.0 }
+    });
+    ratios.fold(1.0, f64::max)
 }
 
 fn describe(failure: &Failure) -> String {

@@ -67,7 +67,7 @@ pub struct Trial<'t> {
 impl Model<'_> {
     /// Residual, contact and plastic answers at a trial point.
     pub fn evaluate(&self, history: &History, trial: &Trial) -> Evaluation {
-        let u = self.displacement(trial.x, trial.step, trial.time);
+        let u = self.kept_displacement(trial.x, trial.step, trial.time);
         let mut internal = vec![0.0; self.dofs.len()];
         self.pattern
             .multiply(&self.stiffness, trial.x, &mut internal);

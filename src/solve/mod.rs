@@ -4,6 +4,7 @@
 //! sparsity pattern, the elastic stiffness and the contact operator are made once a scene. Each
 //! iteration changes only what yields, opens, sticks or slips.
 
+mod bodies;
 mod driver;
 mod evaluate;
 mod line_search;

@@ -1,5 +1,6 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
+use super::bodies::{self, Bodies, Plan};
 use super::driver::SolveError;
 use super::timers::Timers;
 use crate::contact::law::Law;
@@ -8,20 +9,17 @@ use crate::fem::dofs::{DofMap, FIXED, Source};
 use crate::fem::element::Element;
 use crate::fem::loads;
 use crate::linear::cholesky::Symbolic;
+use crate::linear::krylov::norm;
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
 use crate::scene::{Partner, PlaneMotion, Scene, Side, Step};
-use rayon::prelude::*;
 
 /// Penalty over the stiffness of the material next to the contact, at a user factor of one.
 ///
 /// The augmented-Lagrange update makes the answer independent of it; it only has to be stiff
 /// enough that few updates are needed and soft enough that the factor stays accurate.
 const PENALTY: f64 = 1000.0;
-
-/// The same for shear against slip: softer, since sticking and slipping nodes trade places.
-const TANGENTIAL_PENALTY: f64 = 30.0;
 
 /// How often the expensive parts ran.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -36,9 +34,21 @@ pub struct Counters {
     /// Contact nodes whose friction law was evaluated.
     pub friction_updates: usize,
     pub equations: usize,
+    /// Unknowns that are left when the bodies are condensed.
+    pub kept_equations: usize,
     pub factor_entries: usize,
     pub contact_rows: usize,
     pub timers: Timers,
+}
+
+impl Counters {
+    /// Sizes of a model.
+    pub fn measure(&mut self, model: &Model) {
+        self.equations = model.all.len();
+        self.kept_equations = model.dofs.len();
+        self.factor_entries = model.bodies.factor_entries() + model.symbolic.factor_entries();
+        self.contact_rows = model.rows.len();
+    }
 }
 
 /// A contact row with its pair's law.
@@ -48,63 +58,107 @@ pub struct ContactRow {
     pub law: Law,
 }
 
-/// The scene, discretised.
+/// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
 pub struct Model<'a> {
     pub scene: &'a Scene,
+    /// All unknowns.
+    pub all: DofMap,
+    /// The kept ones; everything below is about these.
     pub dofs: DofMap,
+    pub bodies: Bodies,
     pub elastic: Vec<Elastic>,
     pub pattern: Pattern,
     pub symbolic: Symbolic,
     /// Stiffness of all bodies as long as they are elastic.
     pub stiffness: SymmetricMatrix,
     pub rows: Vec<ContactRow>,
-    /// Elements of bodies that can yield.
+    /// Elements whose yield condition is checked in every iteration.
     pub yielding: Vec<u32>,
-    /// Nodal forces of each traction, then of each rigid plane, at factor one.
+    /// Forces at factor one, inner unknowns eliminated: of each traction, of each rigid plane, and
+    /// those of nonzero prescribed displacements.
     loads: Vec<(String, Vec<f64>)>,
-    /// Forces of nonzero prescribed displacements on the free equations, at factor one.
-    prescribed: Vec<(String, Vec<f64>)>,
+    /// The largest force that the steps apply.
+    pub reference: f64,
     /// Beyond this initial gap no contact was prepared.
     pub reach: f64,
 }
 
+/// What a model is prepared for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expected {
+    /// Contact up to this initial gap.
+    pub reach: f64,
+    /// Plastic flow in these elements, ascending.
+    pub flow: Vec<u32>,
+}
+
 impl<'a> Model<'a> {
-    /// Prepares `scene` with contact rows up to an initial gap of `reach`.
-    pub fn new(scene: &'a Scene, reach: f64) -> Result<Self, SolveError> {
-        let mesh = &scene.mesh;
-        let dofs = DofMap::new(scene)?;
-        if dofs.is_empty() {
+    /// Prepares `scene` for what is expected to happen.
+    ///
+    /// # Errors
+    /// [`SolveError`] where supports contradict each other, nothing is free or memory runs out.
+    pub fn new(scene: &'a Scene, expected: &Expected) -> Result<Self, SolveError> {
+        let all = DofMap::new(scene)?;
+        if all.is_empty() {
             return Err(SolveError::NothingFree);
         }
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
-        let rows = contact_rows(scene, reach);
-        let pattern = pattern(mesh, &dofs, &rows);
-        let symbolic = Symbolic::new(&pattern)?;
-        let stiffness = elastic_stiffness(scene, &dofs, &elastic, &pattern);
-        let yielding = if scene.controls.plasticity {
-            let bodies = mesh.bodies.iter().zip(&scene.materials);
-            bodies
-                .filter(|(_, steel)| !steel.is_elastic())
-                .flat_map(|(body, _)| body.elements.clone().map(|e| e as u32))
-                .collect()
-        } else {
-            Vec::new()
+        let rows = contact_rows(scene, expected.reach);
+        let plan = Plan {
+            scene,
+            dofs: &all,
+            elastic: &elastic,
+            needed: &needed(scene, &all, &rows, &expected.flow),
+            flow: &expected.flow,
         };
+        let mut bodies = Bodies::new(&plan)?;
+        let dofs = bodies.kept_dofs(&all);
+        let pattern = pattern(&scene.mesh, &bodies, &dofs, &rows);
+        let symbolic = Symbolic::new(&pattern, bodies.condensed_vertices)?;
+        let number = |e| bodies.kept_of(e);
+        let mut stiffness = bodies::assemble(&plan, &bodies.sparse_elements, &pattern, number);
+        bodies.add_stiffness(&pattern, &mut stiffness);
+        bodies.release();
         let mut model = Self {
-            loads: load_vectors(scene, &dofs),
-            prescribed: Vec::new(),
+            loads: load_vectors(scene, &all),
+            reference: 0.0,
+            yielding: yielding(scene, &bodies),
             scene,
             elastic,
             pattern,
             symbolic,
             stiffness,
             rows,
-            yielding,
-            reach,
+            reach: expected.reach,
+            bodies,
             dofs,
+            all,
         };
-        model.prescribed = model.prescribed_forces();
+        model.loads.extend(model.prescribed_forces());
+        model.reference = model.largest_load();
+        for (_, vector) in &mut model.loads {
+            model.bodies.reduce(vector);
+        }
         Ok(model)
+    }
+
+    /// Norm of the forces at the end of the step where it is largest.
+    fn largest_load(&self) -> f64 {
+        let steps = 0..self.scene.steps.len();
+        let norms = steps.map(|s| norm(&self.forces(s, 1.0)));
+        norms.fold(0.0, f64::max)
+    }
+
+    /// Forces on all unknowns, inner ones eliminated.
+    fn forces(&self, step: usize, time: f64) -> Vec<f64> {
+        let mut out = vec![0.0; self.all.len()];
+        for (name, vector) in &self.loads {
+            let factor = self.factor(name, step, time);
+            for (o, v) in out.iter_mut().zip(vector) {
+                *o += factor * v;
+            }
+        }
+        out
     }
 
     /// Factor of the load `name` at `time` within step `index`.
@@ -116,30 +170,48 @@ impl<'a> Model<'a> {
         before + time * (after - before)
     }
 
-    /// Applied forces on the equations at `time` within step `step`, the elastic reaction to
+    /// Applied forces on the kept equations at `time` within step `step`, the elastic reaction to
     /// prescribed displacements included.
     pub fn external(&self, step: usize, time: f64) -> Vec<f64> {
-        let mut out = vec![0.0; self.dofs.len()];
-        for (name, vector) in self.loads.iter().chain(&self.prescribed) {
-            let factor = self.factor(name, step, time);
-            for (o, v) in out.iter_mut().zip(vector) {
-                *o += factor * v;
-            }
-        }
-        out
+        self.bodies.restrict(&self.forces(step, time))
     }
 
-    /// Nodal displacements for the solution `x` at `time` within step `step`.
+    /// Displacements for the solution `x` at `time` within step `step`, of nodes with kept
+    /// components.
+    pub fn kept_displacement(&self, x: &[f64], step: usize, time: f64) -> Vec<[f64; 3]> {
+        self.nodal(&self.dofs, x, step, time)
+    }
+
+    /// The same of all nodes.
     pub fn displacement(&self, x: &[f64], step: usize, time: f64) -> Vec<[f64; 3]> {
+        let mut all = self.forces(step, time);
+        self.bodies.recover(x, &mut all);
+        self.nodal(&self.all, &all, step, time)
+    }
+
+    fn nodal(&self, dofs: &DofMap, x: &[f64], step: usize, time: f64) -> Vec<[f64; 3]> {
         let mut nodal = vec![[0.0; 3]; self.scene.mesh.points.len()];
-        self.dofs.scatter_add(x, 1.0, &mut nodal);
-        for p in &self.dofs.prescribed {
+        dofs.scatter_add(x, 1.0, &mut nodal);
+        for p in &dofs.prescribed {
             if p.value != 0.0 {
                 let factor = self.factor(self.source_name(p.source), step, time);
                 nodal[p.node as usize][p.axis] = factor * p.value;
             }
         }
         nodal
+    }
+
+    /// The kept unknowns of nodal displacements.
+    pub fn unknowns(&self, nodal: &[[f64; 3]]) -> Vec<f64> {
+        let mut x = vec![0.0; self.dofs.len()];
+        for (equations, values) in self.dofs.equations.iter().zip(nodal) {
+            for (equation, value) in equations.iter().zip(values) {
+                if *equation != FIXED {
+                    x[*equation as usize] = *value;
+                }
+            }
+        }
+        x
     }
 
     pub fn source_name(&self, source: Source) -> &str {
@@ -151,26 +223,26 @@ impl<'a> Model<'a> {
 
     /// The element with its shape.
     pub fn element(&self, element: u32) -> Element {
-        shaped(self.scene, element as usize)
+        bodies::shaped(self.scene, element as usize)
     }
 
     /// Equations of an element's 24 components.
     pub fn element_equations(&self, element: u32) -> [u32; 24] {
-        element_equations(&self.scene.mesh, &self.dofs, element as usize)
+        self.dofs.of_element(&self.scene.mesh, element as usize)
     }
 
     /// −K u for the prescribed displacements of each source that has any.
     fn prescribed_forces(&self) -> Vec<(String, Vec<f64>)> {
         let mesh = &self.scene.mesh;
         let mut sources: Vec<Source> = Vec::new();
-        for p in self.dofs.prescribed.iter().filter(|p| p.value != 0.0) {
+        for p in self.all.prescribed.iter().filter(|p| p.value != 0.0) {
             if !sources.contains(&p.source) {
                 sources.push(p.source);
             }
         }
         let forces = sources.into_iter().map(|source| {
             let mut u = vec![[0.0; 3]; mesh.points.len()];
-            for p in self.dofs.prescribed.iter().filter(|p| p.source == source) {
+            for p in self.all.prescribed.iter().filter(|p| p.source == source) {
                 u[p.node as usize][p.axis] = p.value;
             }
             let mut force = vec![[0.0; 3]; mesh.points.len()];
@@ -187,18 +259,38 @@ impl<'a> Model<'a> {
                     }
                 }
             }
-            (
-                self.source_name(source).to_owned(),
-                self.dofs.gather(&force),
-            )
+            (self.source_name(source).to_owned(), self.all.gather(&force))
         });
         forces.collect()
     }
 }
 
-fn element_equations(mesh: &Mesh, dofs: &DofMap, element: usize) -> [u32; 24] {
-    let nodes = mesh.hexes[element];
-    std::array::from_fn(|k| dofs.equations[nodes[k / 3] as usize][k % 3])
+/// Vertices that contact or expected flow acts on.
+fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -> Vec<bool> {
+    let vertex_of = dofs.vertices();
+    let mut needed = vec![false; dofs.vertex_start.len() - 1];
+    let flowing = flow.iter().flat_map(|e| scene.mesh.hexes[*e as usize]);
+    let touching = rows.iter().flat_map(|r| r.row.terms.iter().map(|t| t.0));
+    for node in flowing.chain(touching) {
+        for equation in dofs.equations[node as usize] {
+            if equation != FIXED {
+                needed[vertex_of[equation as usize] as usize] = true;
+            }
+        }
+    }
+    needed
+}
+
+/// Elements that may flow: none of them is condensed.
+fn yielding(scene: &Scene, bodies: &Bodies) -> Vec<u32> {
+    let sparse = bodies.sparse_elements.iter().copied();
+    sparse.filter(|e| can_yield(scene, *e)).collect()
+}
+
+/// Is the element of a steel that yields?
+pub fn can_yield(scene: &Scene, element: u32) -> bool {
+    let body = scene.mesh.body_of(element as usize);
+    scene.controls.plasticity && !scene.materials[body].is_elastic()
 }
 
 /// Contact rows of all pairs.
@@ -219,7 +311,6 @@ fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
             law: Law {
                 friction: pair.friction,
                 penalty: PENALTY * pair.penalty_factor * row.stiffness,
-                tangential_penalty: TANGENTIAL_PENALTY * pair.penalty_factor * row.stiffness,
                 stiffness: row.stiffness,
             },
             pair: index,
@@ -263,11 +354,8 @@ pub fn pair_rows(
     })
 }
 
-fn pattern(mesh: &Mesh, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
-    let mut vertex_of = vec![0u32; dofs.len()];
-    for (vertex, range) in dofs.vertex_start.windows(2).enumerate() {
-        vertex_of[range[0] as usize..range[1] as usize].fill(vertex as u32);
-    }
+fn pattern(mesh: &Mesh, bodies: &Bodies, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
+    let vertex_of = dofs.vertices();
     let vertices = |nodes: &mut dyn Iterator<Item = u32>| {
         let mut list: Vec<u32> = nodes
             .flat_map(|n| dofs.equations[n as usize])
@@ -278,43 +366,15 @@ fn pattern(mesh: &Mesh, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
         list.dedup();
         list
     };
-    let elements = mesh
-        .hexes
+    let elements = bodies
+        .sparse_elements
         .iter()
-        .map(|nodes| vertices(&mut nodes.iter().copied()));
+        .map(|e| vertices(&mut mesh.hexes[*e as usize].iter().copied()));
     let contacts = rows
         .iter()
         .map(|r| vertices(&mut r.row.terms.iter().map(|t| t.0)));
-    let cliques: Vec<Vec<u32>> = elements.chain(contacts).collect();
+    let cliques: Vec<Vec<u32>> = elements.chain(contacts).chain(bodies.cliques()).collect();
     Pattern::new(dofs.vertex_start.clone(), cliques.iter().map(Vec::as_slice))
-}
-
-fn shaped(scene: &Scene, element: usize) -> Element {
-    Element::new(scene.controls.element, &scene.mesh.corners(element))
-}
-
-fn elastic_stiffness(
-    scene: &Scene,
-    dofs: &DofMap,
-    elastic: &[Elastic],
-    pattern: &Pattern,
-) -> SymmetricMatrix {
-    // Element matrices in parallel, a batch at a time; sums in element order.
-    const BATCH: usize = 1024;
-    let mesh = &scene.mesh;
-    let mut matrix = pattern.zeros();
-    for start in (0..mesh.hexes.len()).step_by(BATCH) {
-        let end = (start + BATCH).min(mesh.hexes.len());
-        let blocks: Vec<_> = (start..end)
-            .into_par_iter()
-            .map(|e| Box::new(shaped(scene, e).stiffness(&elastic[mesh.body_of(e)])))
-            .collect();
-        for (e, block) in (start..end).zip(blocks) {
-            let equations = element_equations(mesh, dofs, e);
-            pattern.add_block(&mut matrix, &equations, |i, j| block[i][j]);
-        }
-    }
-    matrix
 }
 
 /// Load vectors of tractions and driven planes at factor one.

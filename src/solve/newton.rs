@@ -170,7 +170,7 @@ pub fn balance(
 ) -> Result<Evaluation, Failure> {
     let controls = &model.scene.controls;
     let external = model.external(point.step, point.time);
-    let reference = reference_force(model).max(f64::MIN_POSITIVE);
+    let reference = model.reference.max(f64::MIN_POSITIVE);
     let limit = 10.0 * start::extent(model.scene);
     let mut last = Iteration {
         step: point.step,
@@ -207,14 +207,13 @@ pub fn balance(
         }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
-        last.changed = update_pressures(model, point, &evaluation);
+        last.changed = update_contact(model, point, &evaluation);
         count(&mut last, &evaluation);
         observer.iteration(&last);
         if last.residual <= controls.residual && last.changed == 0 {
             if last.penetration <= controls.penetration {
                 return Ok(evaluation);
             }
-            update_shears(point, &evaluation);
         }
         if observer.cancelled() {
             return Err(Failure::Cancelled);
@@ -234,36 +233,26 @@ pub fn balance(
     }
 }
 
-/// Pressures become multipliers, active set and friction bounds are decided anew; returns how many
-/// nodes changed.
-fn update_pressures(model: &Model, point: &mut Point, evaluation: &Evaluation) -> usize {
-    // Below this share of the largest pressure a friction bound counts as unchanged.
+/// Tractions become multipliers, sets and friction bounds are decided anew; returns how many nodes
+/// changed.
+fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> usize {
+    // Below this share of the largest pressure a friction bound or shear counts as unchanged.
     const SAME: f64 = 1e-5;
     let pressures = evaluation.contact.iter().map(|a| a.traction[0]);
     let largest = pressures.fold(0.0, f64::max);
     let mut changed = 0;
     for (index, (row, node)) in model.rows.iter().zip(&mut point.nodes).enumerate() {
-        let pressure = evaluation.contact[index].traction[0];
-        let closed = row.law.presses(pressure, &evaluation.relative[index]);
-        let pressure = if closed { pressure } else { 0.0 };
-        let bound = row.law.friction * pressure.max(0.0);
-        let moved = (bound - node.bound).abs() > SAME * row.law.friction * largest;
-        changed += usize::from(closed != node.closed || moved);
-        node.multiplier[0] = pressure;
-        (node.closed, node.bound) = (closed, bound);
-        if !closed {
-            node.multiplier = [0.0; 3];
-        }
+        let law = &row.law;
+        let traction = &evaluation.contact[index].traction;
+        let next = law.decide(node, traction, &evaluation.relative[index]);
+        let same = SAME * law.friction * largest;
+        let turned = (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
+        let moved = (next.bound - node.bound).abs() > same;
+        let switched = next.closed != node.closed || next.sticks != node.sticks;
+        changed += usize::from(switched || moved || turned);
+        *node = next;
     }
     changed
-}
-
-/// Shear tractions become multipliers, so that sticking nodes lose their elastic slip.
-fn update_shears(point: &mut Point, evaluation: &Evaluation) {
-    for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
-        node.multiplier[1] = answer.traction[1];
-        node.multiplier[2] = answer.traction[2];
-    }
 }
 
 fn evaluate(
@@ -288,9 +277,6 @@ fn evaluate(
         .time(Phase::Evaluate, || model.evaluate(history, &trial))
 }
 
-/// Elastic slip of a sticking node counts by this share against closure: it moves no pressure.
-const SLIP_SHARE: f64 = 0.1;
-
 /// Largest violation of a contact condition, as a length over the largest displacement: closure
 /// of a closed node, slip of a sticking one.
 fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
@@ -299,8 +285,7 @@ fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
         let miss = |i: usize| answer.traction[i] - node.multiplier[i];
         worst = worst.max(miss(0).abs() / row.law.penalty);
         if answer.status == Status::Stick {
-            let slip = miss(1).hypot(miss(2)) / row.law.tangential_penalty;
-            worst = worst.max(SLIP_SHARE * slip);
+            worst = worst.max(miss(1).hypot(miss(2)) / row.law.penalty);
         }
     }
     let travel = point.x.iter().fold(0.0f64, |m, v| m.max(v.abs()));
@@ -322,13 +307,6 @@ fn count(last: &mut Iteration, evaluation: &Evaluation) {
     (last.sticking, last.slipping) = (with(Status::Stick), with(Status::Slip));
     last.active = last.sticking + last.slipping;
     last.flowing = flowing(evaluation);
-}
-
-/// The largest force that the steps apply.
-fn reference_force(model: &Model) -> f64 {
-    (0..model.scene.steps.len())
-        .map(|s| norm(&model.external(s, 1.0)))
-        .fold(0.0, f64::max)
 }
 
 /// The component that left the model, if any.

@@ -46,8 +46,9 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
     unit(force)
 }
 
-/// The initial gap up to which contact is prepared: a little more than bodies approach each other
-/// in small-strain contact, and all that they are made to travel.
+/// The initial gap up to which contact is prepared at first: about what bodies approach each other
+/// in small-strain contact, and all that they are made to travel. Where that is too little the
+/// solver widens it.
 pub fn reach(scene: &Scene) -> f64 {
     let factors = |name: &str| {
         let factors = scene.steps.iter().map(|s| s.factor_of(name).abs());
@@ -65,7 +66,7 @@ pub fn reach(scene: &Scene) -> f64 {
         })
     });
     let travel = supports.chain(planes).fold(0.0, f64::max);
-    (1e-3 * extent(scene)).max(2.0 * travel)
+    (1e-4 * extent(scene)).max(2.0 * travel)
 }
 
 /// Moves floating bodies into touch and reports what was moved.

@@ -17,6 +17,7 @@ pub mod analytic;
 pub mod case;
 pub mod cli;
 pub mod contact;
+pub mod converge;
 pub mod fem;
 pub mod geometry;
 pub mod job;

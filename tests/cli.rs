@@ -544,3 +544,99 @@ fn a_run_interrupted_at_once_leaves_no_answer() {
     assert_eq!(run.interrupt(), Some(130));
     assert!(!folder.path().join("summary.json").exists());
 }
+
+#[test]
+fn a_series_of_split_meshes_names_its_reference_and_leaves_json_and_a_plot() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    let run = brinell(
+        folder.path(),
+        "converge scene.toml --levels 3 --element bbar,enhanced --out out",
+    )
+    .code(0);
+    let text = words(&run.get_output().stdout);
+    for part in [
+        "split: every hexahedron into eight",
+        "reference:",
+        "memory MB",
+        "CPU s",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+    let study = summary(&folder.path().join("out/converge.json"));
+    let levels = study["levels"].as_array().unwrap();
+    assert_eq!(levels.len(), 6);
+    for key in ["dofs", "wall_s", "cpu_s", "peak_memory_bytes", "values"] {
+        assert!(levels[5].get(key).is_some(), "`{key}` in {}", levels[5]);
+    }
+    for i in 0..2 {
+        let count = |level: usize| levels[2 * level + i]["elements"].as_u64().unwrap();
+        assert_eq!([count(1), count(2)], [8 * count(0), 64 * count(0)]);
+    }
+    // Uniaxial stress is exact on every mesh.
+    for curve in study["curves"].as_array().unwrap() {
+        for error in curve["errors"].as_array().unwrap() {
+            assert!(error.as_f64().is_none_or(|e| e.abs() < 1e-6), "{curve}");
+        }
+    }
+    let plot = std::fs::read_to_string(folder.path().join("out/converge.svg")).unwrap();
+    assert!(plot.starts_with("<svg") && plot.contains("</svg>"));
+}
+
+#[test]
+fn a_series_of_mesh_files_is_taken_as_it_is_given() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    let finer = blocks(0.0, 0.0).split().unwrap();
+    std::fs::write(folder.path().join("finer.msh"), msh41(&finer)).unwrap();
+    let line = "converge scene.toml --mesh blocks.msh --mesh finer.msh --out out";
+    brinell(folder.path(), line).code(0);
+    let study = summary(&folder.path().join("out/converge.json"));
+    assert_eq!(study["levels"].as_array().unwrap().len(), 2);
+    let run = brinell(folder.path(), "converge scene.toml --mesh blocks.msh").code(2);
+    says(&run, &["two meshes or more"]);
+    let run = brinell(folder.path(), "converge scene.toml --write").code(2);
+    says(&run, &["problem-h"]);
+}
+
+#[test]
+fn problem_h_is_built_in() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = brinell(folder.path(), "converge problem-h --levels 3").code(0);
+    let text = words(&run.get_output().stdout);
+    assert!(
+        text.contains("half-width, in, bbar: reference 0.0309420"),
+        "{text}"
+    );
+    let study = summary(
+        &folder
+            .path()
+            .join("results/problem-h-converge/converge.json"),
+    );
+    let curves = study["curves"].as_array().unwrap();
+    let find = |quantity: &str| {
+        let found = |c: &&Value| c["quantity"] == quantity && c["element"] == "enhanced";
+        curves.iter().find(found).unwrap()
+    };
+    assert_eq!(
+        find("potential energy")["reference"]["kind"],
+        "extrapolated"
+    );
+    assert!(find("pressure L2")["order"].as_f64().unwrap() > 0.9);
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/problem-h.toml");
+    let line = format!("run {} --quiet --out run", case.display());
+    brinell(folder.path(), &line).code(0);
+}
+
+#[test]
+fn a_bearing_takes_a_preset_and_no_mesh_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = shipped("initial-centre.toml");
+    for (arguments, words) in [
+        ("--mesh a.msh --mesh b.msh", "template"),
+        ("--mesh nonsense", "report-like"),
+        ("--factor 1", "factor"),
+    ] {
+        let line = format!("converge {} {arguments}", case.display());
+        let run = brinell(folder.path(), &line).code(2);
+        says(&run, &[words]);
+    }
+}

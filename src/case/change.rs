@@ -3,7 +3,8 @@
 use super::bearing::{MeshRequest, Preset};
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
-use super::{BearingCase, Case, Kind};
+use super::{BearingCase, Case, Kind, MeshOrigin};
+use crate::scene::ElementKind;
 
 impl Case {
     /// Meshes the bearing by another preset than the file says. Numbers that the file sets in
@@ -52,6 +53,39 @@ impl Case {
             general.model.controls.plasticity = false;
         }
         self.note("controls.plasticity", "false");
+    }
+
+    /// Makes every body of this hexahedron.
+    pub fn set_element(&mut self, element: ElementKind) {
+        self.controls.element = element;
+        if let Kind::General(general) = &mut self.kind {
+            general.model.controls.element = element;
+        }
+    }
+
+    /// Multiplies every element size of a bearing's mesh by `scale`, the grading kept; see
+    /// [`Sizes::scaled`](super::bearing::Sizes::scaled).
+    ///
+    /// # Errors
+    /// Where the sizes come out of their range, or the case is a general scene.
+    pub fn scale_mesh(&mut self, scale: f64) -> Result<(), CaseError> {
+        let bearing = self.bearing_mut("a scaled template")?;
+        let request = bearing.mesh.scaled(&bearing.geometry, scale);
+        request
+            .check(&bearing.geometry)
+            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
+        bearing.mesh = request;
+        Ok(())
+    }
+
+    /// Takes level `level` of the family that the mesh of the case belongs to; a case on a file
+    /// or a template is left as it is.
+    pub fn set_level(&mut self, new: u32) {
+        if let Kind::General(general) = &mut self.kind
+            && let MeshOrigin::Family { level, .. } = &mut general.mesh.origin
+        {
+            *level = new;
+        }
     }
 
     fn bearing_mut(&mut self, what: &str) -> Result<&mut BearingCase, CaseError> {

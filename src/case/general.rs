@@ -4,7 +4,7 @@ use super::assumption::Assumption;
 use super::contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
-use super::mesh_choice::MeshFile;
+use super::mesh_choice::SceneMesh;
 use super::model::Model;
 use super::parse::Table;
 use super::source::Located;
@@ -27,7 +27,7 @@ pub(super) const KEYS: &[&str] = &[
 /// A general scene before it meets its mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeneralCase {
-    pub mesh: MeshFile,
+    pub mesh: SceneMesh,
     pub model: Model,
     /// The bodies of `[[body]]`.
     pub bodies: Vec<Located<String>>,
@@ -62,7 +62,7 @@ impl GeneralCase {
             controls,
         };
         Ok(Self {
-            mesh: MeshFile::read(root)?,
+            mesh: SceneMesh::read(root)?,
             model,
             bodies,
         })

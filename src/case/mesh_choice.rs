@@ -1,4 +1,5 @@
-//! `[mesh]`: a file, or the preset of the bearing template and what overrides it.
+//! `[mesh]`: a file, a family of meshes that is built in, or the preset of the bearing template
+//! and what overrides it.
 
 use std::path::PathBuf;
 
@@ -9,18 +10,42 @@ use super::parse::Table;
 use super::source::Located;
 use crate::units::Dimension;
 
-/// A mesh file of a general scene.
+/// The mesh of a general scene.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MeshFile {
-    /// As it stands in the case file, relative to the directory of that file.
-    pub path: Located<PathBuf>,
-    /// Turns the coordinates of the file into the length unit of the case.
+pub struct SceneMesh {
+    pub origin: MeshOrigin,
+    /// Turns the coordinates of the mesh into the length unit of the case.
     pub scale: f64,
 }
 
-impl MeshFile {
+/// Where the mesh of a general scene comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MeshOrigin {
+    /// A file, as it stands in the case file, relative to the directory of that file.
+    File(Located<PathBuf>),
+    /// A level of a family that is built in.
+    Family { family: Family, level: u32 },
+}
+
+/// Nested meshes that are built in: from level to level every element is split.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// The half model of problem H, in inches; 2 · 2^level elements across the half-width.
+    ProblemH,
+}
+
+/// The level that is taken where none is given.
+const LEVEL: u32 = 2;
+/// Finer levels than this have more elements than can be solved.
+const FINEST: usize = 8;
+
+impl SceneMesh {
     pub(super) fn read(root: &Table) -> Result<Self, CaseError> {
-        let table = root.need("mesh")?.table()?.only(&["file", "unit"])?;
+        let table = root.need("mesh")?.table()?;
+        if table.get("family").is_some() {
+            return Self::family(root, &table.only(&["family", "level"])?);
+        }
+        let table = table.only(&["file", "unit"])?;
         let scale = match table.get("unit") {
             None => 1.0,
             Some(field) => {
@@ -32,8 +57,26 @@ impl MeshFile {
             }
         };
         Ok(Self {
-            path: table.need("file")?.string()?.map(PathBuf::from),
+            origin: MeshOrigin::File(table.need("file")?.string()?.map(PathBuf::from)),
             scale,
+        })
+    }
+
+    fn family(root: &Table, table: &Table) -> Result<Self, CaseError> {
+        let family = table.need("family")?;
+        let family = family.choice(&[("problem-h", Family::ProblemH)])?.value;
+        let level = match table.get("level") {
+            None => LEVEL,
+            Some(field) => {
+                let level = field
+                    .count()?
+                    .require(|l| *l <= FINEST, format!("must lie between 1 and {FINEST}"))?;
+                level.value as u32
+            }
+        };
+        Ok(Self {
+            origin: MeshOrigin::Family { family, level },
+            scale: root.units().length_factor("in").unwrap_or(1.0),
         })
     }
 }

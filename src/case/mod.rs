@@ -38,7 +38,7 @@ pub use contact::Contact;
 pub use error::{CaseError, ErrorKind};
 pub use general::GeneralCase;
 pub use load::Loads;
-pub use mesh_choice::MeshFile;
+pub use mesh_choice::{Family, MeshOrigin, SceneMesh};
 pub use model::Model;
 pub use reference::Discrepancy;
 pub use source::{Located, Place, Source};
@@ -204,15 +204,18 @@ impl Case {
     }
 
     /// The mesh file of a general scene, relative paths taken from the directory of the case;
-    /// `None` for a bearing, which is meshed by the template.
+    /// `None` for a bearing, which is meshed by the template, and for a mesh that is built in.
     pub fn mesh_file(&self) -> Option<PathBuf> {
         let Kind::General(general) = &self.kind else {
+            return None;
+        };
+        let MeshOrigin::File(path) = &general.mesh.origin else {
             return None;
         };
         let directory = Path::new(self.source.name())
             .parent()
             .unwrap_or(Path::new(""));
-        Some(directory.join(&general.mesh.path.value))
+        Some(directory.join(&path.value))
     }
 
     fn check_comparison(&self, bodies: &[&str]) -> Result<(), CaseError> {

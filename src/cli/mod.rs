@@ -1,6 +1,7 @@
 //! Commands: arguments and printing, one file a command.
 
 mod console;
+pub mod converge;
 pub mod hertz;
 pub mod mesh;
 pub mod run;
@@ -26,6 +27,8 @@ enum Command {
     Mesh(mesh::MeshArgs),
     /// The handbook: Hertz, ring and groove figures for a roller on a plate.
     Hertz(hertz::HertzArgs),
+    /// One case on a series of meshes: error against unknowns, run time and memory.
+    Converge(converge::ConvergeArgs),
     /// The verification ladder: problems with known answers, and how far off the program is.
     Verify(verify::VerifyArgs),
 }
@@ -49,6 +52,7 @@ impl Cli {
         let status = match self.command {
             Command::Run(args) => run::run(&args),
             Command::Mesh(args) => mesh::run(&args),
+            Command::Converge(args) => converge::run(&args),
             Command::Verify(args) => verify::run(&args),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| Status::Done)

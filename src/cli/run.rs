@@ -121,7 +121,7 @@ fn default_folder(case: &Path) -> PathBuf {
 }
 
 /// Sets the size of the thread pool; one that exists already is kept.
-fn set_threads(threads: Option<u16>) {
+pub(super) fn set_threads(threads: Option<u16>) {
     if let Some(threads) = threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
         let _ = pool.build_global();

@@ -1,6 +1,7 @@
 //! What can stop a job.
 
 use crate::case::CaseError;
+use crate::mesh::family::FamilyError;
 use crate::mesh::gmsh::GmshError;
 use crate::mesh::msh::MeshError;
 use crate::output::OutputError;
@@ -27,6 +28,9 @@ pub enum JobError {
         help("name another folder with --out, or make room and give write permission")
     )]
     Output(#[from] OutputError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    BuiltIn(#[from] FamilyError),
     #[error("interrupted before the first increment was done")]
     #[diagnostic(code(brinell::job::interrupted))]
     Interrupted,

@@ -2,7 +2,8 @@
 
 use super::JobError;
 use crate::case::bearing::{gmsh_parameters, write_template, write_with_fingerprint};
-use crate::case::{BearingCase, Case, Kind};
+use crate::case::{BearingCase, Case, Family, Kind, MeshOrigin};
+use crate::mesh::family::problem_h;
 use crate::mesh::{Mesh, gmsh, msh};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -17,9 +18,14 @@ pub fn find_mesh(
     say: &mut dyn FnMut(&str),
 ) -> Result<Mesh, JobError> {
     let bearing = match &case.kind {
-        Kind::General(_) => {
-            let path = case.mesh_file().unwrap_or_default();
-            return Ok(msh::read(&path)?);
+        Kind::General(general) => {
+            return match &general.mesh.origin {
+                MeshOrigin::File(_) => Ok(msh::read(&case.mesh_file().unwrap_or_default())?),
+                MeshOrigin::Family {
+                    family: Family::ProblemH,
+                    level,
+                } => Ok(problem_h::half(&problem_h::Sizes::nested(*level))?),
+            };
         }
         Kind::Bearing(bearing) => bearing,
     };

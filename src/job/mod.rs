@@ -8,6 +8,7 @@ mod mesh;
 mod record;
 
 use crate::case::{Case, Kind};
+use crate::mesh::Mesh;
 use crate::output::summary::{Checks, Counters, Timing};
 use crate::output::{Summary, SummaryInputs, UnitLabels};
 use crate::results::State;
@@ -81,6 +82,20 @@ pub fn run(
     let mesh = find_mesh(case, options.out.as_deref(), &mut |line| {
         observer.message(line)
     })?;
+    run_on(case, mesh, options, start, observer)
+}
+
+/// Runs `case` on `mesh`, the making of which began at `start`.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_on(
+    case: &Case,
+    mesh: Mesh,
+    options: &Options,
+    start: Instant,
+    observer: &mut dyn Observer,
+) -> Result<Outcome, JobError> {
     let mut scene = case.scene(mesh)?;
     let mesh_s = start.elapsed().as_secs_f64();
     observer.message(&format!(

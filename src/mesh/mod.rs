@@ -1,6 +1,7 @@
 //! Hexahedral meshes: bodies made of hexahedra, named surfaces made of their outer faces.
 
 pub mod block;
+pub mod family;
 pub mod gmsh;
 pub mod hexahedron;
 pub mod join;
@@ -8,6 +9,7 @@ pub mod merge;
 pub mod msh;
 pub mod quality;
 pub mod shape;
+pub mod split;
 pub mod surface;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.

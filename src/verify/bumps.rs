@@ -4,9 +4,9 @@
 //! widths, not the rest of the body, so a block with a round face stands for a sphere or a roller.
 
 use super::VerifyError;
-use super::problem_h::grading::Grading;
 use crate::mesh::Mesh;
 use crate::mesh::block::Block;
+use crate::mesh::family::grading::Grading;
 
 /// The round face.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,6 +3,7 @@
 use crate::analytic::DomainError;
 use crate::job::JobError;
 use crate::mesh::block::BlockError;
+use crate::mesh::family::FamilyError;
 use crate::mesh::join::JoinError;
 use crate::solve::SolveError;
 
@@ -12,6 +13,9 @@ pub enum VerifyError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Solve(#[from] SolveError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Family(#[from] FamilyError),
     #[error(transparent)]
     #[diagnostic(transparent)]
     Block(#[from] BlockError),

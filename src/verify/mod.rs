@@ -14,7 +14,6 @@ mod bending;
 mod bumps;
 mod cattaneo_mindlin;
 mod crossed_cylinders;
-mod disc;
 mod equal_steels;
 mod full_sliding;
 mod hertz_line;

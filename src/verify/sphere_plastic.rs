@@ -14,13 +14,13 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::bumps::Round;
 use super::kit::{self, Run};
-use super::problem_h::grading::Grading;
 use super::{Claim, Extent, VerifyError};
 use crate::analytic::flattening::{Critical, exact_critical, jackson_green, kogut_etsion};
 use crate::analytic::hertz::PointContact;
 use crate::material::Steel;
 use crate::mesh::Mesh;
 use crate::mesh::block::{Block, uniform};
+use crate::mesh::family::grading::Grading;
 use crate::results::State;
 use crate::scene::{PlaneMotion, RigidPlane};
 

@@ -7,9 +7,7 @@
 //! 0.15 % in problem H, whose bodies are the same, and may turn the surfaces by as much again as
 //! the lines do each other: 1.3 % of the offset.
 
-use super::disc::{ARC, QuarterDisc, TO_CORE};
 use super::kit::{self, Run};
-use super::problem_h::grading::Grading;
 use super::problem_h::{DEPTH, LOAD, POISSON, RADIUS, YOUNG};
 use super::profile::{Spot, integral, peak_pressure, spots};
 use super::{Claim, Extent, VerifyError};
@@ -18,6 +16,8 @@ use crate::analytic::vgroove::VGroove;
 use crate::material::Steel;
 use crate::mesh::Mesh;
 use crate::mesh::block::{Block, uniform};
+use crate::mesh::family::disc::{ARC, QuarterDisc, TO_CORE};
+use crate::mesh::family::grading::Grading;
 
 /// Elements across the half-width of a line, and their growth away from it.
 const ACROSS: f64 = 8.0;

@@ -418,6 +418,23 @@ fn a_displaced_bearing_needs_grip_and_has_no_symmetry() {
 }
 
 #[test]
+fn an_impossible_family_of_meshes() {
+    let of = |lines: &str| with(SCENE, "file = \"blocks.msh\"", lines);
+    refused(
+        &of("family = \"problem-i\""),
+        &["mesh.family = \"problem-i\"", "problem-h"],
+    );
+    refused(
+        &of("family = \"problem-h\"\nlevel = 9"),
+        &["mesh.level = 9", "between 1 and 8"],
+    );
+    refused(
+        &of("family = \"problem-h\"\nfile = \"a.msh\""),
+        &["`mesh.file` is not a key"],
+    );
+}
+
+#[test]
 fn an_impossible_mesh_preset() {
     refused(
         &with(BEARING, "h025", "h25"),

@@ -2,3 +2,4 @@
 
 mod contacts;
 mod ladder;
+mod rates;

@@ -117,33 +117,23 @@ fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
 }
 
 fn resolved(geometry: &BearingGeometry, level: u8) -> Sizes {
-    let finer = 2f64.powf(-0.5 * f64::from(level));
     let base = graded(geometry, 0.025, 2.0);
-    let wall_cap = geometry.wall.unwrap_or(geometry.radius() / 2.0) * 4.0 / 15.0;
-    let count = |n: f64| (n / finer).round();
-    // Over a given distance the element size grows by the same factor on every level.
-    let growth = |ratio: f64| ratio.powf(finer);
-    Sizes {
-        uniform: false,
-        roller_size: base.roller_size * finer,
-        plate_size: base.plate_size * finer,
-        fine_elements: count(2.0),
-        fine_layers: count(1.0),
-        crossing_size: 1.2 * base.crossing_size * finer,
-        end_size: base.end_size * finer,
-        growth: growth(2.25),
-        depth_growth: growth(2.25),
-        along_growth: growth(1.8),
-        around_cap: 1.5 * base.around_cap * finer,
-        along_cap: 1.2 * base.along_cap * finer,
-        wall_cap: wall_cap * finer,
-        plan_cap: 1.5 * base.plan_cap * finer,
-        middle_cap: 1.5 * base.middle_cap * finer,
-        depth_cap: 1.3 * base.depth_cap * finer,
-        wall_least: count(4.0),
-        depth_least: count(4.0),
-        along_least: count(12.0),
-    }
+    let coarsest = Sizes {
+        crossing_size: 1.2 * base.crossing_size,
+        growth: 2.25,
+        depth_growth: 2.25,
+        along_growth: 1.8,
+        around_cap: 1.5 * base.around_cap,
+        along_cap: 1.2 * base.along_cap,
+        wall_cap: geometry.wall.unwrap_or(geometry.radius() / 2.0) * 4.0 / 15.0,
+        plan_cap: 1.5 * base.plan_cap,
+        middle_cap: 1.5 * base.middle_cap,
+        depth_cap: 1.3 * base.depth_cap,
+        wall_least: 4.0,
+        depth_least: 4.0,
+        ..base
+    };
+    coarsest.scaled(2f64.powf(-0.5 * f64::from(level)))
 }
 
 /// Rollers: 24 elements around, 2 through the wall, 0.5 in along; plates: 0.3 in, 3 layers.
@@ -189,6 +179,16 @@ impl MeshRequest {
             sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
         }
         sizes
+    }
+
+    /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
+    pub fn scaled(&self, geometry: &BearingGeometry, scale: f64) -> Self {
+        let sizes = self.sizes(geometry).scaled(scale);
+        let numbers = MESH_KEYS.iter().zip(sizes.values());
+        Self {
+            overrides: numbers.map(|(k, v)| (k.key.to_string(), v)).collect(),
+            ..self.clone()
+        }
     }
 
     /// Can this mesh be made?

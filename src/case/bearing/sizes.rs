@@ -100,6 +100,19 @@ impl Sizes {
         copy.fields().map(|field| *field)
     }
 
+    /// Every element `scale` times as large, the grading kept: over a given distance the size
+    /// grows by the same factor. Counts are rounded.
+    pub fn scaled(mut self, scale: f64) -> Self {
+        for (key, field) in MESH_KEYS.iter().zip(self.fields()) {
+            *field = match key.kind {
+                Kind::Length => *field * scale,
+                Kind::Count => (*field / scale).round().max(1.0),
+                Kind::Ratio => field.powf(scale),
+            };
+        }
+        self
+    }
+
     /// The number called `key` in a case file.
     pub fn get_mut(&mut self, key: &str) -> Option<&mut f64> {
         let index = MESH_KEYS.iter().position(|k| k.key == key)?;

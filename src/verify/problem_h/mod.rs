@@ -4,11 +4,11 @@
 //! ν = 0.3, plane strain, 8.125 kip/in as uniform pressure on the cut face, frictionless. The gap
 //! is taken along the contact normal on the undeformed geometry.
 
-pub mod grading;
-mod mesh;
 mod reading;
 
-pub use mesh::{Sizes, full, full_twins, half, twins};
+pub use crate::mesh::family::problem_h::{
+    DEPTH, HALF_WIDTH, RADIUS, Sizes, full, full_twins, half, twins,
+};
 pub use reading::{Reading, read};
 
 use super::VerifyError;
@@ -16,18 +16,12 @@ use super::kit;
 use crate::material::Steel;
 use crate::scene::Scene;
 
-/// Radius of the cylinder, in.
-pub const RADIUS: f64 = 1.5;
-/// Depth and half breadth of the block, in.
-pub const DEPTH: f64 = 1.5;
 /// Load per length, kip/in.
 pub const LOAD: f64 = 8.125;
 /// Young's modulus, ksi, and Poisson's ratio.
 pub const YOUNG: f64 = 29500.0;
 pub const POISSON: f64 = 0.3;
 
-/// Half-width of the contact by Hertz, in (Johnson 4.43).
-pub const HALF_WIDTH: f64 = 0.030_942;
 /// Limits of fine meshes, ksi: the largest pressure is Hertz's; the peaks of Mises stress are
 /// 1.8 % above and 0.4 % below Hertz's 93.20 ksi because the bodies are finite.
 ///

@@ -1,11 +1,17 @@
 //! The meshes of problem H, nested or of a given size.
 
+use super::FamilyError;
+use super::disc::{ARC, QuarterDisc, TO_CORE};
 use super::grading::Grading;
-use super::{DEPTH, HALF_WIDTH, RADIUS};
 use crate::mesh::Mesh;
 use crate::mesh::block::{Block, uniform};
-use crate::verify::VerifyError;
-use crate::verify::disc::{ARC, QuarterDisc, TO_CORE};
+
+/// Radius of the cylinder, in.
+pub const RADIUS: f64 = 1.5;
+/// Depth and half breadth of the block, in.
+pub const DEPTH: f64 = 1.5;
+/// Half-width of the contact by Hertz at 8.125 kip/in, in (Johnson 4.43).
+pub const HALF_WIDTH: f64 = 0.030_942;
 
 /// Which mesh of problem H.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +64,7 @@ const TOLERANCE: f64 = 1e-9 * RADIUS;
 ///
 /// Surfaces: `cylinder_contact`, `block_contact`, `symmetry` (x = 0), `base`, `top` (the cut
 /// face), `back` and `front`.
-pub fn half(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+pub fn half(sizes: &Sizes) -> Result<Mesh, FamilyError> {
     let mut mesh = Mesh::join([block(sizes)?, cylinder(sizes)?])?;
     mark_symmetry(&mut mesh);
     Ok(mesh)
@@ -66,14 +72,14 @@ pub fn half(sizes: &Sizes) -> Result<Mesh, VerifyError> {
 
 /// Two quarter discs, one the mirror image of the other, touching at the origin. Surfaces:
 /// `cylinder_contact`, `lower_contact`, `symmetry`, `top`, `bottom`, `back` and `front`.
-pub fn twins(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+pub fn twins(sizes: &Sizes) -> Result<Mesh, FamilyError> {
     let mut mesh = facing(cylinder(sizes)?)?;
     mark_symmetry(&mut mesh);
     Ok(mesh)
 }
 
 /// The twins without symmetry: two half discs. Surfaces as [`twins`], without `symmetry`.
-pub fn full_twins(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+pub fn full_twins(sizes: &Sizes) -> Result<Mesh, FamilyError> {
     let mut upper = both(cylinder(sizes)?, "cylinder")?;
     mark_cylinder(&mut upper);
     let mut mesh = facing(upper)?;
@@ -82,7 +88,7 @@ pub fn full_twins(sizes: &Sizes) -> Result<Mesh, VerifyError> {
 }
 
 /// `upper` with its mirror image below, called `lower`.
-fn facing(upper: Mesh) -> Result<Mesh, VerifyError> {
+fn facing(upper: Mesh) -> Result<Mesh, FamilyError> {
     let mut lower = upper.clone().mirrored(1);
     lower.bodies[0].name = "lower".into();
     for surface in &mut lower.surfaces {
@@ -96,14 +102,14 @@ fn facing(upper: Mesh) -> Result<Mesh, VerifyError> {
 }
 
 /// A half model with its mirror image, as one body without surfaces.
-fn both(half: Mesh, name: &str) -> Result<Mesh, VerifyError> {
+fn both(half: Mesh, name: &str) -> Result<Mesh, FamilyError> {
     let image = half.clone().mirrored(0);
     Ok(Mesh::weld(name, [image, half], TOLERANCE)?)
 }
 
 /// The whole problem, without symmetry: half disc on a block twice as wide. Surfaces as
 /// [`half`], without `symmetry`.
-pub fn full(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+pub fn full(sizes: &Sizes) -> Result<Mesh, FamilyError> {
     let mut block = both(block(sizes)?, "block")?;
     let mut cylinder = both(cylinder(sizes)?, "cylinder")?;
     mark_block(&mut block);
@@ -146,7 +152,7 @@ fn mark_cylinder(mesh: &mut Mesh) {
 }
 
 /// The block, its elements 1.1 times as long as the cylinder's: the meshes do not match.
-fn block(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+fn block(sizes: &Sizes) -> Result<Mesh, FamilyError> {
     let h = 1.1 * HALF_WIDTH / sizes.across as f64;
     let across = Grading::new(h, 1.5 * HALF_WIDTH, DEPTH, sizes.growth);
     let down = Grading::new(h, 1.25 * HALF_WIDTH, DEPTH, sizes.growth);
@@ -162,7 +168,7 @@ fn block(sizes: &Sizes) -> Result<Mesh, VerifyError> {
     Ok(mesh)
 }
 
-fn cylinder(sizes: &Sizes) -> Result<Mesh, VerifyError> {
+fn cylinder(sizes: &Sizes) -> Result<Mesh, FamilyError> {
     let h = HALF_WIDTH / sizes.across as f64;
     let around = Grading::new(h, 1.5 * HALF_WIDTH, RADIUS * ARC, sizes.growth);
     let inward = Grading::new(h, 1.25 * HALF_WIDTH, RADIUS * TO_CORE, sizes.growth);

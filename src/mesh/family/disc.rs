@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use super::VerifyError;
+use super::FamilyError;
 use crate::mesh::Mesh;
 use crate::mesh::block::{Block, uniform};
 
@@ -35,7 +35,7 @@ impl QuarterDisc {
     /// The quarter x ≥ 0, y ≤ `radius` of the disc about (0, `radius`), which touches y = 0 at the
     /// origin: a sector over the graded arc, a sector beside it, and a core. One body without
     /// surfaces.
-    pub fn build(&self, name: &str) -> Result<Mesh, VerifyError> {
+    pub fn build(&self, name: &str) -> Result<Mesh, FamilyError> {
         let radius = self.radius;
         let (core, corner) = ((1.0 - TO_CORE) * radius, 0.42 * radius);
         let (round, deep) = (shares(&self.arcs), shares(&self.depths));

@@ -1,0 +1,189 @@
+//! `brinell converge`: one case on a series of meshes, error against unknowns and run time.
+
+use super::console::Console;
+use super::{CommandResult, Status, say};
+use crate::case::{self, Case, Kind};
+use crate::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
+use crate::converge::{self, ConvergeError, Series, Study, json, page, peers, plot, table};
+use crate::scene::ElementKind;
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+
+/// A formulation of the hexahedron.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Element {
+    Bbar,
+    Enhanced,
+}
+
+#[derive(Debug, Args)]
+pub struct ConvergeArgs {
+    /// The case file, or `problem-h` for the built-in problem H.
+    pub case: PathBuf,
+    /// Levels to solve [default: 5 of problem H, 3 of others, all mesh files].
+    #[arg(long, value_parser = clap::value_parser!(u8).range(2..=9))]
+    pub levels: Option<u8>,
+    /// Divides the element sizes of a bearing from level to level.
+    #[arg(long, default_value_t = std::f64::consts::SQRT_2)]
+    pub factor: f64,
+    /// Of a general scene: the mesh files of the series, coarse to fine, in place of splitting its
+    /// own. Of a bearing: the preset of level 0.
+    #[arg(long, value_name = "FILE|PRESET")]
+    pub mesh: Vec<PathBuf>,
+    /// The elements to solve with [default: that of the case; both for problem H].
+    #[arg(long, value_enum, value_delimiter = ',')]
+    pub element: Vec<Element>,
+    /// Keep every body elastic.
+    #[arg(long)]
+    pub elastic: bool,
+    /// Folder for converge.json and converge.svg; by default results/ and the name of the case
+    /// with -converge.
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Threads to use; by default one a core.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Write docs/convergence.md and its picture; problem H only.
+    #[arg(long)]
+    pub write: bool,
+}
+
+/// Names of what is written to the folder.
+const JSON: &str = "converge.json";
+const PLOT: &str = "converge.svg";
+
+/// Carries out the command.
+pub fn run(args: &ConvergeArgs) -> CommandResult {
+    let bad = |error: ConvergeError| (Status::BadInput, error.into());
+    let job = Job::new(args).map_err(bad)?;
+    super::run::set_threads(args.threads);
+    let mut console = Console::new(true);
+    let mut study = Study::new(&job.case.title, job.series.words());
+    say(&format!(
+        "{}\n{}\n\n{}",
+        study.case,
+        study.series,
+        table::head()
+    ));
+    let stopped = job.solve(&mut study, &mut console);
+    console.finish();
+    if !study.levels.is_empty() {
+        say(&table::render(&study));
+        say(&format!("written to {}", job.out.display()));
+    }
+    match stopped {
+        Ok(Status::Done) if args.write => {
+            let written = peers::peers().and_then(|peers| page::write_page(&study, &peers));
+            written.map_err(bad)?;
+            say(&format!("written to {} and {}", page::PAGE, page::PICTURE));
+            Ok(Status::Done)
+        }
+        Ok(status) => Ok(status),
+        Err(error) => {
+            // Ctrl-C reaches gmsh too, whose end then looks like a failure.
+            let status = if console.interrupted() {
+                Status::Interrupted
+            } else if error.is_not_converged() {
+                Status::NotConverged
+            } else {
+                Status::BadInput
+            };
+            Err((status, error.into()))
+        }
+    }
+}
+
+/// What is to be solved.
+struct Job {
+    case: Case,
+    series: Series,
+    levels: usize,
+    elements: Vec<ElementKind>,
+    out: PathBuf,
+}
+
+impl Job {
+    fn new(args: &ConvergeArgs) -> Result<Self, ConvergeError> {
+        let built_in = args.case.as_os_str() == PROBLEM_H && !args.case.exists();
+        let mut case = match built_in {
+            true => problem_h()?,
+            false => case::read(&args.case)?,
+        };
+        if args.write && !is_problem_h(&case) {
+            return Err(ConvergeError::Choice {
+                what: "--write",
+                why: "the page in docs/ is about problem H".into(),
+                help: "run `brinell converge problem-h --write`",
+            });
+        }
+        if args.elastic {
+            case.set_elastic();
+        }
+        let series = match (&case.kind, &args.mesh[..]) {
+            (Kind::Bearing(_), [preset]) => {
+                case.set_preset(&preset.to_string_lossy())?;
+                Series::of(&case, &[], args.factor)?
+            }
+            _ => Series::of(&case, &args.mesh, args.factor)?,
+        };
+        let most = match &series {
+            Series::Files(files) => files.len(),
+            _ => usize::MAX,
+        };
+        let mut elements: Vec<ElementKind> = Vec::new();
+        for element in &args.element {
+            let kind = match element {
+                Element::Bbar => ElementKind::Bbar,
+                Element::Enhanced => ElementKind::Enhanced,
+            };
+            if !elements.contains(&kind) {
+                elements.push(kind);
+            }
+        }
+        if elements.is_empty() {
+            elements = match is_problem_h(&case) {
+                true => vec![ElementKind::Bbar, ElementKind::Enhanced],
+                false => vec![case.controls.element],
+            };
+        }
+        let stem = args.case.file_stem().unwrap_or(args.case.as_os_str());
+        let folder = format!("{}-converge", stem.to_string_lossy());
+        Ok(Self {
+            levels: args.levels.map_or(series.levels(), usize::from).min(most),
+            out: args
+                .out
+                .clone()
+                .unwrap_or_else(|| Path::new("results").join(folder)),
+            case,
+            series,
+            elements,
+        })
+    }
+
+    /// Solves level by level, each with every element, and writes after each what there is.
+    fn solve(&self, study: &mut Study, console: &mut Console) -> Result<Status, ConvergeError> {
+        for level in 0..self.levels {
+            for element in &self.elements {
+                let solved = converge::run(
+                    &self.case,
+                    &self.series,
+                    level,
+                    *element,
+                    &self.out,
+                    console,
+                )?;
+                let Some((level, quantities)) = solved else {
+                    return Ok(Status::Interrupted);
+                };
+                say(&table::line(&level));
+                study.push(level, quantities);
+                json::write(study, &self.out.join(JSON))?;
+                let figure = plot::figure(study);
+                if !figure.panels.is_empty() {
+                    plot::write(&figure, &self.out.join(PLOT))?;
+                }
+            }
+        }
+        Ok(Status::Done)
+    }
+}

@@ -1,7 +1,8 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
 use super::evaluate::{Evaluation, History, PlasticElement};
-use super::model::{ContactRow, Counters, Expected, Model, can_yield};
+use super::foresight::{Expected, Unforeseen};
+use super::model::{ContactRow, Counters, Model, can_yield, contact_rows};
 use super::newton::{self, Failure, LinearSolver, Point};
 use super::observer::Observer;
 use super::start::{self, Closing};
@@ -9,7 +10,6 @@ use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
 use crate::fem::dofs::{Conflict, FIXED};
 use crate::linear::cholesky::FactorError;
-use crate::material::mises;
 use crate::results::{ContactField, PlaneField, State};
 use crate::scene::{Partner, PlaneMotion, Scene, Side};
 use rayon::prelude::*;
@@ -96,9 +96,13 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
     let mut timers = Timers::default();
     let expected = Expected {
         reach: start::reach(scene),
+        contact: start::likely_gap(scene),
         flow: Vec::new(),
     };
-    let model = timers.time(Phase::Prepare, || Model::new(scene, &expected))?;
+    let model = timers.time(Phase::Prepare, || {
+        let rows = contact_rows(scene, expected.reach);
+        Model::new(scene, &expected, rows)
+    })?;
     let mut run = Run::new(model, expected, observer);
     run.counters.timers = timers;
     let untouched = run.untouched();
@@ -165,7 +169,10 @@ impl<'a, 'o> Run<'a, 'o> {
     fn untouched(&self) -> Vec<String> {
         let pairs = self.model.scene.contacts.iter().enumerate();
         pairs
-            .filter(|(index, _)| !self.model.rows.iter().any(|r| r.pair == *index))
+            .filter(|(index, _)| {
+                let mut rows = self.model.rows.iter().chain(&self.model.spare);
+                !rows.any(|r| r.pair == *index)
+            })
             .map(|(_, pair)| pair.name.clone())
             .collect()
     }
@@ -182,8 +189,9 @@ impl<'a, 'o> Run<'a, 'o> {
 
     fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
         let controls = self.model.scene.controls;
-        let path_matters =
-            !self.model.yielding.is_empty() || self.model.rows.iter().any(|r| r.law.friction > 0.0);
+        let scene = self.model.scene;
+        let yields = (0..scene.mesh.hexes.len() as u32).any(|e| can_yield(scene, e));
+        let path_matters = yields || self.model.rows.iter().any(|r| r.law.friction > 0.0);
         let mut size = if path_matters {
             controls.first_increment
         } else {
@@ -210,26 +218,28 @@ impl<'a, 'o> Run<'a, 'o> {
             );
             match result {
                 Ok(evaluation) => {
-                    if self.widen_reach(&evaluation)? {
-                        continue;
-                    }
                     let iterations = self.counters.iterations - before;
                     if iterations <= controls.iterations / 3 {
                         size *= 1.5;
                     }
-                    let flow = self.unexpected_flow(&trial, size / target);
-                    if flow.missed {
-                        self.expect(flow.elements, Some(&trial))?;
+                    let unforeseen = self.look(&trial, size / target);
+                    if unforeseen.missed {
+                        self.prepare_for(unforeseen, Some(&trial))?;
                         size = target - time;
                         continue;
                     }
                     self.accept(trial, &evaluation, time, target >= 1.0)?;
                     time = target;
-                    if !flow.elements.is_empty() {
-                        self.expect(flow.elements, None)?;
+                    if !unforeseen.is_empty() {
+                        self.prepare_for(unforeseen, None)?;
                     }
                 }
                 Err(Failure::Cancelled) => return Ok(false),
+                Err(_) if !self.model.spare.is_empty() => {
+                    // Perhaps a body is held by contact that was left out.
+                    self.expected.contact = f64::INFINITY;
+                    self.rebuild(false, None)?;
+                }
                 Err(failure) => {
                     size = 0.5 * (target - time);
                     self.counters.cut_backs += 1;
@@ -282,66 +292,58 @@ impl<'a, 'o> Run<'a, 'o> {
         }
     }
 
-    /// Prepares contact over a wider initial gap if the bodies came closer than was prepared for.
-    fn widen_reach(&mut self, evaluation: &Evaluation) -> Result<bool, SolveError> {
-        let approach = self
-            .model
-            .rows
-            .iter()
-            .zip(&evaluation.relative)
-            .map(|(r, d)| r.row.gap + d[0])
-            .fold(0.0, f64::max);
-        if approach <= self.model.reach {
-            return Ok(false);
-        }
-        self.observer.message(&format!(
-            "bodies approach by {approach:.3e}, more than contact was prepared for: widened"
-        ));
-        self.expected.reach = 2.0 * approach;
-        self.rebuild()?;
-        Ok(true)
-    }
-
-    /// Flow outside the elements where it was expected, now or if the loads grow by the share
-    /// `next` of themselves.
-    fn unexpected_flow(&mut self, trial: &Point, next: f64) -> UnexpectedFlow {
+    /// What happens where the model was not prepared for it, now or in the next increment.
+    fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
         let model = &self.model;
-        let look = || unexpected_flow(model, trial, 1.0 + next);
+        let look = || Unforeseen::new(model, trial, 1.0 + next);
         self.counters.timers.time(Phase::Recover, look)
     }
 
-    /// Condenses anew, with `elements` kept; the next increment starts from `guess`.
-    fn expect(&mut self, elements: Vec<u32>, guess: Option<&Point>) -> Result<(), SolveError> {
-        self.expected.flow.extend(elements);
-        self.expected.flow.sort_unstable();
-        let guess = guess.map(|p| (p.clone(), self.model.displacement(&p.x, p.step, p.time)));
-        self.rebuild()?;
-        self.guess = guess.map(|(point, u)| Point {
-            x: self.model.unknowns(&u),
-            ..point
-        });
+    /// Prepares the model anew; the next increment starts from `guess`.
+    fn prepare_for(
+        &mut self,
+        unforeseen: Unforeseen,
+        guess: Option<&Point>,
+    ) -> Result<(), SolveError> {
+        let integrate = unforeseen.is_approach();
+        self.expected.learn(unforeseen);
+        self.rebuild(integrate, guess)?;
+        let c = &self.counters;
         self.observer.message(&format!(
-            "{} elements may yield: {} of {} unknowns kept",
-            self.expected.flow.len(),
-            self.counters.kept_equations,
-            self.counters.equations,
+            "{} contact nodes may close, {} elements yield: {} of {} unknowns kept",
+            c.contact_rows,
+            self.model.yielding.len(),
+            c.kept_equations,
+            c.equations,
         ));
         Ok(())
     }
 
     /// Prepares the model for what is expected now, and carries the state over.
-    fn rebuild(&mut self) -> Result<(), SolveError> {
+    fn rebuild(&mut self, integrate: bool, guess: Option<&Point>) -> Result<(), SolveError> {
         let key = |r: &ContactRow| (r.pair, r.row.node);
+        let all = |model: &Model, p: &Point| model.displacement(&p.x, p.step, p.time);
+        let accepted = all(&self.model, &self.point);
+        let guess = guess.map(|p| (p.clone(), all(&self.model, p)));
         let rows = self.model.rows.iter().enumerate();
         let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
         let yielding = self.model.yielding.iter().copied();
         let histories = yielding.zip(std::mem::take(&mut self.history.plastic));
         let mut histories: BTreeMap<u32, PlasticElement> = histories.collect();
+
         let (scene, expected) = (self.model.scene, &self.expected);
-        let displacement =
-            (self.model).displacement(&self.point.x, self.point.step, self.point.time);
-        let prepare = || Model::new(scene, expected);
-        let model = self.counters.timers.time(Phase::Prepare, prepare)?;
+        let (model, timers) = (&mut self.model, &mut self.counters.timers);
+        let model = timers.time(Phase::Prepare, || {
+            let rows = if integrate {
+                contact_rows(scene, expected.reach)
+            } else {
+                let mut rows = std::mem::take(&mut model.rows);
+                rows.append(&mut model.spare);
+                rows.sort_by_key(key);
+                rows
+            };
+            Model::new(scene, expected, rows)
+        })?;
         let map: Vec<Option<usize>> = model
             .rows
             .iter()
@@ -352,9 +354,27 @@ impl<'a, 'o> Run<'a, 'o> {
                 .map(|i| i.map_or(T::default(), |i| from[i]))
                 .collect()
         }
-        self.point.nodes = carry(&map, &self.point.nodes);
-        self.point.x = model.unknowns(&displacement);
-        self.history.slip_origin = carry(&map, &self.history.slip_origin);
+        let point = |point: &Point, u: &[[f64; 3]]| Point {
+            x: model.unknowns(u),
+            nodes: carry(&map, &point.nodes),
+            ..*point
+        };
+        self.point = point(&self.point, &accepted);
+        self.guess = guess.map(|(p, u)| point(&p, &u));
+        self.history.slip_origin = model
+            .rows
+            .iter()
+            .zip(&map)
+            .map(|(r, i)| {
+                i.map_or_else(
+                    || {
+                        let d = r.relative(&accepted);
+                        [d[1], d[2]]
+                    },
+                    |i| self.history.slip_origin[i],
+                )
+            })
+            .collect();
         self.history.slip = carry(&map, &self.history.slip);
         self.history.plastic = (model.yielding.iter())
             .map(|e| histories.remove(e).flatten())
@@ -561,63 +581,6 @@ impl<'a, 'o> Run<'a, 'o> {
             axis: ['x', 'y', 'z'][axis],
         }
     }
-}
-
-/// Elements that yield, or soon will, though the model takes them for elastic.
-struct UnexpectedFlow {
-    elements: Vec<u32>,
-    /// Does one of them yield already?
-    missed: bool,
-}
-
-fn unexpected_flow(model: &Model, trial: &Point, next: f64) -> UnexpectedFlow {
-    // Below a contact the stress grows with the root of the load, in bending with the load, and
-    // where it flows neighbours take over some. Elements too many cost less than condensing again.
-    const EARLY: f64 = 0.7;
-    let scene = model.scene;
-    let u = model.displacement(&trial.x, trial.step, trial.time);
-    let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
-        .into_par_iter()
-        .filter(|e| can_yield(scene, *e) && model.yielding.binary_search(e).is_err())
-        .map(|e| {
-            let body = scene.mesh.body_of(e as usize);
-            let local = scene.mesh.hexes[e as usize].map(|n| u[n as usize]);
-            let virgin = Default::default();
-            let stress = model
-                .element(e)
-                .stress(&model.elastic[body], &local, &virgin);
-            let worst = stress.iter().map(mises).fold(0.0, f64::max);
-            (e, worst / scene.materials[body].yield_stress)
-        })
-        .collect();
-    let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
-    let to_come = load_to_come(model, trial);
-    // As long as nothing will flow before the next look, all is well.
-    let limit = if most * next.min(to_come).powf(0.75) > 1.0 {
-        EARLY / to_come
-    } else {
-        f64::INFINITY
-    };
-    let hot = shares.into_iter().filter(|(_, share)| *share > limit);
-    UnexpectedFlow {
-        elements: hot.map(|(element, _)| element).collect(),
-        missed: most > 1.0,
-    }
-}
-
-/// How many times larger than now a load still gets.
-fn load_to_come(model: &Model, trial: &Point) -> f64 {
-    let scene = model.scene;
-    let names = (scene.tractions.iter().map(|t| &t.name))
-        .chain(scene.rigid_planes.iter().map(|p| &p.name))
-        .chain(scene.supports.iter().map(|s| &s.name));
-    let ratios = names.map(|name| {
-        let now = model.factor(name, trial.step, trial.time).abs();
-        let later = scene.steps[trial.step..].iter();
-        let most = later.map(|s| s.factor_of(name).abs()).fold(0.0, f64::max);
-        if now > 0.0 { most / now } else { 1.0 }
-    });
-    ratios.fold(1.0, f64::max)
 }
 
 fn describe(failure: &Failure) -> String {

@@ -7,6 +7,7 @@
 mod bodies;
 mod driver;
 mod evaluate;
+mod foresight;
 mod line_search;
 mod model;
 mod newton;

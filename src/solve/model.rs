@@ -2,6 +2,7 @@
 
 use super::bodies::{self, Bodies, Plan};
 use super::driver::SolveError;
+use super::foresight::Expected;
 use super::timers::Timers;
 use crate::contact::law::Law;
 use crate::contact::mortar::{self, Opposite, Row};
@@ -72,6 +73,8 @@ pub struct Model<'a> {
     /// Stiffness of all bodies as long as they are elastic.
     pub stiffness: SymmetricMatrix,
     pub rows: Vec<ContactRow>,
+    /// Contact rows that are not expected to close.
+    pub spare: Vec<ContactRow>,
     /// Elements whose yield condition is checked in every iteration.
     pub yielding: Vec<u32>,
     /// Forces at factor one, inner unknowns eliminated: of each traction, of each rigid plane, and
@@ -79,31 +82,26 @@ pub struct Model<'a> {
     loads: Vec<(String, Vec<f64>)>,
     /// The largest force that the steps apply.
     pub reference: f64,
-    /// Beyond this initial gap no contact was prepared.
+    /// Beyond this initial gap no contact was integrated.
     pub reach: f64,
-}
-
-/// What a model is prepared for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Expected {
-    /// Contact up to this initial gap.
-    pub reach: f64,
-    /// Plastic flow in these elements, ascending.
-    pub flow: Vec<u32>,
 }
 
 impl<'a> Model<'a> {
-    /// Prepares `scene` for what is expected to happen.
+    /// Prepares `scene` with its contact `rows` for what is expected to happen.
     ///
     /// # Errors
     /// [`SolveError`] where supports contradict each other, nothing is free or memory runs out.
-    pub fn new(scene: &'a Scene, expected: &Expected) -> Result<Self, SolveError> {
+    pub fn new(
+        scene: &'a Scene,
+        expected: &Expected,
+        rows: Vec<ContactRow>,
+    ) -> Result<Self, SolveError> {
         let all = DofMap::new(scene)?;
         if all.is_empty() {
             return Err(SolveError::NothingFree);
         }
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
-        let rows = contact_rows(scene, expected.reach);
+        let (rows, spare) = expected.split(rows);
         let plan = Plan {
             scene,
             dofs: &all,
@@ -129,6 +127,7 @@ impl<'a> Model<'a> {
             symbolic,
             stiffness,
             rows,
+            spare,
             reach: expected.reach,
             bodies,
             dofs,
@@ -293,8 +292,8 @@ pub fn can_yield(scene: &Scene, element: u32) -> bool {
     scene.controls.plasticity && !scene.materials[body].is_elastic()
 }
 
-/// Contact rows of all pairs.
-fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
+/// Contact rows of all pairs up to an initial gap of `reach`, by pair and node.
+pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
     let moduli: Vec<f64> = scene
         .materials
         .iter()

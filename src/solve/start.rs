@@ -46,10 +46,19 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
     unit(force)
 }
 
-/// The initial gap up to which contact is prepared at first: about what bodies approach each other
-/// in small-strain contact, and all that they are made to travel. Where that is too little the
-/// solver widens it.
+/// The initial gap up to which contact is integrated: a little more than bodies approach each other
+/// in small-strain contact, and all that they are made to travel.
 pub fn reach(scene: &Scene) -> f64 {
+    (1e-3 * extent(scene)).max(2.0 * travel(scene))
+}
+
+/// The initial gap, over the least one, up to which contact is likely to close.
+pub fn likely_gap(scene: &Scene) -> f64 {
+    (1e-4 * extent(scene)).max(2.0 * travel(scene))
+}
+
+/// The largest displacement that is prescribed.
+fn travel(scene: &Scene) -> f64 {
     let factors = |name: &str| {
         let factors = scene.steps.iter().map(|s| s.factor_of(name).abs());
         factors.fold(0.0, f64::max)
@@ -65,8 +74,7 @@ pub fn reach(scene: &Scene) -> f64 {
             _ => 0.0,
         })
     });
-    let travel = supports.chain(planes).fold(0.0, f64::max);
-    (1e-4 * extent(scene)).max(2.0 * travel)
+    supports.chain(planes).fold(0.0, f64::max)
 }
 
 /// Moves floating bodies into touch and reports what was moved.

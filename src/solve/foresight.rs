@@ -1,0 +1,147 @@
+//! What a model is prepared for, and what happened beyond it.
+//!
+//! Contact is integrated up to a generous initial gap, but only rows that are likely to close are
+//! kept when the bodies are condensed; likewise only elements that are likely to flow. Every
+//! solution is looked at in full before it is accepted: if a row that was left out is penetrated,
+//! or an element that was taken for elastic yields, the model is prepared anew.
+
+use super::model::{ContactRow, Model, can_yield};
+use super::newton::Point;
+use crate::material::mises;
+use rayon::prelude::*;
+
+/// What a model is prepared for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expected {
+    /// Contact is integrated up to this initial gap,
+    pub reach: f64,
+    /// and may close up to this much more than the least gap of its pair.
+    pub contact: f64,
+    /// Elements that may flow, ascending.
+    pub flow: Vec<u32>,
+}
+
+/// What it was not prepared for.
+#[derive(Debug, Default, PartialEq)]
+pub struct Unforeseen {
+    /// Bodies approach by this much, further than contact was integrated for.
+    approach: Option<f64>,
+    /// Contact closes at this initial gap over the least one, where it was left out.
+    contact: Option<f64>,
+    /// Elements that yield, or soon will, though the model takes them for elastic.
+    flow: Vec<u32>,
+    /// Is the solution wrong for it?
+    pub missed: bool,
+}
+
+impl Expected {
+    /// Prepares for what was unforeseen, with some margin.
+    pub fn learn(&mut self, unforeseen: Unforeseen) {
+        if let Some(approach) = unforeseen.approach {
+            self.reach = 2.0 * approach;
+        }
+        if let Some(gap) = unforeseen.contact {
+            self.contact = (2.0 * self.contact).max(1.5 * gap);
+        }
+        self.flow.extend(unforeseen.flow);
+        self.flow.sort_unstable();
+    }
+
+    /// Splits rows into those that may close and the others.
+    pub fn split(&self, rows: Vec<ContactRow>) -> (Vec<ContactRow>, Vec<ContactRow>) {
+        let least = least_gaps(rows.iter());
+        rows.into_iter()
+            .partition(|r| r.row.gap <= least[r.pair] + self.contact)
+    }
+}
+
+impl Unforeseen {
+    /// Looks at all of the solution `x` of `model`, and ahead to loads larger by the factor `next`.
+    pub fn new(model: &Model, x: &Point, next: f64) -> Self {
+        let u = model.displacement(&x.x, x.step, x.time);
+        let closures = |rows: &[ContactRow]| -> Vec<f64> {
+            rows.par_iter().map(|r| r.relative(&u)[0]).collect()
+        };
+        let (kept, spare) = (closures(&model.rows), closures(&model.spare));
+        let most = kept.iter().chain(&spare).copied().fold(0.0, f64::max);
+        let least = least_gaps(model.rows.iter());
+        let contact = (model.spare.iter().zip(&spare))
+            .filter(|(r, closure)| **closure > r.row.gap)
+            .map(|(r, _)| r.row.gap - least[r.pair])
+            .reduce(f64::max);
+        let approach = (most > model.reach).then_some(most);
+        let (flow, yields) = unexpected_flow(model, x, &u, next);
+        Self {
+            approach,
+            contact,
+            flow,
+            missed: yields || contact.is_some() || approach.is_some(),
+        }
+    }
+
+    /// Nothing at all?
+    pub fn is_empty(&self) -> bool {
+        !self.missed && self.flow.is_empty()
+    }
+
+    pub fn is_approach(&self) -> bool {
+        self.approach.is_some()
+    }
+}
+
+/// Least gap of each pair.
+fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
+    let mut least = Vec::new();
+    for r in rows {
+        if least.len() <= r.pair {
+            least.resize(r.pair + 1, f64::INFINITY);
+        }
+        least[r.pair] = r.row.gap.min(least[r.pair]);
+    }
+    least
+}
+
+/// Elements to keep from now on, and whether one of them yields already.
+fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<u32>, bool) {
+    // Below a contact the stress grows with the root of the load, in bending with the load, and
+    // where it flows neighbours take over some. Elements too many cost less than condensing again.
+    const EARLY: f64 = 0.7;
+    let scene = model.scene;
+    let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
+        .into_par_iter()
+        .filter(|e| can_yield(scene, *e) && model.yielding.binary_search(e).is_err())
+        .map(|e| {
+            let body = scene.mesh.body_of(e as usize);
+            let local = scene.mesh.hexes[e as usize].map(|n| u[n as usize]);
+            let virgin = Default::default();
+            let stress = model
+                .element(e)
+                .stress(&model.elastic[body], &local, &virgin);
+            let worst = stress.iter().map(mises).fold(0.0, f64::max);
+            (e, worst / scene.materials[body].yield_stress)
+        })
+        .collect();
+    let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+    let to_come = load_to_come(model, x);
+    // As long as nothing will flow before the next look, all is well.
+    if most * next.min(to_come).powf(0.75) <= 1.0 {
+        return (Vec::new(), false);
+    }
+    let hot = shares.into_iter().filter(|(_, s)| *s > EARLY / to_come);
+    (hot.map(|(element, _)| element).collect(), most > 1.0)
+}
+
+/// How many times larger than now a load still gets.
+fn load_to_come(model: &Model, x: &Point) -> f64 {
+    let scene = model.scene;
+    let names = (scene.tractions.iter().map(|t| &t.name))
+        .chain(scene.rigid_planes.iter().map(|p| &p.name))
+        .chain(scene.supports.iter().map(|s| &s.name));
+    let ratios = names.map(|name| {
+        let now = model.factor(name, x.step, x.time).abs();
+        let later = scene.steps[x.step..].iter();
+        let most = later.map(|s| s.factor_of(name).abs()).fold(0.0, f64::max);
+        if now > 0.0 { most / now } else { 1.0 }
+    });
+    ratios.fold(1.0, f64::max)
+}

@@ -1,6 +1,6 @@
 //! Sparse Cholesky factor (faer, supernodal) on a fixed pattern and order.
 
-use super::ordering;
+use super::ordering::{self, Block};
 use super::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
@@ -28,13 +28,12 @@ pub enum FactorError {
 }
 
 impl Symbolic {
-    /// Orders the pattern, its last `tail` vertices behind all others as they stand, and finds the
-    /// structure of its factor.
+    /// Orders the pattern block by block and finds the structure of its factor.
     ///
     /// # Errors
     /// [`FactorError::Memory`].
-    pub fn new(pattern: &Pattern, tail: usize) -> Result<Self, FactorError> {
-        let forward = ordering::nested_dissection(pattern, tail);
+    pub fn new(pattern: &Pattern, blocks: &[Block]) -> Result<Self, FactorError> {
+        let forward = ordering::blockwise(pattern, blocks);
         let mut inverse = vec![0u32; forward.len()];
         for (k, equation) in forward.iter().enumerate() {
             inverse[*equation as usize] = k as u32;
@@ -146,7 +145,7 @@ mod tests {
         let x: Vec<f64> = (0..n).map(|i| f64::from(i).sin()).collect();
         let mut b = vec![0.0; n as usize];
         pattern.multiply(&m, &x, &mut b);
-        let symbolic = Symbolic::new(&pattern, 0).unwrap();
+        let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..n)]).unwrap();
         let factor = symbolic.factorise(&pattern, &m, None).unwrap();
         symbolic.solve(&factor, &mut b);
         assert!(b.iter().zip(&x).all(|(b, x)| (b - x).abs() < 1e-12));

@@ -4,34 +4,60 @@
 //! the crate `metis` has no wrapper for node dissection, so `METIS_NodeND` is called directly.
 
 use super::sparse::Pattern;
+use std::ops::Range;
 use std::sync::Mutex;
 
 /// METIS draws on the C library's random state: one call at a time keeps it reproducible.
 static METIS: Mutex<()> = Mutex::new(());
 
-/// New order of the equations: `order[k]` is the equation that is eliminated as number k. The last
-/// `tail` vertices keep their place behind all others.
-pub fn nested_dissection(pattern: &Pattern, tail: usize) -> Vec<u32> {
-    let count = vertices(pattern);
-    let last: Vec<bool> = (0..count).map(|v| v + tail >= count).collect();
-    with_last(pattern, &last).0
+/// Vertices that are eliminated together, before those of the blocks after them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Block {
+    /// Coupled to few others each: dissected.
+    Sparse(Range<u32>),
+    /// Coupled to each other in full: as they stand.
+    Dense(Range<u32>),
+}
+
+/// New order of the equations: `order[k]` is the equation that is eliminated as number k.
+pub fn blockwise(pattern: &Pattern, blocks: &[Block]) -> Vec<u32> {
+    let mut order = Vec::with_capacity(pattern.len());
+    for block in blocks {
+        let vertices = match block {
+            Block::Dense(range) => range.clone().collect(),
+            Block::Sparse(range) => dissected(pattern, |v| range.contains(&(v as u32))),
+        };
+        push(pattern, vertices, &mut order);
+    }
+    order
 }
 
 /// Order with the marked vertices last and ascending, and how many equations come before them.
 pub fn with_last(pattern: &Pattern, last: &[bool]) -> (Vec<u32>, usize) {
-    let graph = Graph::without(pattern, last);
     let mut order = Vec::with_capacity(pattern.len());
-    let push = |order: &mut Vec<u32>, vertex: usize| {
-        order.extend(pattern.vertex_start[vertex]..pattern.vertex_start[vertex + 1]);
-    };
-    for local in graph.postorder(&graph.dissect()) {
-        push(&mut order, graph.vertices[local as usize] as usize);
-    }
+    push(pattern, dissected(pattern, |v| !last[v]), &mut order);
     let before = order.len();
-    (0..last.len())
-        .filter(|v| last[*v])
-        .for_each(|v| push(&mut order, v));
+    let last = (0..last.len() as u32).filter(|v| last[*v as usize]);
+    push(pattern, last.collect(), &mut order);
     (order, before)
+}
+
+/// The equations of vertices.
+fn push(pattern: &Pattern, vertices: Vec<u32>, order: &mut Vec<u32>) {
+    for vertex in vertices {
+        let vertex = vertex as usize;
+        order.extend(pattern.vertex_start[vertex]..pattern.vertex_start[vertex + 1]);
+    }
+}
+
+/// Vertices with a mark, in the order of nested dissection.
+fn dissected(pattern: &Pattern, marked: impl Fn(usize) -> bool) -> Vec<u32> {
+    let graph = Graph::of(pattern, marked);
+    let local = graph.postorder(&graph.dissect());
+    local
+        .into_iter()
+        .map(|v| graph.vertices[v as usize])
+        .collect()
 }
 
 fn vertices(pattern: &Pattern) -> usize {
@@ -49,7 +75,7 @@ struct Graph {
 }
 
 impl Graph {
-    fn without(pattern: &Pattern, last: &[bool]) -> Self {
+    fn of(pattern: &Pattern, marked: impl Fn(usize) -> bool) -> Self {
         let mut local = vec![-1i32; vertices(pattern)];
         let mut graph = Self {
             vertices: Vec::new(),
@@ -57,7 +83,7 @@ impl Graph {
             adjacency: Vec::new(),
             weights: Vec::new(),
         };
-        for (vertex, number) in local.iter_mut().enumerate().filter(|(v, _)| !last[*v]) {
+        for (vertex, number) in local.iter_mut().enumerate().filter(|(v, _)| marked(*v)) {
             *number = graph.vertices.len() as i32;
             graph.vertices.push(vertex as u32);
         }

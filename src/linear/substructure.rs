@@ -272,6 +272,7 @@ impl Substructure {
 mod tests {
     use super::*;
     use crate::linear::cholesky::Symbolic;
+    use crate::linear::ordering::Block;
 
     /// A chain of vertices with two equations each, tied down at one end.
     fn chain(n: u32) -> (Pattern, SymmetricMatrix) {
@@ -298,7 +299,7 @@ mod tests {
         let (pattern, matrix) = chain(40);
         let f: Vec<f64> = (0..80).map(|i| f64::from(i).sin()).collect();
         let mut exact = f.clone();
-        let symbolic = Symbolic::new(&pattern, 0).unwrap();
+        let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..40)]).unwrap();
         let factor = symbolic.factorise(&pattern, &matrix, None).unwrap();
         symbolic.solve(&factor, &mut exact);
 

@@ -9,12 +9,14 @@ use super::driver::SolveError;
 use crate::fem::dofs::{DofMap, FIXED};
 use crate::fem::element::Element;
 use crate::linear::cholesky::FactorError;
+use crate::linear::ordering::Block;
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::linear::substructure::{Condensation, Substructure};
 use crate::material::Elastic;
 use crate::scene::Scene;
 use faer::Mat;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// A condensed group of bodies that hold together.
 struct Part {
@@ -32,12 +34,12 @@ pub struct Bodies {
     kept: Vec<u32>,
     /// First kept equation of each kept vertex, and their number at the end.
     pub vertex_start: Vec<u32>,
-    /// Kept vertices of condensed parts: the last ones.
-    pub condensed_vertices: usize,
+    /// Kept vertices in the order in which they are to be eliminated.
+    pub blocks: Vec<Block>,
     /// Elements that were not condensed.
     pub sparse_elements: Vec<u32>,
     /// Kept vertices of each condensed part, and its stiffness seen from there.
-    superelements: Vec<(std::ops::Range<u32>, Mat<f64>)>,
+    superelements: Vec<(Range<u32>, Mat<f64>)>,
 }
 
 /// What the bodies are made from.
@@ -56,6 +58,8 @@ struct Group {
     elements: Vec<u32>,
     /// Vertices of the elements, ascending.
     vertices: Vec<u32>,
+    /// Vertices of elements that are expected to flow and of no other, ascending.
+    zone: Vec<u32>,
 }
 
 /// What became of a group.
@@ -66,6 +70,7 @@ enum Made {
 
 struct Condensed {
     part: Part,
+    zone: Vec<u32>,
     kept_vertices: Vec<u32>,
     /// The part's stiffness seen from the kept vertices.
     schur: Mat<f64>,
@@ -97,48 +102,43 @@ impl Bodies {
             kept_of: vec![FIXED; plan.dofs.len()],
             kept: Vec::new(),
             vertex_start: vec![0],
-            condensed_vertices: 0,
+            blocks: Vec::new(),
             sparse_elements: Vec::new(),
             superelements: Vec::new(),
         };
-        // What a condensed part does not hold comes first.
-        let mut sparsely = plan.needed.to_vec();
-        for made in &condensed {
-            let kept = made.kept_vertices.iter();
-            kept.for_each(|v| sparsely[*v as usize] = false);
-        }
-        for group in &sparse {
-            let vertices = group.vertices.iter();
-            vertices.for_each(|v| sparsely[*v as usize] = true);
-        }
-        for vertex in (0..sparsely.len()).filter(|v| sparsely[*v]) {
-            bodies.keep(plan.dofs, vertex as u32);
-        }
         bodies.sparse_elements = plan.flow.to_vec();
+        let mut vertices = Vec::new();
         for group in sparse {
             bodies.sparse_elements.extend(group.elements);
+            vertices.extend(group.vertices.into_iter().chain(group.zone));
         }
         bodies.sparse_elements.sort_unstable();
+        vertices.sort_unstable();
+        let range = bodies.keep(plan.dofs, &vertices);
+        bodies.blocks.push(Block::Sparse(range));
         for made in condensed {
-            let first = bodies.vertex_start.len() as u32 - 1;
-            for vertex in made.kept_vertices {
-                bodies.keep(plan.dofs, vertex);
-            }
-            let range = first..bodies.vertex_start.len() as u32 - 1;
-            bodies.condensed_vertices += range.len();
+            let range = bodies.keep(plan.dofs, &made.zone);
+            bodies.blocks.push(Block::Sparse(range));
+            let range = bodies.keep(plan.dofs, &made.kept_vertices);
+            bodies.blocks.push(Block::Dense(range.clone()));
             bodies.superelements.push((range, made.schur));
             bodies.parts.push(made.part);
         }
         Ok(bodies)
     }
 
-    fn keep(&mut self, dofs: &DofMap, vertex: u32) {
-        let vertex = vertex as usize;
-        for equation in dofs.vertex_start[vertex]..dofs.vertex_start[vertex + 1] {
-            self.kept_of[equation as usize] = self.kept.len() as u32;
-            self.kept.push(equation);
+    /// Appends vertices to the kept ones; returns their numbers there.
+    fn keep(&mut self, dofs: &DofMap, vertices: &[u32]) -> Range<u32> {
+        let first = self.vertex_start.len() as u32 - 1;
+        for vertex in vertices {
+            let vertex = *vertex as usize;
+            for equation in dofs.vertex_start[vertex]..dofs.vertex_start[vertex + 1] {
+                self.kept_of[equation as usize] = self.kept.len() as u32;
+                self.kept.push(equation);
+            }
+            self.vertex_start.push(self.kept.len() as u32);
         }
-        self.vertex_start.push(self.kept.len() as u32);
+        first..first + vertices.len() as u32
     }
 
     /// Kept equation of an equation, or [`FIXED`].
@@ -255,27 +255,36 @@ fn groups(plan: &Plan, vertex_of: &[u32]) -> Vec<Group> {
             }
         }
     }
-    let mut made: Vec<Group> = Vec::new();
-    for index in 0..mesh.bodies.len() {
-        let members = (0..mesh.bodies.len()).filter(|b| group[*b] == index);
-        let elements: Vec<u32> = members
-            .flat_map(|b| mesh.bodies[b].elements.clone())
-            .map(|e| e as u32)
-            .filter(|e| plan.flow.binary_search(e).is_err())
-            .collect();
+    let touched = |elements: &[u32]| {
         let mut touched = vec![false; vertices];
-        for element in &elements {
+        for element in elements {
             let free = equations(plan, *element as usize).into_iter();
             free.filter(|e| *e != FIXED)
                 .for_each(|e| touched[vertex_of[e as usize] as usize] = true);
         }
-        let vertices = (0..vertices as u32).filter(|v| touched[*v as usize]);
+        touched
+    };
+    let mut made: Vec<Group> = Vec::new();
+    for index in 0..mesh.bodies.len() {
+        let members = (0..mesh.bodies.len()).filter(|b| group[*b] == index);
+        let (flow, elements): (Vec<u32>, Vec<u32>) = members
+            .flat_map(|b| mesh.bodies[b].elements.clone())
+            .map(|e| e as u32)
+            .partition(|e| plan.flow.binary_search(e).is_ok());
+        let (inside, zone) = (touched(&elements), touched(&flow));
+        let of = |mark: &dyn Fn(usize) -> bool| -> Vec<u32> {
+            (0..vertices)
+                .filter(|v| mark(*v))
+                .map(|v| v as u32)
+                .collect()
+        };
         made.push(Group {
-            vertices: vertices.collect(),
+            vertices: of(&|v| inside[v]),
+            zone: of(&|v| zone[v] && !inside[v]),
             elements,
         });
     }
-    made.retain(|group| !group.elements.is_empty());
+    made.retain(|group| !group.vertices.is_empty() || !group.zone.is_empty());
     made
 }
 
@@ -300,6 +309,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
     let matrix = assemble(plan, &group.elements, &pattern, |e| local_of[e as usize]);
     match condensation.eliminate(&pattern, matrix) {
         Ok((substructure, schur)) => Ok(Made::Condensed(Box::new(Condensed {
+            zone: group.zone,
             kept_vertices: (group.vertices.iter().zip(&kept))
                 .filter_map(|(v, kept)| kept.then_some(*v))
                 .collect(),

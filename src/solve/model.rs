@@ -112,7 +112,7 @@ impl<'a> Model<'a> {
         let mut bodies = Bodies::new(&plan)?;
         let dofs = bodies.kept_dofs(&all);
         let pattern = pattern(&scene.mesh, &bodies, &dofs, &rows);
-        let symbolic = Symbolic::new(&pattern, bodies.condensed_vertices)?;
+        let symbolic = Symbolic::new(&pattern, &bodies.blocks)?;
         let number = |e| bodies.kept_of(e);
         let mut stiffness = bodies::assemble(&plan, &bodies.sparse_elements, &pattern, number);
         bodies.add_stiffness(&pattern, &mut stiffness);

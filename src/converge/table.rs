@@ -3,7 +3,7 @@
 use super::study::{Curve, Level, Study};
 use crate::output::text::{Columns, significant};
 
-/// The head of the lines that [`line`] makes.
+/// The head of the lines that `line` makes.
 pub fn head() -> String {
     format!(
         "{:>5} {:9} {:>9} {:>9} {:>10} {:>8} {:>10} {:>9}",

@@ -13,7 +13,7 @@
 //! 1311) reach with three more volumetric modes, without their unknowns.
 //!
 //! In the formulas a bubble is a ninth, tenth and eleventh node. The inner unknowns are eliminated
-//! in the element, see [`condense`] and [`relax`]. Tensors are stored xx yy zz xy yz zx; strains
+//! in the element, see `condense` and `relax`. Tensors are stored xx yy zz xy yz zx; strains
 //! carry engineering shears.
 
 mod condense;

@@ -12,6 +12,11 @@
 //! shear at all, and the bound settles quickly). Between iterations a sticking node slips if its
 //! shear exceeds the bound, and a slipping one sticks if it moves against its shear.
 //!
+//! Where these sets do not settle, as under a body that only friction holds, the node is treated
+//! with *caution*: radial return of λ + ε_t d onto the disc of radius μ p with a soft ε_t, stick and
+//! slip within one iteration, so that a line search always finds its way (Simo and Laursen 1992);
+//! λ takes the shear only when all is in balance.
+//!
 //! Components everywhere: normal (compression positive), two tangents. d is the closure beyond
 //! the gap and the slip since the last increment.
 
@@ -45,6 +50,8 @@ pub struct Node {
     pub multiplier: [f64; 3],
     /// Largest shear traction, μ p of the iteration before.
     pub bound: f64,
+    /// Radial return in place of sets?
+    pub cautious: bool,
 }
 
 /// Traction and its derivative by d.
@@ -55,9 +62,9 @@ pub struct Answer {
     pub status: Status,
 }
 
-/// Weight of slip against λ where the direction of slip is found, over the stiffness of the
-/// bodies: large, so that the direction is that of the slip after few iterations.
-const TURNING: f64 = 30.0;
+/// ε_t over the stiffness of the bodies: the weight of slip against λ where the direction of slip
+/// is found (large, so that few iterations find it), and the stiffness of cautious sticking.
+const SOFT: f64 = 30.0;
 
 impl Law {
     /// Traction of a node at d.
@@ -72,21 +79,31 @@ impl Law {
         if self.friction == 0.0 {
             return answer;
         }
-        if node.sticks {
+        let soft = SOFT * self.stiffness;
+        let stick = if node.cautious { soft } else { self.penalty };
+        let elastic = [1, 2].map(|i| node.multiplier[i] + stick * d[i]);
+        let sticks = match node.cautious {
+            true => elastic[0].hypot(elastic[1]) <= node.bound,
+            false => node.sticks,
+        };
+        if sticks {
             answer.status = Status::Stick;
-            for i in 1..3 {
-                answer.traction[i] = node.multiplier[i] + self.penalty * d[i];
-                answer.tangent[i][i] = self.penalty;
+            for i in 0..2 {
+                answer.traction[1 + i] = elastic[i];
+                answer.tangent[1 + i][1 + i] = stick;
             }
             return answer;
         }
-        let trial = self.along(&node.multiplier, d);
+        let trial = match node.cautious {
+            true => elastic,
+            false => self.along(&node.multiplier, d),
+        };
         let shear = trial[0].hypot(trial[1]);
         if shear == 0.0 {
             return answer;
         }
         let e = trial.map(|t| t / shear);
-        let turn = TURNING * self.stiffness * node.bound / shear;
+        let turn = soft * node.bound / shear;
         for i in 0..2 {
             answer.traction[1 + i] = node.bound * e[i];
             for j in 0..2 {
@@ -97,12 +114,28 @@ impl Law {
         answer
     }
 
+    /// How far λ still is from the traction, as a length: closure, and slip of a sticking node.
+    pub fn violation(&self, node: &Node, answer: &Answer) -> f64 {
+        // Elastic slip counts by this share: it moves no pressure.
+        const SLIP_SHARE: f64 = 0.1;
+        let miss = |i: usize| answer.traction[i] - node.multiplier[i];
+        let closure = miss(0).abs() / self.penalty;
+        if answer.status != Status::Stick {
+            return closure;
+        }
+        let slip = miss(1).hypot(miss(2));
+        closure.max(match node.cautious {
+            true => SLIP_SHARE * slip / (SOFT * self.stiffness),
+            false => slip / self.penalty,
+        })
+    }
+
     /// The way a slipping node pulls: along its slip, or along λ while it has none. Slip against
     /// λ does not count; a node that moves back is to stick first.
     fn along(&self, multiplier: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
         let [s, t] = [multiplier[1], multiplier[2]];
         let against = (s * d[1] + t * d[2]).min(0.0) / (s * s + t * t).max(f64::MIN_POSITIVE);
-        let weight = TURNING * self.stiffness;
+        let weight = SOFT * self.stiffness;
         [
             s + weight * (d[1] - against * s),
             t + weight * (d[2] - against * t),
@@ -119,15 +152,23 @@ impl Law {
     pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3]) -> Node {
         let [pressure, s, t] = *traction;
         if pressure + self.stiffness * d[0] <= 0.0 {
-            return Node::default();
+            return Node {
+                cautious: node.cautious,
+                ..Node::default()
+            };
         }
         let mut next = Node {
             closed: true,
             sticks: false,
             multiplier: [pressure, 0.0, 0.0],
             bound: self.friction * pressure.max(0.0),
+            cautious: node.cautious,
         };
         if self.friction == 0.0 {
+            return next;
+        }
+        if node.cautious {
+            (next.multiplier[1], next.multiplier[2]) = (node.multiplier[1], node.multiplier[2]);
             return next;
         }
         let old = match node.sticks {
@@ -168,6 +209,7 @@ mod tests {
             sticks,
             multiplier,
             bound: 0.15 * multiplier[0],
+            cautious: false,
         }
     }
 
@@ -211,6 +253,22 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn caution_returns_to_the_disc_within_the_iteration() {
+        let node = Node {
+            cautious: true,
+            ..closed([10.0, 0.0, 0.0], true)
+        };
+        assert_eq!(
+            LAW.traction(&node, &[0.0, 0.004, 0.0]).status,
+            Status::Stick
+        );
+        let answer = LAW.traction(&node, &[0.0, 0.03, -0.04]);
+        assert_eq!(answer.status, Status::Slip);
+        assert!((answer.traction[1] - 0.9).abs() < 1e-14);
+        assert!((answer.traction[2] + 1.2).abs() < 1e-14);
     }
 
     #[test]

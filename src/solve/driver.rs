@@ -154,6 +154,7 @@ impl<'a, 'o> Run<'a, 'o> {
                 time: 0.0,
                 x: vec![0.0; model.dofs.len()],
                 nodes: vec![Node::default(); rows],
+                cautious: false,
             },
             solver: LinearSolver::default(),
             previous: None,
@@ -199,11 +200,13 @@ impl<'a, 'o> Run<'a, 'o> {
         };
         let mut time = 0.0;
         self.previous = None;
+        self.point.cautious = false;
         while time < 1.0 {
-            let target = if time + 1.001 * size >= 1.0 {
+            let most = size.min(self.relief(step, time));
+            let target = if time + 1.001 * most >= 1.0 {
                 1.0
             } else {
-                time + size
+                time + most
             };
             let mut trial = self.predict(step, time, target);
             self.touch(&mut trial);
@@ -240,6 +243,11 @@ impl<'a, 'o> Run<'a, 'o> {
                     self.expected.contact = f64::INFINITY;
                     self.rebuild(false, None)?;
                 }
+                Err(_) if !self.point.cautious => {
+                    self.point.cautious = true;
+                    self.previous = None;
+                    size = target - time;
+                }
                 Err(failure) => {
                     size = 0.5 * (target - time);
                     self.counters.cut_backs += 1;
@@ -257,6 +265,28 @@ impl<'a, 'o> Run<'a, 'o> {
             }
         }
         Ok(true)
+    }
+
+    /// The share of the step in which all loads fall to a third. Contact shrinks with the load: what
+    /// is solved in one increment from full load to next to none changes beyond recognition.
+    fn relief(&self, step: usize, time: f64) -> f64 {
+        const LEFT: f64 = 1.0 / 3.0;
+        let scene = self.model.scene;
+        let names = (scene.tractions.iter().map(|t| &t.name))
+            .chain(scene.rigid_planes.iter().map(|p| &p.name))
+            .chain(scene.supports.iter().map(|s| &s.name));
+        let now_and_then = names.map(|name| {
+            let at = |time| self.model.factor(name, step, time).abs();
+            (at(time), at(1.0))
+        });
+        now_and_then
+            .filter(|(now, _)| *now > 0.0)
+            .map(|(now, then)| match then < LEFT * now {
+                true => (1.0 - time) * (1.0 - LEFT) * now / (now - then),
+                false => f64::INFINITY,
+            })
+            .reduce(f64::max)
+            .unwrap_or(f64::INFINITY)
     }
 
     /// First guess at `target`: on along the last increment.

@@ -24,6 +24,8 @@ pub struct Point {
     pub x: Vec<f64>,
     /// Contact nodes, row by row.
     pub nodes: Vec<Node>,
+    /// Is friction solved with caution, see [`crate::contact::law`]?
+    pub cautious: bool,
 }
 
 /// Why an increment was given up.
@@ -62,6 +64,9 @@ const CHANGES: usize = 6;
 const TRIES: usize = 12;
 /// Directions with a fresh factor.
 const DIRECTIONS: usize = 60;
+
+/// Where stick and slip have not settled after this many iterations, it is time for caution.
+const PATIENCE: usize = 20;
 
 /// How a correction was found.
 struct Correction {
@@ -177,6 +182,13 @@ pub fn balance(
         time: point.time,
         ..Iteration::default()
     };
+    let cautious = point.cautious;
+    let nodes = point.nodes.iter_mut();
+    nodes.for_each(|node| node.cautious = cautious);
+    let patience = match cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
+        true => controls.iterations,
+        false => controls.iterations.min(PATIENCE),
+    };
     let mut evaluation = evaluate(model, history, point, &point.x, &external, counters);
     loop {
         let residual = norm(&evaluation.residual) / reference;
@@ -210,14 +222,16 @@ pub fn balance(
         last.changed = update_contact(model, point, &evaluation);
         count(&mut last, &evaluation);
         observer.iteration(&last);
-        let settled = last.changed == 0 && last.penetration <= controls.penetration;
-        if settled && last.residual <= controls.residual {
-            return Ok(evaluation);
+        if last.changed == 0 && last.residual <= controls.residual {
+            if last.penetration <= controls.penetration {
+                return Ok(evaluation);
+            }
+            take_shears(point, &evaluation);
         }
         if observer.cancelled() {
             return Err(Failure::Cancelled);
         }
-        if last.iteration >= controls.iterations {
+        if last.iteration >= patience {
             let Iteration {
                 residual,
                 penetration,
@@ -245,13 +259,23 @@ fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> 
         let traction = &evaluation.contact[index].traction;
         let next = law.decide(node, traction, &evaluation.relative[index]);
         let same = SAME * law.friction * largest;
-        let turned = (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
+        let turned =
+            !node.cautious && (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
         let moved = (next.bound - node.bound).abs() > same;
         let switched = next.closed != node.closed || next.sticks != node.sticks;
         changed += usize::from(switched || moved || turned);
         *node = next;
     }
     changed
+}
+
+/// Shear tractions of cautious nodes become multipliers, so that they lose their elastic slip.
+fn take_shears(point: &mut Point, evaluation: &Evaluation) {
+    for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
+        if node.cautious && node.closed {
+            (node.multiplier[1], node.multiplier[2]) = (answer.traction[1], answer.traction[2]);
+        }
+    }
 }
 
 fn evaluate(
@@ -279,14 +303,10 @@ fn evaluate(
 /// Largest violation of a contact condition, as a length over the largest displacement: closure
 /// of a closed node, slip of a sticking one.
 fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
-    let mut worst = 0.0f64;
-    for ((row, answer), node) in model.rows.iter().zip(&evaluation.contact).zip(&point.nodes) {
-        let miss = |i: usize| answer.traction[i] - node.multiplier[i];
-        worst = worst.max(miss(0).abs() / row.law.penalty);
-        if answer.status == Status::Stick {
-            worst = worst.max(miss(1).hypot(miss(2)) / row.law.penalty);
-        }
-    }
+    let rows = model.rows.iter().zip(&evaluation.contact).zip(&point.nodes);
+    let worst = rows
+        .map(|((row, answer), node)| row.law.violation(node, answer))
+        .fold(0.0, f64::max);
     let travel = point.x.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     if worst == 0.0 {
         0.0

@@ -177,7 +177,8 @@ impl Law {
         };
         let trial = self.trial(old, d);
         let shear = trial[0].hypot(trial[1]);
-        next.sticks = !node.closed || shear <= next.bound;
+        // A node that has just closed may have moved far: it sticks only once it is known to.
+        next.sticks = node.closed && shear <= next.bound;
         let along = match (next.sticks, node.sticks) {
             (false, true) => trial,
             _ => [s, t],

@@ -12,8 +12,8 @@
 //! shear at all, and the bound settles quickly). Between iterations a sticking node slips if its
 //! shear exceeds the bound, and a slipping one sticks if it moves against its shear.
 //!
-//! Where these sets do not settle, as under a body that only friction holds, the node is treated
-//! with *caution*: radial return of λ + ε_t d onto the disc of radius μ p with a soft ε_t, stick and
+//! Where these sets do not settle, at a node between stick and slip or under a body that only
+//! friction holds, nodes are treated with *caution*: radial return of λ + ε_t d onto the disc of radius μ p with a soft ε_t, stick and
 //! slip within one iteration, so that a line search always finds its way (Simo and Laursen 1992);
 //! λ takes the shear only when all is in balance.
 //!
@@ -52,6 +52,8 @@ pub struct Node {
     pub bound: f64,
     /// Radial return in place of sets?
     pub cautious: bool,
+    /// How often it changed between stick and slip in this increment.
+    pub switches: u8,
 }
 
 /// Traction and its derivative by d.
@@ -154,6 +156,7 @@ impl Law {
         if pressure + self.stiffness * d[0] <= 0.0 {
             return Node {
                 cautious: node.cautious,
+                switches: node.switches,
                 ..Node::default()
             };
         }
@@ -163,6 +166,8 @@ impl Law {
             multiplier: [pressure, 0.0, 0.0],
             bound: self.friction * pressure.max(0.0),
             cautious: node.cautious,
+            switches: node.switches,
+            ..Node::default()
         };
         if self.friction == 0.0 {
             return next;
@@ -179,6 +184,7 @@ impl Law {
         let shear = trial[0].hypot(trial[1]);
         // A node that has just closed may have moved far: it sticks only once it is known to.
         next.sticks = node.closed && shear <= next.bound;
+        next.switches += u8::from(node.closed && next.sticks != node.sticks);
         let along = match (next.sticks, node.sticks) {
             (false, true) => trial,
             _ => [s, t],
@@ -210,7 +216,7 @@ mod tests {
             sticks,
             multiplier,
             bound: 0.15 * multiplier[0],
-            cautious: false,
+            ..Node::default()
         }
     }
 

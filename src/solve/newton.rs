@@ -66,7 +66,7 @@ const TRIES: usize = 12;
 const DIRECTIONS: usize = 60;
 
 /// Where stick and slip have not settled after this many iterations, it is time for caution.
-const PATIENCE: usize = 20;
+const PATIENCE: usize = 25;
 
 /// How a correction was found.
 struct Correction {
@@ -184,7 +184,7 @@ pub fn balance(
     };
     let cautious = point.cautious;
     let nodes = point.nodes.iter_mut();
-    nodes.for_each(|node| node.cautious = cautious);
+    nodes.for_each(|node| (node.cautious, node.switches) = (cautious, 0));
     let patience = match cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
         true => controls.iterations,
         false => controls.iterations.min(PATIENCE),
@@ -219,7 +219,7 @@ pub fn balance(
         }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
-        last.changed = update_contact(model, point, &evaluation);
+        last.changed = update_contact(model, point, &evaluation, last.iteration);
         count(&mut last, &evaluation);
         observer.iteration(&last);
         if last.changed == 0 && last.residual <= controls.residual {
@@ -248,7 +248,16 @@ pub fn balance(
 
 /// Tractions become multipliers, sets and friction bounds are decided anew; returns how many nodes
 /// changed.
-fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> usize {
+///
+/// Late in an increment, nodes that have changed between stick and slip a few times become cautious.
+fn update_contact(
+    model: &Model,
+    point: &mut Point,
+    evaluation: &Evaluation,
+    iteration: usize,
+) -> usize {
+    const FREE_ITERATIONS: usize = 12;
+    const FREE_SWITCHES: u8 = 2;
     // Below this share of the largest pressure a friction bound or shear counts as unchanged.
     const SAME: f64 = 1e-5;
     let pressures = evaluation.contact.iter().map(|a| a.traction[0]);
@@ -265,6 +274,7 @@ fn update_contact(model: &Model, point: &mut Point, evaluation: &Evaluation) -> 
         let switched = next.closed != node.closed || next.sticks != node.sticks;
         changed += usize::from(switched || moved || turned);
         *node = next;
+        node.cautious |= iteration > FREE_ITERATIONS && node.switches > FREE_SWITCHES;
     }
     changed
 }

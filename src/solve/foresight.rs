@@ -105,7 +105,7 @@ fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
 fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<u32>, bool) {
     // Below a contact the stress grows with the root of the load, in bending with the load, and
     // where it flows neighbours take over some. Elements too many cost less than condensing again.
-    const EARLY: f64 = 0.7;
+    const EARLY: f64 = 0.85;
     let scene = model.scene;
     let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
         .into_par_iter()

@@ -167,7 +167,6 @@ impl Law {
             bound: self.friction * pressure.max(0.0),
             cautious: node.cautious,
             switches: node.switches,
-            ..Node::default()
         };
         if self.friction == 0.0 {
             return next;

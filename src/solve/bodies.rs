@@ -5,7 +5,7 @@
 //! rest. Where that would not pay, because most nodes matter or because the body is small, its
 //! equations stay as they are.
 
-use super::driver::SolveError;
+use super::error::SolveError;
 use crate::fem::dofs::{DofMap, FIXED};
 use crate::fem::element::Element;
 use crate::linear::cholesky::FactorError;

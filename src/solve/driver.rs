@@ -1,18 +1,19 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
+use super::error::SolveError;
 use super::evaluate::{Evaluation, History, PlasticElement};
 use super::foresight::{Expected, Unforeseen};
 use super::model::{ContactRow, Counters, Model, can_yield, contact_rows};
 use super::newton::{self, Failure, LinearSolver, Point};
 use super::observer::Observer;
 use super::start::{self, Closing};
+use super::state;
 use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
-use crate::fem::dofs::{Conflict, FIXED};
+use crate::fem::dofs::FIXED;
 use crate::linear::cholesky::FactorError;
-use crate::results::{ContactField, PlaneField, State};
-use crate::scene::{Partner, PlaneMotion, Scene, Side};
-use rayon::prelude::*;
+use crate::results::State;
+use crate::scene::Scene;
 use std::collections::BTreeMap;
 
 /// What a solved scene leaves behind.
@@ -29,50 +30,6 @@ pub struct Solution {
     pub untouched: Vec<String>,
     /// Were all steps finished?
     pub complete: bool,
-}
-
-/// Why a scene could not be solved. What was accepted before went to the observer.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum SolveError {
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Conflict(#[from] Conflict),
-    #[error("nothing is free to move: every displacement component is prescribed")]
-    #[diagnostic(
-        code(brinell::solve::nothing_free),
-        help("free a surface, or apply a load")
-    )]
-    NothingFree,
-    #[error("{0}")]
-    #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
-    Factor(#[from] FactorError),
-    #[error("body `{body}` is free to move along {axis}: no support and no contact holds it")]
-    #[diagnostic(
-        code(brinell::solve::free_body),
-        help("support it, bring it into contact, or give the contact friction")
-    )]
-    FreeBody { body: String, axis: char },
-    #[error(
-        "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
-         iterations the residual was {residual:.1e} of the load and the largest contact violation \
-         {penetration:.1e} of the displacement"
-    )]
-    #[diagnostic(
-        code(brinell::solve::not_converged),
-        help(
-            "the states up to there are kept; a load beyond the plastic limit ends like this, \
-             otherwise try a smaller first increment or a finer mesh at the contact"
-        )
-    )]
-    NotConverged {
-        step: String,
-        percent: f64,
-        iterations: usize,
-        residual: f64,
-        penetration: f64,
-    },
-    #[error("{0}")]
-    Observer(Box<dyn std::error::Error + Send + Sync>),
 }
 
 /// Solves `scene`, telling `observer` of every iteration and increment.
@@ -447,7 +404,9 @@ impl<'a, 'o> Run<'a, 'o> {
         before.time = time_before;
         self.previous = (time_before > 0.0).then_some(before);
         let mut timers = self.counters.timers;
-        let state = timers.time(Phase::Recover, || self.state(evaluation));
+        let state = timers.time(Phase::Recover, || {
+            state::state(&self.model, &self.history, &self.point, evaluation)
+        });
         self.counters.timers = timers;
         self.observer
             .increment(&state)
@@ -457,111 +416,6 @@ impl<'a, 'o> Run<'a, 'o> {
         }
         self.last = state;
         Ok(())
-    }
-
-    /// The accepted state in the terms of the scene.
-    fn state(&self, evaluation: &Evaluation) -> State {
-        let (model, point) = (&self.model, &self.point);
-        let displacement = model.displacement(&point.x, point.step, point.time);
-        let (stress, peeq) = self.stresses(&displacement);
-        State {
-            step: point.step,
-            time: point.time,
-            contacts: self.contact_fields(evaluation),
-            planes: self.plane_fields(&displacement),
-            displacement,
-            stress,
-            peeq,
-        }
-    }
-
-    fn stresses(&self, u: &[[f64; 3]]) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
-        let mesh = &self.model.scene.mesh;
-        let model = &self.model;
-        let mut plastic = vec![None; mesh.hexes.len()];
-        for (element, history) in model.yielding.iter().zip(&self.history.plastic) {
-            plastic[*element as usize] = history.as_deref();
-        }
-        (0..mesh.hexes.len())
-            .into_par_iter()
-            .map(|element| {
-                let local = mesh.hexes[element].map(|n| u[n as usize]);
-                let elastic = &model.elastic[mesh.body_of(element)];
-                let points = plastic[element].copied().unwrap_or_default();
-                let shape = model.element(element as u32);
-                let stress = shape.stress(elastic, &local, &points);
-                (stress, points.map(|p| p.peeq))
-            })
-            .unzip()
-    }
-
-    fn contact_fields(&self, evaluation: &Evaluation) -> Vec<ContactField> {
-        let scene = self.model.scene;
-        let mut fields: Vec<ContactField> = scene
-            .contacts
-            .iter()
-            .map(|pair| {
-                let carrier = match pair.carrier {
-                    Side::Upper => &pair.upper,
-                    Side::Lower => &pair.lower,
-                };
-                let nodes = match carrier {
-                    Partner::Surface(name) => scene
-                        .mesh
-                        .surface(name)
-                        .map(|s| s.nodes())
-                        .unwrap_or_default(),
-                    Partner::Plane { .. } => Vec::new(),
-                };
-                ContactField::open(nodes)
-            })
-            .collect();
-        for (index, row) in self.model.rows.iter().enumerate() {
-            let field = &mut fields[row.pair];
-            let Ok(at) = field.nodes.binary_search(&row.row.node) else {
-                continue;
-            };
-            let (answer, d) = (&evaluation.contact[index], &evaluation.relative[index]);
-            let sign = match scene.contacts[row.pair].carrier {
-                Side::Upper => 1.0,
-                Side::Lower => -1.0,
-            };
-            let [pressure, s, t] = answer.traction;
-            field.pressure[at] = pressure;
-            field.gap[at] = -d[0];
-            field.traction[at] = row.global(&[0.0, s, t]).map(|v| sign * v);
-            field.slip[at] = self.history.slip[index];
-            field.status[at] = answer.status as u8;
-            field.area[at] = row.row.area;
-            field.force[at] = row
-                .global(&answer.traction)
-                .map(|v| sign * v * row.row.area);
-        }
-        fields
-    }
-
-    fn plane_fields(&self, u: &[[f64; 3]]) -> Vec<PlaneField> {
-        let (model, point) = (&self.model, &self.point);
-        let planes = model.scene.rigid_planes.iter().zip(&model.all.planes);
-        planes
-            .map(|(plane, equations)| {
-                let node = model
-                    .scene
-                    .mesh
-                    .surface(&plane.surface)
-                    .and_then(|s| s.faces.first());
-                let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
-                let factor = model.factor(&plane.name, point.step, point.time);
-                let held = plane.motion.map(|m| matches!(m, PlaneMotion::Held(_)));
-                let reaction = model.reaction(&self.history.plastic, u, &plane.surface, held);
-                let force =
-                    std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
-                        (PlaneMotion::Driven(load), Some(_)) => factor * load,
-                        _ => reaction[axis],
-                    });
-                PlaneField { travel, force }
-            })
-            .collect()
     }
 
     fn give_up(&self, failure: Failure, step: usize, time: f64, before: usize) -> SolveError {

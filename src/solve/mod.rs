@@ -6,6 +6,7 @@
 
 mod bodies;
 mod driver;
+mod error;
 mod evaluate;
 mod foresight;
 mod line_search;
@@ -14,9 +15,11 @@ mod newton;
 mod observer;
 mod reaction;
 mod start;
+mod state;
 mod timers;
 
-pub use driver::{Solution, SolveError, solve};
+pub use driver::{Solution, solve};
+pub use error::SolveError;
 pub use model::Counters;
 pub use observer::{Iteration, Observer, Silent};
 pub use timers::{Phase, Timers};

@@ -1,7 +1,7 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
 use super::bodies::{self, Bodies, Plan};
-use super::driver::SolveError;
+use super::error::SolveError;
 use super::foresight::Expected;
 use super::timers::Timers;
 use crate::contact::law::Law;

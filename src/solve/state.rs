@@ -1,0 +1,118 @@
+//! An accepted solution in the terms of the scene.
+
+use super::evaluate::{Evaluation, History};
+use super::model::Model;
+use super::newton::Point;
+use crate::results::{ContactField, PlaneField, State};
+use crate::scene::{Partner, PlaneMotion, Side};
+use rayon::prelude::*;
+
+/// The accepted state in the terms of the scene.
+pub fn state(model: &Model, history: &History, point: &Point, evaluation: &Evaluation) -> State {
+    let displacement = model.displacement(&point.x, point.step, point.time);
+    let (stress, peeq) = stresses(model, history, &displacement);
+    State {
+        step: point.step,
+        time: point.time,
+        contacts: contact_fields(model, history, evaluation),
+        planes: plane_fields(model, history, point, &displacement),
+        displacement,
+        stress,
+        peeq,
+    }
+}
+
+fn stresses(
+    model: &Model,
+    history: &History,
+    u: &[[f64; 3]],
+) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
+    let mesh = &model.scene.mesh;
+    let mut plastic = vec![None; mesh.hexes.len()];
+    for (element, history) in model.yielding.iter().zip(&history.plastic) {
+        plastic[*element as usize] = history.as_deref();
+    }
+    (0..mesh.hexes.len())
+        .into_par_iter()
+        .map(|element| {
+            let local = mesh.hexes[element].map(|n| u[n as usize]);
+            let elastic = &model.elastic[mesh.body_of(element)];
+            let points = plastic[element].copied().unwrap_or_default();
+            let shape = model.element(element as u32);
+            let stress = shape.stress(elastic, &local, &points);
+            (stress, points.map(|p| p.peeq))
+        })
+        .unzip()
+}
+
+fn contact_fields(model: &Model, history: &History, evaluation: &Evaluation) -> Vec<ContactField> {
+    let scene = model.scene;
+    let mut fields: Vec<ContactField> = scene
+        .contacts
+        .iter()
+        .map(|pair| {
+            let carrier = match pair.carrier {
+                Side::Upper => &pair.upper,
+                Side::Lower => &pair.lower,
+            };
+            let nodes = match carrier {
+                Partner::Surface(name) => scene
+                    .mesh
+                    .surface(name)
+                    .map(|s| s.nodes())
+                    .unwrap_or_default(),
+                Partner::Plane { .. } => Vec::new(),
+            };
+            ContactField::open(nodes)
+        })
+        .collect();
+    for (index, row) in model.rows.iter().enumerate() {
+        let field = &mut fields[row.pair];
+        let Ok(at) = field.nodes.binary_search(&row.row.node) else {
+            continue;
+        };
+        let (answer, d) = (&evaluation.contact[index], &evaluation.relative[index]);
+        let sign = match scene.contacts[row.pair].carrier {
+            Side::Upper => 1.0,
+            Side::Lower => -1.0,
+        };
+        let [pressure, s, t] = answer.traction;
+        field.pressure[at] = pressure;
+        field.gap[at] = -d[0];
+        field.traction[at] = row.global(&[0.0, s, t]).map(|v| sign * v);
+        field.slip[at] = history.slip[index];
+        field.status[at] = answer.status as u8;
+        field.area[at] = row.row.area;
+        field.force[at] = row
+            .global(&answer.traction)
+            .map(|v| sign * v * row.row.area);
+    }
+    fields
+}
+
+fn plane_fields(
+    model: &Model,
+    history: &History,
+    point: &Point,
+    u: &[[f64; 3]],
+) -> Vec<PlaneField> {
+    let planes = model.scene.rigid_planes.iter().zip(&model.all.planes);
+    planes
+        .map(|(plane, equations)| {
+            let node = model
+                .scene
+                .mesh
+                .surface(&plane.surface)
+                .and_then(|s| s.faces.first());
+            let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
+            let factor = model.factor(&plane.name, point.step, point.time);
+            let held = plane.motion.map(|m| matches!(m, PlaneMotion::Held(_)));
+            let reaction = model.reaction(&history.plastic, u, &plane.surface, held);
+            let force = std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
+                (PlaneMotion::Driven(load), Some(_)) => factor * load,
+                _ => reaction[axis],
+            });
+            PlaneField { travel, force }
+        })
+        .collect()
+}

@@ -85,8 +85,7 @@ impl LinearSolver {
         counters: &mut Counters,
     ) -> Result<Correction, FactorError> {
         let timers = &mut counters.timers;
-        let matrix = timers.time(Phase::Assemble, || model.tangent(evaluation));
-        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
+        let mut matrix = timers.time(Phase::Assemble, || model.tangent(evaluation));
         counters.linear_solves += 1;
         let mut out = Correction {
             dx: vec![0.0; model.dofs.len()],
@@ -100,6 +99,7 @@ impl LinearSolver {
             .as_ref()
             .filter(|_| self.changes(evaluation) <= CHANGES)
         {
+            let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
             let precondition = |x: &mut [f64]| model.symbolic.solve(factor, x);
             let (dx, outcome) = timers.time(Phase::LinearSolve, || {
                 krylov::solve(multiply, precondition, &residual, tolerance, TRIES)
@@ -117,14 +117,18 @@ impl LinearSolver {
             tolerance /= outcome.residual;
             out.dx = dx;
         }
-        let mut shifted = matrix.clone();
-        for start in &model.pattern.columns[..model.pattern.len()] {
-            shifted.values[*start as usize] *= 1.0 + SHIFT;
+        let diagonal = model.pattern.diagonal(&matrix);
+        for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
+            matrix.values[*start as usize] = d * (1.0 + SHIFT);
         }
         let old = self.factor.take();
         let factor = timers.time(Phase::Factorise, || {
-            model.symbolic.factorise(&model.pattern, &shifted, old)
+            model.symbolic.factorise(&model.pattern, &matrix, old)
         })?;
+        for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
+            matrix.values[*start as usize] = *d;
+        }
+        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
         let precondition = |x: &mut [f64]| model.symbolic.solve(&factor, x);
         let (dx, outcome) = timers.time(Phase::LinearSolve, || {
             krylov::solve(multiply, precondition, &residual, tolerance, DIRECTIONS)

@@ -94,6 +94,7 @@ fn contact_rows(bencher: Bencher, across: usize) {
         carrier: surface("cylinder_contact"),
         opposite: Opposite::Surface(surface("block_contact")),
         true_geometry: true,
+        friction: true,
         reach: 1e-3,
         moduli: &[STEEL.youngs_modulus; 2],
         mirrors: &[0],

@@ -47,3 +47,11 @@ pub fn tangents(n: Vec3) -> [Vec3; 2] {
     let first = unit(cross(axis, n)).unwrap_or([1.0, 0.0, 0.0]);
     [first, cross(n, first)]
 }
+
+/// Those of `axes` whose coordinate plane the point `at` lies on, but for rounding.
+pub fn planes_through(axes: &[usize], at: &Vec3) -> impl Iterator<Item = usize> {
+    let size = at.iter().fold(0.0f64, |size, c| size.max(c.abs()));
+    let on = at.map(|c| c.abs() <= 1e-9 * size);
+    let axes = axes.iter().copied();
+    axes.filter(move |axis| *axis < 3 && on[*axis])
+}

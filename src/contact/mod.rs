@@ -9,3 +9,4 @@ pub mod law;
 pub mod mortar;
 pub mod search;
 pub mod segment;
+mod side;

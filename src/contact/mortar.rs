@@ -7,10 +7,10 @@
 //! uniform pressure passes the patch test on meshes that do not match.
 
 use super::search::FacetTree;
-use super::segment::{self, SegmentPoint, View, interpolate};
-use crate::geometry::{Vec3, add, dot, norm, scale, sub, tangents, unit};
-use crate::mesh::shape::{self, Shape};
-use crate::mesh::{Face, Mesh, Surface};
+use super::segment::{SegmentPoint, View};
+use super::side::Side;
+use crate::geometry::{Vec3, add, cross, dot, norm, planes_through, scale, sub, tangents, unit};
+use crate::mesh::{Mesh, Surface};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -21,11 +21,14 @@ pub struct Row {
     pub node: u32,
     /// Area w_A that the node stands for, covered by the other side.
     pub area: f64,
-    /// d_A = Σ coefficient · displacement over nodes of both sides (other side negative).
-    pub terms: Vec<(u32, f64)>,
-    /// Unit normal from the carrier to the other side, and two tangents.
+    /// d_A = Σ coefficient · displacement over nodes of both sides (other side negative), axis by
+    /// axis: across a mirror plane the images of nodes take part, which move the other way.
+    pub terms: Vec<(u32, [f64; 3])>,
+    /// Unit normal from the carrier to the other side.
     pub normal: Vec3,
-    pub tangents: [Vec3; 2],
+    /// Two tangents; `None` without friction. On a mirror plane the one across it is zero: there
+    /// the two halves slide apart by nothing.
+    pub tangents: Option<[Vec3; 2]>,
     /// Initial gap, open positive.
     pub gap: f64,
     /// Stiffness per area of the material next to the contact: the scale of the penalty.
@@ -49,6 +52,8 @@ pub struct Pair<'a> {
     pub opposite: Opposite<'a>,
     /// Replace facets by the cylinder, sphere or plane that they stand for.
     pub true_geometry: bool,
+    /// Does it rub?
+    pub friction: bool,
     /// Rows with a larger initial gap are left out.
     pub reach: f64,
     /// Young's modulus over 1 − ν² of each body.
@@ -57,21 +62,20 @@ pub struct Pair<'a> {
     pub mirrors: &'a [usize],
 }
 
-/// One side's faces with what is needed of them at a quadrature point.
-struct Side<'a> {
-    faces: &'a [Face],
-    corners: Vec<[Vec3; 4]>,
-    normals: Vec<Vec3>,
-    /// Stiffness per area of the element below each face.
-    stiffness: Vec<f64>,
-    shape: Shape,
+impl Pair<'_> {
+    /// The largest gap at a point of a facet that counts: all of the facet does where a row on it
+    /// is within reach, however coarse the mesh.
+    fn farthest(&self, facet: &[Vec3; 4]) -> f64 {
+        let diagonals = [sub(facet[2], facet[0]), sub(facet[3], facet[1])];
+        4.0 * self.reach + diagonals.map(norm).into_iter().fold(0.0, f64::max)
+    }
 }
 
 /// What a facet pair adds to the row of a carrier node.
 #[derive(Default)]
 struct Accumulated {
     area: f64,
-    terms: BTreeMap<u32, f64>,
+    terms: BTreeMap<u32, Vec3>,
     normal: Vec3,
     gap: Vec3,
     stiffness: f64,
@@ -81,12 +85,16 @@ struct Accumulated {
 pub fn rows(pair: &Pair) -> Vec<Row> {
     let carrier = Side::new(pair, pair.carrier);
     let opposite = match pair.opposite {
-        Opposite::Surface(surface) => Some(Side::new(pair, surface)),
+        Opposite::Surface(surface) => {
+            let farthest = carrier.corners.iter().map(|facet| pair.farthest(facet));
+            let farthest = farthest.fold(0.0, f64::max);
+            Some(Side::new(pair, surface).with_images(pair.mirrors, farthest))
+        }
         Opposite::Plane { .. } => None,
     };
     let tree = opposite.as_ref().map(|side| FacetTree::new(&side.corners));
     // In parallel over carrier facets; summed below in their order, whatever the thread count.
-    let pieces: Vec<_> = (0..carrier.faces.len())
+    let pieces: Vec<_> = (0..carrier.nodes.len())
         .into_par_iter()
         .map(|index| match (&pair.opposite, &opposite, &tree) {
             (Opposite::Plane { point, normal }, _, _) => {
@@ -111,7 +119,8 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
 /// A quadrature point with everything that its carrier nodes gather.
 struct Contribution {
     carrier_nodes: [u32; 4],
-    opposite_nodes: Option<[u32; 4]>,
+    /// Nodes of the opposite facet, and the signs of its image.
+    opposite: Option<([u32; 4], Vec3)>,
     point: SegmentPoint,
     gap: Vec3,
     normal: Vec3,
@@ -127,16 +136,17 @@ impl Contribution {
             sum.stiffness += weight * self.stiffness;
             sum.normal = add(sum.normal, scale(self.normal, weight));
             sum.gap = add(sum.gap, scale(self.gap, weight));
+            let mut term = |node: &u32, value: Vec3| {
+                let term = sum.terms.entry(*node).or_default();
+                *term = add(*term, value);
+            };
             for (b, n) in self.carrier_nodes.iter().zip(self.point.carrier) {
-                *sum.terms.entry(*b).or_default() += weight * n;
+                term(b, [weight * n; 3]);
             }
-            for (b, n) in self
-                .opposite_nodes
-                .iter()
-                .flatten()
-                .zip(self.point.opposite)
-            {
-                *sum.terms.entry(*b).or_default() -= weight * n;
+            if let Some((nodes, signs)) = &self.opposite {
+                for (b, n) in nodes.iter().zip(self.point.opposite) {
+                    term(b, scale(*signs, -weight * n));
+                }
             }
         }
     }
@@ -144,15 +154,11 @@ impl Contribution {
 
 impl Accumulated {
     fn finish(self, node: u32, pair: &Pair) -> Option<Row> {
+        let at = &pair.mesh.points[node as usize];
+        let mirrors: Vec<usize> = planes_through(pair.mirrors, at).collect();
         let mut normal = self.normal;
-        for &axis in pair.mirrors {
-            // On a mirror plane the other half turns the mean normal into the plane.
-            let x = pair.mesh.points[node as usize];
-            let size = x.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-            if x[axis].abs() <= 1e-9 * size {
-                normal[axis] = 0.0;
-            }
-        }
+        // On a mirror plane the other half turns the mean normal into the plane.
+        mirrors.iter().for_each(|axis| normal[*axis] = 0.0);
         let normal = unit(normal)?;
         if self.area <= 0.0 {
             return None;
@@ -164,60 +170,27 @@ impl Accumulated {
             terms: self
                 .terms
                 .into_iter()
-                .map(|(n, c)| (n, c / self.area))
+                .map(|(n, c)| (n, c.map(|c| c / self.area)))
                 .collect(),
             normal,
-            tangents: tangents(normal),
+            tangents: pair.friction.then(|| free_tangents(normal, &mirrors)),
             gap,
             stiffness: self.stiffness / self.area,
         })
     }
 }
 
-impl<'a> Side<'a> {
-    fn new(pair: &Pair, surface: &'a Surface) -> Self {
-        let mesh = pair.mesh;
-        let corners: Vec<[Vec3; 4]> = surface
-            .faces
-            .iter()
-            .map(|f| f.nodes.map(|n| mesh.points[n as usize]))
-            .collect();
-        let normals = corners
-            .iter()
-            .map(|c| segment::normal(c).unwrap_or_default())
-            .collect();
-        let stiffness = surface.faces.iter().zip(&corners).map(|(face, corners)| {
-            let thickness = depth(mesh, face, corners);
-            pair.moduli[mesh.body_of(face.element as usize)] / thickness
-        });
-        Self {
-            faces: &surface.faces,
-            stiffness: stiffness.collect(),
-            corners,
-            normals,
-            shape: if pair.true_geometry {
-                shape::fit(mesh, surface)
-            } else {
-                Shape::Facets
-            },
+/// Tangents of a node on the planes of `mirrors`: it moves within them only.
+fn free_tangents(normal: Vec3, mirrors: &[usize]) -> [Vec3; 2] {
+    match mirrors {
+        [] => tangents(normal),
+        [axis] => {
+            let mut across = [0.0; 3];
+            across[*axis] = 1.0;
+            [cross(across, normal), [0.0; 3]]
         }
+        _ => [[0.0; 3]; 2],
     }
-
-    /// True position and outward normal at shape functions `n` of face `index`.
-    fn at(&self, index: usize, n: &[f64; 4]) -> (Vec3, Vec3) {
-        let point = interpolate(&self.corners[index], n);
-        self.shape
-            .project(point)
-            .unwrap_or((point, self.normals[index]))
-    }
-}
-
-/// Depth of the element below a face: its volume over the face's area.
-fn depth(mesh: &Mesh, face: &Face, corners: &[Vec3; 4]) -> f64 {
-    let geometry = crate::fem::hex8::Geometry::new(&mesh.corners(face.element as usize));
-    let diagonals =
-        crate::geometry::cross(sub(corners[2], corners[0]), sub(corners[3], corners[1]));
-    geometry.volume / (0.5 * crate::geometry::norm(diagonals))
 }
 
 /// The facet is projected along the mean normal of both sides, found in a few passes: seen so, two
@@ -231,14 +204,19 @@ fn facet_on_surface(
 ) -> Vec<Contribution> {
     const PASSES: usize = 4;
     const SAME: f64 = 1e-10;
+    let (corners, normal) = (&carrier.corners[index], carrier.normals[index]);
+    let farthest = pair.farthest(corners);
     let facet = Facing {
         index,
-        others: tree.near(&carrier.corners[index], pair.reach),
+        others: tree.near(
+            corners,
+            normal.map(|n| farthest * n.abs() + 0.1 * pair.reach),
+        ),
         carrier,
         opposite,
     };
-    let mut direction = carrier.normals[index];
-    let mut out = facet.project(direction, pair.reach);
+    let mut direction = normal;
+    let mut out = facet.project(direction, farthest);
     for _ in 1..PASSES {
         let sum = out
             .iter()
@@ -248,7 +226,7 @@ fn facet_on_surface(
             break;
         }
         direction = mean;
-        out = facet.project(direction, pair.reach);
+        out = facet.project(direction, farthest);
     }
     out
 }
@@ -257,13 +235,13 @@ fn facet_on_surface(
 struct Facing<'a> {
     index: usize,
     others: Vec<usize>,
-    carrier: &'a Side<'a>,
-    opposite: &'a Side<'a>,
+    carrier: &'a Side,
+    opposite: &'a Side,
 }
 
 impl Facing<'_> {
     /// What the facet gathers when projected along `direction`.
-    fn project(&self, direction: Vec3, reach: f64) -> Vec<Contribution> {
+    fn project(&self, direction: Vec3, farthest: f64) -> Vec<Contribution> {
         let (carrier, opposite, index) = (self.carrier, self.opposite, self.index);
         let normal = carrier.normals[index];
         let mut out = Vec::new();
@@ -279,12 +257,12 @@ impl Facing<'_> {
                 let (xs, ns) = carrier.at(index, &point.carrier);
                 let (xm, nm) = opposite.at(other, &point.opposite);
                 let gap = sub(xm, xs);
-                if dot(gap, normal).abs() > 4.0 * reach {
+                if dot(gap, normal).abs() > farthest {
                     continue;
                 }
                 out.push(Contribution {
-                    carrier_nodes: carrier.faces[index].nodes,
-                    opposite_nodes: Some(opposite.faces[other].nodes),
+                    carrier_nodes: carrier.nodes[index],
+                    opposite: Some((opposite.nodes[other], opposite.signs[other])),
                     point,
                     gap,
                     normal: sub(ns, nm),
@@ -304,6 +282,7 @@ fn facet_on_plane(
     normal: Vec3,
 ) -> Vec<Contribution> {
     let facing = carrier.normals[index];
+    let farthest = pair.farthest(&carrier.corners[index]);
     if dot(facing, normal) > -0.3 {
         return Vec::new();
     }
@@ -311,12 +290,12 @@ fn facet_on_plane(
     for point in View::new(&carrier.corners[index], facing, facing).whole() {
         let (x, _) = carrier.at(index, &point.carrier);
         let distance = dot(sub(x, origin), normal);
-        if distance.abs() > 4.0 * pair.reach {
+        if distance.abs() > farthest {
             continue;
         }
         out.push(Contribution {
-            carrier_nodes: carrier.faces[index].nodes,
-            opposite_nodes: None,
+            carrier_nodes: carrier.nodes[index],
+            opposite: None,
             point,
             gap: scale(normal, -distance),
             normal: scale(normal, -1.0),

@@ -1,6 +1,6 @@
 //! Which facets of two surfaces may overlap: an R-tree of facet boxes.
 
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, add, sub};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
@@ -21,11 +21,11 @@ impl FacetTree {
         }
     }
 
-    /// Indices of the facets whose boxes come within `distance` of the box of `corners`,
-    /// ascending.
-    pub fn near(&self, corners: &[Vec3; 4], distance: f64) -> Vec<usize> {
+    /// Indices of the facets whose boxes come within `distance`, axis by axis, of the box of
+    /// `corners`, ascending.
+    pub fn near(&self, corners: &[Vec3; 4], distance: Vec3) -> Vec<usize> {
         let (low, high) = bounds(corners);
-        let envelope = AABB::from_corners(low.map(|v| v - distance), high.map(|v| v + distance));
+        let envelope = AABB::from_corners(sub(low, distance), add(high, distance));
         let mut found: Vec<usize> = self
             .tree
             .locate_in_envelope_intersecting(envelope)

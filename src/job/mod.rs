@@ -167,7 +167,7 @@ fn elastic_peaks(
         return None;
     }
     let state = reported(&solution);
-    let recovered = recover(&elastic.mesh, state);
+    let recovered = recover(&elastic, state);
     Some(peaks(&elastic, state, &recovered))
 }
 
@@ -188,7 +188,7 @@ fn summarise(
     timing: Timing,
 ) -> Result<Summary, JobError> {
     let state = reported(solution);
-    let recovered = recover(&scene.mesh, state);
+    let recovered = recover(scene, state);
     let units = case.units;
     let mut inputs = SummaryInputs {
         case: &case.title,

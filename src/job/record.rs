@@ -49,7 +49,7 @@ impl Observer for Recorder<'_> {
     fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         let start = Instant::now();
         if let Some(series) = &mut self.series {
-            series.write(&self.scene, state, &recover(&self.scene.mesh, state))?;
+            series.write(&self.scene, state, &recover(&self.scene, state))?;
         }
         self.seconds += start.elapsed().as_secs_f64();
         self.inner.increment(state)

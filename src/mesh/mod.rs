@@ -11,6 +11,7 @@ pub mod quality;
 pub mod shape;
 pub mod split;
 pub mod surface;
+pub mod unfold;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.
 ///

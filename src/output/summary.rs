@@ -194,7 +194,8 @@ pub struct InterfaceSummary {
     pub penetration_per_element: Option<f64>,
     pub area: f64,
     pub half_width: Option<f64>,
-    pub max_slip: f64,
+    /// Not measured without friction.
+    pub max_slip: Option<f64>,
     pub status_counts: StatusCounts,
     pub q: Option<LineLoadSummary>,
 }
@@ -382,7 +383,7 @@ fn interface_summary(
                 &strip,
             )
         }),
-        max_slip: measured.max_slip,
+        max_slip: (scene.contacts[pair].friction > 0.0).then_some(measured.max_slip),
         status_counts: measured.status_counts,
         q: slices
             .and_then(|s| line_load(scene, state, pair, &s))

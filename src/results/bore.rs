@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Vector3};
 
 use super::State;
-use super::hex::distance;
 use super::load::{direction, face_corners};
 use super::quad::{area_vector, corner, cross, derivatives, dot, norm, sub};
 use super::recovery::Recovered;
@@ -192,13 +191,8 @@ fn surface_strains(
         sum.axial /= sum.faces;
         sum.shear /= sum.faces;
         // The mirrored faces bring the opposite shear.
-        let at = scene.mesh.points[*node as usize];
-        let size = distance(at, [0.0; 3]);
-        if scene
-            .mirrors
-            .iter()
-            .any(|axis| *axis < 3 && at[*axis].abs() <= 1e-9 * size)
-        {
+        let at = &scene.mesh.points[*node as usize];
+        if scene.mirrors_through(at).next().is_some() {
             sum.shear = 0.0;
         }
     }

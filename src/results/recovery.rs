@@ -6,6 +6,10 @@ use super::State;
 use super::hex::GaussRule;
 use super::tensor::{mean, mises};
 use crate::mesh::Mesh;
+use crate::scene::Scene;
+
+/// Components of the stress whose sign a mirror along each axis turns.
+const SHEARS: [[usize; 2]; 3] = [[3, 5], [3, 4], [4, 5]];
 
 /// No body: the owner of a node that no element uses.
 const NOBODY: u32 = u32::MAX;
@@ -76,11 +80,19 @@ pub struct Recovered {
     pub volumes: Vec<[f64; 8]>,
 }
 
-/// Recovers the fields of `state` on `mesh`; `state` has passed [`State::check`].
-pub fn recover(mesh: &Mesh, state: &State) -> Recovered {
+/// Recovers the fields of `state` on the mesh of `scene`; `state` has passed [`State::check`].
+pub fn recover(scene: &Scene, state: &State) -> Recovered {
+    let mesh = &scene.mesh;
     let rule = GaussRule::new();
     let points = BodyPoints::new(mesh);
-    let nodal_stress = nodal_average(&rule, &points, state);
+    let mut nodal_stress = nodal_average(&rule, &points, state);
+    for (stress, node) in nodal_stress.iter_mut().zip(&points.node) {
+        // The mirrored elements bring the opposite shear.
+        for axis in scene.mirrors_through(&mesh.points[*node as usize]) {
+            let [one, other] = SHEARS[axis];
+            (stress[one], stress[other]) = (0.0, 0.0);
+        }
+    }
     Recovered {
         mises_nodal: nodal_stress.iter().map(mises).collect(),
         nodal_stress,

@@ -3,6 +3,7 @@
 //! A scene knows nothing of bearings, case files or units: all numbers are in one consistent
 //! unit system, whatever it is.
 
+use crate::geometry::planes_through;
 use crate::material::Steel;
 use crate::mesh::Mesh;
 
@@ -21,6 +22,13 @@ pub struct Scene {
     /// Axes (0, 1, 2) that the model is mirrored along: `[0, 1]` is a quarter model.
     pub mirrors: Vec<usize>,
     pub controls: Controls,
+}
+
+impl Scene {
+    /// Axes whose mirror plane the point `at` of the mesh lies on.
+    pub fn mirrors_through(&self, at: &[f64; 3]) -> impl Iterator<Item = usize> {
+        planes_through(&self.mirrors, at)
+    }
 }
 
 /// Two surfaces, or a surface and a rigid plane, that may touch.

@@ -89,7 +89,7 @@ impl Model<'_> {
             let force = row.global(&answer.traction).map(|t| t * row.row.area);
             for (node, coefficient) in &row.row.terms {
                 for axis in 0..3 {
-                    nodal[*node as usize][axis] -= coefficient * force[axis];
+                    nodal[*node as usize][axis] -= coefficient[axis] * force[axis];
                 }
             }
         }
@@ -184,49 +184,50 @@ impl Model<'_> {
 impl super::model::ContactRow {
     /// Local components (normal, two tangents) as a vector.
     pub fn global(&self, local: &[f64; 3]) -> [f64; 3] {
-        let (n, [s, t]) = (self.row.normal, self.row.tangents);
-        std::array::from_fn(|i| local[0] * n[i] + local[1] * s[i] + local[2] * t[i])
+        let pressure = self.row.normal.map(|n| local[0] * n);
+        let Some([s, t]) = self.row.tangents else {
+            return pressure;
+        };
+        std::array::from_fn(|i| pressure[i] + local[1] * s[i] + local[2] * t[i])
     }
 
-    /// Relative displacement of the two sides at the row, in local components.
+    /// Relative displacement of the two sides at the row, in local components; without friction
+    /// only the first is sought.
     pub fn relative(&self, u: &[[f64; 3]]) -> [f64; 3] {
         let mut d = [0.0; 3];
         for (node, coefficient) in &self.row.terms {
             for axis in 0..3 {
-                d[axis] += coefficient * u[*node as usize][axis];
+                d[axis] += coefficient[axis] * u[*node as usize][axis];
             }
         }
         use crate::geometry::dot;
-        [
-            dot(d, self.row.normal),
-            dot(d, self.row.tangents[0]),
-            dot(d, self.row.tangents[1]),
-        ]
+        let [s, t] = (self.row.tangents).map_or([0.0; 2], |tangents| tangents.map(|t| dot(d, t)));
+        [dot(d, self.row.normal), s, t]
     }
 
     /// Adds area · Cᵀ E C with the law's tangent E.
     fn add_stiffness(&self, model: &Model, answer: &Answer, matrix: &mut SymmetricMatrix) {
-        let frame = [self.row.normal, self.row.tangents[0], self.row.tangents[1]];
-        let e = &answer.tangent;
-        let mut global = [[0.0; 3]; 3];
-        for (i, row) in global.iter_mut().enumerate() {
-            for (j, value) in row.iter_mut().enumerate() {
-                *value = e[0][0] * frame[0][i] * frame[0][j];
-                for a in 1..3 {
-                    for b in 1..3 {
-                        *value += e[a][b] * frame[a][i] * frame[b][j];
+        let (n, e) = (self.row.normal, &answer.tangent);
+        let mut global = n.map(|i| n.map(|j| e[0][0] * i * j));
+        if let Some(frame) = self.row.tangents {
+            for a in 0..2 {
+                for b in 0..2 {
+                    for i in 0..3 {
+                        for j in 0..3 {
+                            global[i][j] += e[1 + a][1 + b] * frame[a][i] * frame[b][j];
+                        }
                     }
                 }
-                *value *= self.row.area;
             }
         }
+        let global = global.map(|row| row.map(|v| self.row.area * v));
         let terms = &self.row.terms;
         let equations: Vec<u32> = terms
             .iter()
             .flat_map(|(n, _)| model.dofs.equations[*n as usize])
             .collect();
         model.pattern.add_block(matrix, &equations, |i, j| {
-            terms[i / 3].1 * terms[j / 3].1 * global[i % 3][j % 3]
+            terms[i / 3].1[i % 3] * terms[j / 3].1[j % 3] * global[i % 3][j % 3]
         });
     }
 }

@@ -14,7 +14,7 @@ use crate::linear::krylov::norm;
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
-use crate::scene::{Partner, PlaneMotion, Scene, Side, Step};
+use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, Step};
 
 /// Penalty over the stiffness of the material next to the contact, at a user factor of one.
 ///
@@ -301,11 +301,7 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
         .collect();
     let mut all = Vec::new();
     for (index, pair) in scene.contacts.iter().enumerate() {
-        let (carrier, other) = match pair.carrier {
-            Side::Upper => (&pair.upper, &pair.lower),
-            Side::Lower => (&pair.lower, &pair.upper),
-        };
-        let rows = pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
+        let rows = pair_rows(scene, pair, reach, &moduli);
         all.extend(rows.into_iter().map(|row| ContactRow {
             law: Law {
                 friction: pair.friction,
@@ -320,15 +316,12 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
 }
 
 /// Rows of one pair.
-pub fn pair_rows(
-    scene: &Scene,
-    carrier: &Partner,
-    other: &Partner,
-    true_geometry: bool,
-    reach: f64,
-    moduli: &[f64],
-) -> Vec<Row> {
+pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) -> Vec<Row> {
     let mesh = &scene.mesh;
+    let (carrier, other) = match pair.carrier {
+        Side::Upper => (&pair.upper, &pair.lower),
+        Side::Lower => (&pair.lower, &pair.upper),
+    };
     let Partner::Surface(carrier) = carrier else {
         return Vec::new();
     };
@@ -346,7 +339,8 @@ pub fn pair_rows(
         mesh,
         carrier,
         opposite,
-        true_geometry,
+        true_geometry: pair.true_geometry,
+        friction: pair.friction > 0.0,
         reach,
         moduli,
         mirrors: &scene.mirrors,

@@ -10,7 +10,7 @@
 
 use super::model;
 use crate::geometry::{Vec3, dot, scale, unit};
-use crate::scene::{Partner, PlaneMotion, Scene, Side};
+use crate::scene::{Partner, PlaneMotion, Scene};
 
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
@@ -159,15 +159,11 @@ fn nearest_floating(scene: &Scene, placed: &[bool], direction: Vec3) -> Option<(
 
 /// Distance along the load until the two sides touch.
 fn way_to_touch(scene: &Scene, pair: &crate::scene::ContactPair, direction: Vec3) -> Option<f64> {
-    let (carrier, other) = match pair.carrier {
-        Side::Upper => (&pair.upper, &pair.lower),
-        Side::Lower => (&pair.lower, &pair.upper),
-    };
     let moduli = vec![1.0; scene.materials.len()];
     let whole = extent(scene);
     let mut reach = 1e-3 * whole;
     while reach < 2.0 * whole {
-        let rows = model::pair_rows(scene, carrier, other, pair.true_geometry, reach, &moduli);
+        let rows = model::pair_rows(scene, pair, reach, &moduli);
         if let Some(row) = rows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)) {
             let lean = dot(row.normal, direction).abs();
             return (lean > 0.1).then(|| row.gap / lean);

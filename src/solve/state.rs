@@ -3,6 +3,7 @@
 use super::evaluate::{Evaluation, History};
 use super::model::Model;
 use super::newton::Point;
+use crate::material::j2::PlasticPoint;
 use crate::results::{ContactField, PlaneField, State};
 use crate::scene::{Partner, PlaneMotion, Side};
 use rayon::prelude::*;
@@ -28,19 +29,29 @@ fn stresses(
     u: &[[f64; 3]],
 ) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
     let mesh = &model.scene.mesh;
+    let stress_of = |element: usize, points: &[PlasticPoint; 8]| {
+        let local = mesh.hexes[element].map(|n| u[n as usize]);
+        let elastic = &model.elastic[mesh.body_of(element)];
+        let shape = model.element(element as u32);
+        shape.stress(elastic, &local, points)
+    };
+    let elements = (0..mesh.hexes.len()).into_par_iter();
+    if history.plastic.iter().all(Option::is_none) {
+        // Nothing has yielded: no plastic strain is put out.
+        let virgin = [PlasticPoint::default(); 8];
+        return (
+            elements.map(|e| stress_of(e, &virgin)).collect(),
+            Vec::new(),
+        );
+    }
     let mut plastic = vec![None; mesh.hexes.len()];
     for (element, history) in model.yielding.iter().zip(&history.plastic) {
         plastic[*element as usize] = history.as_deref();
     }
-    (0..mesh.hexes.len())
-        .into_par_iter()
+    elements
         .map(|element| {
-            let local = mesh.hexes[element].map(|n| u[n as usize]);
-            let elastic = &model.elastic[mesh.body_of(element)];
             let points = plastic[element].copied().unwrap_or_default();
-            let shape = model.element(element as u32);
-            let stress = shape.stress(elastic, &local, &points);
-            (stress, points.map(|p| p.peeq))
+            (stress_of(element, &points), points.map(|p| p.peeq))
         })
         .unzip()
 }

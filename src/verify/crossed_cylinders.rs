@@ -23,7 +23,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     let hertz = EllipticContact::crossed_cylinders(LOAD, RADII, compliance)?;
     let run = pressed(&hertz, 6.0)?;
     let (pressure, at) = peak_pressure(&run)?;
-    let recovered = recover(&run.scene.mesh, run.state());
+    let recovered = recover(&run.scene, run.state());
     let mises = recovered.mises_nodal.iter().copied().fold(0.0, f64::max);
     let deep = EllipseField::below(&hertz, POISSON)?.peak_mises_on_axis();
     let p0 = Claim::relative(

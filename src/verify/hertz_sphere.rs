@@ -22,7 +22,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     let run = pressed(&hertz, 6.0)?;
     let (pressure, _) = peak_pressure(&run)?;
     let deep = SphereField::below(&hertz, POISSON)?.peak_mises_on_axis();
-    let recovered = recover(&run.scene.mesh, run.state());
+    let recovered = recover(&run.scene, run.state());
     let nodal = recovered.mises_nodal.iter().copied().fold(0.0, f64::max);
     let p0 = Claim::relative(
         "sphere on a rigid flat, h/a = 1/6: p0, MPa",

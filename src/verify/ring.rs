@@ -150,7 +150,7 @@ impl Case {
             surface: "x_min".into(),
             axis: 2,
         };
-        let recovered = recover(&self.run.scene.mesh, self.run.state());
+        let recovered = recover(&self.run.scene, self.run.state());
         let stress = bore_stress(&self.run.scene, self.run.state(), &recovered, &bore)
             .ok_or(VerifyError::Missing("bore"))?;
         let mises = stress.mises.ok_or(VerifyError::Missing("bore stress"))?;

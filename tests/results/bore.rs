@@ -89,7 +89,7 @@ fn even_strains_of_the_bore_are_exact_and_turns_are_none() {
                 1e-3 * dz - turn * dx - 0.3,
             ]
         });
-        let recovered = recover(&scene.mesh, &state);
+        let recovered = recover(&scene, &state);
         let stress = bore_stress(&scene, &state, &recovered, &bore()).unwrap();
         close(stress.mises.unwrap(), plane_mises(1e-3, -4e-4));
         close(stress.nodal.unwrap(), 40.0);
@@ -101,7 +101,7 @@ fn shear_of_the_bore_counts_once_and_vanishes_on_mirror_planes() {
     let scene = roller(24, false);
     let twist = |[x, y, z]: [f64; 3]| [1e-3 * y * (z - 2.0), 0.0, -1e-3 * y * (x - 1.0)];
     let state = moved(&scene, twist);
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let stress = bore_stress(&scene, &state, &recovered, &bore()).unwrap();
     let shear_modulus = STEEL.youngs_modulus / (2.0 * (1.0 + STEEL.poissons_ratio));
     // The facets' middle lies a little inside the circle that the nodes lie on.
@@ -112,7 +112,7 @@ fn shear_of_the_bore_counts_once_and_vanishes_on_mirror_planes() {
     let state = moved(&scene, |[x, y, z]| {
         [1e-3 * y * (z - 2.0), 0.0, -1e-3 * y * x]
     });
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let stress = bore_stress(&scene, &state, &recovered, &bore()).unwrap();
     assert!(stress.mises.unwrap() < 0.1 * expected);
 }
@@ -131,7 +131,7 @@ fn the_strain_of_a_bent_ring_converges_to_second_order() {
             let u = |i: usize| radial * outward[i] + along * forward[i];
             [u(0), 0.0, u(1)]
         });
-        let recovered = recover(&scene.mesh, &state);
+        let recovered = recover(&scene, &state);
         let stress = bore_stress(&scene, &state, &recovered, &bore()).unwrap();
         let exact = plane_mises((1e-3 - 8e-4) / INNER, 0.0);
         (stress.mises.unwrap() / exact - 1.0).abs()
@@ -147,7 +147,7 @@ fn a_bore_that_yields_has_no_elastic_stress() {
     let mut state = moved(&scene, |p| p.map(|x| 1e-3 * x));
     let face = scene.mesh.surface("roller_u-").unwrap().faces[0];
     state.peeq[face.element as usize][0] = 1e-6;
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let stress = bore_stress(&scene, &state, &recovered, &bore()).unwrap();
     assert_eq!((stress.mises, stress.mises_at), (None, None));
     close(stress.nodal.unwrap(), 40.0);
@@ -157,7 +157,7 @@ fn a_bore_that_yields_has_no_elastic_stress() {
 fn a_bore_that_the_mesh_lacks_is_not_read() {
     let scene = roller(24, true);
     let state = moved(&scene, |_| [0.0; 3]);
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let missing = Bore {
         surface: "nowhere".to_string(),
         ..bore()

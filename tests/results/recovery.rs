@@ -6,8 +6,10 @@ use brinell::results::peaks::{Place, peaks};
 use brinell::results::recovery::recover;
 use brinell::results::strain::largest_strain;
 use brinell::results::tensor::mises;
+use brinell::scene::Scene;
 
-/// A stress field that is trilinear in position: exactly recovered on boxes.
+/// A stress field that is trilinear in position, and symmetric about x = 0 and y = 0: exactly
+/// recovered on boxes.
 fn trilinear(p: [f64; 3]) -> [f64; 6] {
     let [x, y, z] = p;
     [
@@ -15,7 +17,7 @@ fn trilinear(p: [f64; 3]) -> [f64; 6] {
         2.0 * y - 3.0 * x * z,
         -40.0 + 5.0 * z,
         0.5 * x * y,
-        1.0 + y * z,
+        y * (1.0 + z),
         x * y * z,
     ]
 }
@@ -25,7 +27,7 @@ fn a_trilinear_stress_is_recovered_at_every_node() {
     let scene = stack();
     let mut state = pressed(&scene);
     fill_stress(&scene, &mut state, trilinear);
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     assert_eq!(recovered.nodal_stress.len(), scene.mesh.points.len());
     for (stress, point) in recovered.nodal_stress.iter().zip(&scene.mesh.points) {
         stress
@@ -47,7 +49,7 @@ fn a_trilinear_stress_is_recovered_at_every_node() {
 #[test]
 fn volumes_are_those_of_the_bodies() {
     let scene = stack();
-    let recovered = recover(&scene.mesh, &pressed(&scene));
+    let recovered = recover(&scene, &pressed(&scene));
     let of_body = |b: usize| -> f64 {
         scene.mesh.bodies[b]
             .elements
@@ -81,6 +83,7 @@ fn stresses_are_not_averaged_across_bodies_that_share_nodes() {
             .filter(|n| **n == from)
             .for_each(|n| *n = to);
     }
+    let scene = Scene { mesh, ..stack() };
     let state = State {
         stress: vec![
             [[7.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 8],
@@ -88,7 +91,7 @@ fn stresses_are_not_averaged_across_bodies_that_share_nodes() {
         ],
         ..State::default()
     };
-    let recovered = recover(&mesh, &state);
+    let recovered = recover(&scene, &state);
     assert_eq!(recovered.points.node.len(), 20);
     assert_eq!(recovered.points.node[16..], [1, 3, 5, 7]);
     assert_eq!(recovered.points.body_of(16), Some(1));
@@ -112,7 +115,7 @@ fn peaks_are_found_per_body_and_ties_go_to_the_lowest_index() {
     state.stress[third][5] = [0.0, 0.0, -130.0, 0.0, 0.0, 0.0];
     state.peeq[third][5] = 1e-3;
     state.peeq[third][6] = 2e-3;
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let [block, plate] = peaks(&scene, &state, &recovered).try_into().unwrap();
     assert_eq!(block.name, "block");
     assert_eq!(block.centroid.map(|p| p.place), Some(Place::Element(0)));
@@ -168,14 +171,14 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
     let mut scene = stack();
     // A square block on a larger plate is singular along its edges at x = 0.5 and y = 1.
     let mut state = pressed(&scene);
-    let all = recover(&scene.mesh, &state);
+    let all = recover(&scene, &state);
     let touches = |scene: &brinell::scene::Scene, state: &State, at: [f64; 3], body: usize| {
         let mut stress = state.clone();
         fill_stress(scene, &mut stress, |p| {
             let d: f64 = (0..3).map(|i| (p[i] - at[i]).powi(2)).sum();
             [100.0 / (0.01 + d), 0.0, 0.0, 0.0, 0.0, 0.0]
         });
-        let recovered = recover(&scene.mesh, &stress);
+        let recovered = recover(scene, &stress);
         let peak = peaks(scene, &stress, &recovered)[body].nodal.unwrap();
         LoadedEdges::find(scene, state).touches(&scene.mesh, state, &peak)
     };

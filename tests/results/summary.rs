@@ -12,7 +12,7 @@ use brinell::scene::Scene;
 use serde_json::Value;
 
 fn summarise(scene: &Scene, state: &State) -> Summary {
-    let recovered = recover(&scene.mesh, state);
+    let recovered = recover(scene, state);
     let elastic = peaks(scene, state, &recovered);
     let comparison = [Comparison {
         what: "Mises, centroid, ksi".to_string(),

@@ -209,7 +209,7 @@ fn check_contacts(found: &Value, state: &State) {
 #[test]
 fn a_series_opens_with_every_array_part_and_time() {
     let (scene, mut state) = loaded();
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
     let mut series = Series::new(folder.path().join("out"), "a case/1");
     state.time = 0.1;
@@ -248,7 +248,7 @@ fn a_series_opens_with_every_array_part_and_time() {
 #[test]
 fn a_resumed_series_goes_on_from_its_state() {
     let (scene, mut state) = loaded();
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
     let mut series = Series::new(folder.path(), "case");
     for time in [0.25, 0.5, 0.75] {
@@ -301,7 +301,7 @@ fn bodies_that_share_nodes_are_written_apart() {
         ],
         ..State::default()
     };
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("shared.vtu");
     fields::bodies(&scene, &state, &recovered)
@@ -363,7 +363,7 @@ fn arrays_of_awkward_lengths_survive() {
 #[test]
 fn a_place_that_cannot_be_written_is_named_and_left_as_it_was() {
     let (scene, state) = loaded();
-    let recovered = recover(&scene.mesh, &state);
+    let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
     let blocked = folder.path().join("blocked");
     std::fs::write(&blocked, "not a folder").unwrap();

@@ -4,3 +4,4 @@ mod blocks;
 mod centre;
 mod invariance;
 mod reaction;
+mod symmetry;

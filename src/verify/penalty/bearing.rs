@@ -33,7 +33,7 @@ fn centre_case() -> Result<Scene, JobError> {
 /// The largest over bodies or interfaces, and the line load in its slices.
 pub fn figures(run: &Run) -> Result<Figures, VerifyError> {
     let (scene, state) = (&run.scene, run.state());
-    let bodies = peaks(scene, state, &recover(&scene.mesh, state));
+    let bodies = peaks(scene, state, &recover(scene, state));
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let mut pressures = interfaces(scene, state).into_iter().map(|i| i.max_pressure);
     let mut mises = bodies

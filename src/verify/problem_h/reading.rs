@@ -57,7 +57,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
         |s| s.pressure,
         |s| Ok(hertz(s.at[0])),
     )?;
-    let recovered = recover(&scene.mesh, state);
+    let recovered = recover(scene, state);
     let bodies = peaks(scene, state, &recovered);
     let of = |name: &str| {
         bodies

@@ -28,6 +28,9 @@ pub struct RunArgs {
     /// Keep every body elastic.
     #[arg(long)]
     pub elastic: bool,
+    /// Say for each thing left out what that saved.
+    #[arg(long)]
+    pub explain: bool,
     /// Print the tables only.
     #[arg(long, short)]
     pub quiet: bool,
@@ -54,7 +57,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
     console.finish();
     match result {
         Ok(outcome) => {
-            say(&table::render(&outcome.summary));
+            say(&table::render(&outcome.summary, args.explain));
             say(&timer_table(&outcome.solution.counters));
             if let Some(out) = &options.out {
                 say(&format!("written to {}", out.display()));

@@ -120,7 +120,7 @@ pub fn run_on(
         solve_s,
         total_s: start.elapsed().as_secs_f64(),
     };
-    let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing)?;
+    let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing, options)?;
     if let Some(out) = &options.out {
         summary.write(&out.join(SUMMARY))?;
     }
@@ -186,6 +186,7 @@ fn summarise(
     solution: &Solution,
     elastic: Option<&[BodyPeaks]>,
     timing: Timing,
+    options: &Options,
 ) -> Result<Summary, JobError> {
     let state = reported(solution);
     let recovered = recover(scene, state);
@@ -214,7 +215,7 @@ fn summarise(
         },
         comparison: &[],
         assumptions: &assumptions(case),
-        left_out: &left_out::list(case, scene, solution),
+        left_out: &left_out::list(case, scene, solution, options),
     };
     let bare = Summary::new(&inputs)?;
     let comparison = compare::rows(case, scene, &bare)?;

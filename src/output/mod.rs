@@ -7,6 +7,7 @@ pub mod encode;
 pub mod fields;
 pub mod file;
 pub mod grid;
+pub mod left_out;
 pub mod pvd;
 pub mod series;
 pub mod summary;

@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::{Serialize, Serializer};
 
 use super::file::{OutputError, write_atomically};
+use super::left_out::LeftOut;
 use super::units::UnitLabels;
 use super::warnings::{Warning, warnings};
 use crate::results::State;
@@ -44,7 +45,7 @@ pub struct SummaryInputs<'a> {
     pub checks: Checks,
     pub comparison: &'a [Comparison],
     pub assumptions: &'a [String],
-    pub left_out: &'a [String],
+    pub left_out: &'a [LeftOut],
 }
 
 /// What to measure at an interface beyond its scalars.
@@ -235,7 +236,7 @@ pub struct Summary {
     pub checks: Checks,
     pub comparison: Vec<Comparison>,
     pub assumptions: Vec<String>,
-    pub left_out: Vec<String>,
+    pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::left_out::{LeftOut, Saving};
 use super::summary::{BodySummary, Checks, Figure, InterfaceSummary, Summary, Three};
 use super::text::{Columns, percent, place, significant};
 
@@ -9,8 +10,9 @@ use super::text::{Columns, percent, place, significant};
 const DIGITS: usize = 4;
 const SINGULAR_DIGITS: usize = 2;
 
-/// The whole table, in the units of the case, every line ended.
-pub fn render(summary: &Summary) -> String {
+/// The whole table, in the units of the case, every line ended; with `explain` it says what was
+/// saved by each thing left out.
+pub fn render(summary: &Summary, explain: bool) -> String {
     let sections = [
         header(summary),
         bodies(summary),
@@ -20,7 +22,7 @@ pub fn render(summary: &Summary) -> String {
         line_loads(summary),
         checks(&summary.checks),
         list("Assumed", summary.assumptions.iter()),
-        list("Left out", summary.left_out.iter()),
+        left_out(&summary.left_out, explain),
         list("Warnings", summary.warnings.iter().map(|w| &w.0)),
     ];
     sections
@@ -342,5 +344,20 @@ fn list<'a>(heading: &str, entries: impl Iterator<Item = &'a String>) -> String 
         lines
     } else {
         format!("{heading}\n{lines}")
+    }
+}
+
+fn left_out(items: &[LeftOut], explain: bool) -> String {
+    let mut text = String::new();
+    for item in items {
+        let _ = writeln!(text, "  - {}", item.what);
+        let saved: Vec<String> = item.saved.iter().map(Saving::to_string).collect();
+        if explain && !saved.is_empty() {
+            let _ = writeln!(text, "    saved: {}", saved.join(", "));
+        }
+    }
+    match text.is_empty() {
+        true => text,
+        false => format!("Left out\n{text}"),
     }
 }

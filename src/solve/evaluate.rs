@@ -33,6 +33,11 @@ pub struct PlasticAnswer {
 }
 
 impl PlasticAnswer {
+    /// Does it flow, so that its stiffness changes?
+    pub fn flows(&self) -> bool {
+        self.flows.iter().any(Option::is_some)
+    }
+
     /// For displacements so far off that the element has no answer: no force either, so that the
     /// step there is not taken.
     fn lost(index: usize, points: [PlasticPoint; 8]) -> Self {
@@ -159,7 +164,7 @@ impl Model<'_> {
         let changes: Vec<_> = evaluation
             .plastic
             .par_iter()
-            .filter(|a| a.flows.iter().any(Option::is_some))
+            .filter(|answer| answer.flows())
             .map(|answer| {
                 let element = self.yielding[answer.index];
                 let body = self.scene.mesh.body_of(element as usize);

@@ -87,6 +87,7 @@ impl LinearSolver {
         let timers = &mut counters.timers;
         let mut matrix = timers.time(Phase::Assemble, || model.tangent(evaluation));
         counters.linear_solves += 1;
+        counters.element_tangents += (evaluation.plastic.iter().filter(|a| a.flows())).count();
         let mut out = Correction {
             dx: vec![0.0; model.dofs.len()],
             directions: 0,
@@ -300,6 +301,8 @@ fn evaluate(
     external: &[f64],
     counters: &mut Counters,
 ) -> Evaluation {
+    counters.evaluations += 1;
+    counters.contact_updates += model.rows.len();
     counters.plastic_updates += 8 * model.yielding.len();
     counters.friction_updates += model.rows.iter().filter(|r| r.law.friction > 0.0).count();
     let trial = Trial {

@@ -1,4 +1,5 @@
 use crate::block::{close, fill_stress, pressed, stack};
+use brinell::output::left_out::LeftOut;
 use brinell::output::summary::{
     Checks, Comparison, Counters, Figure, Measure, Summary, SummaryInputs, Timing,
 };
@@ -61,7 +62,9 @@ fn summarise(scene: &Scene, state: &State) -> Summary {
         },
         comparison: &comparison,
         assumptions: &["plates L x L".to_string()],
-        left_out: &["friction of frictionless pairs".to_string()],
+        left_out: &[
+            LeftOut::new("friction 0: no tangential unknowns").saving(12, "friction updates")
+        ],
     })
     .unwrap()
 }
@@ -111,6 +114,7 @@ fn the_summary_has_every_key_and_no_nan() {
     ] {
         assert!(json.get(key).is_some(), "{key}");
     }
+    assert_eq!(json["left_out"][0]["saved"][0]["count"], 12);
     for pointer in [
         "/units/length",
         "/timing/mesh_s",
@@ -176,7 +180,7 @@ fn the_checks_are_computed_where_they_are_not_given() {
 #[test]
 fn the_table_shows_the_figures_and_what_to_beware_of() {
     let (scene, state) = loaded();
-    let text = table::render(&summarise(&scene, &state));
+    let text = table::render(&summarise(&scene, &state), true);
     for part in [
         "initial-centre: converged",
         "65.00 kip",
@@ -188,6 +192,7 @@ fn the_table_shows_the_figures_and_what_to_beware_of() {
         "33.20",
         "Line load from 0.00 on, kip/in",
         "plates L x L",
+        "friction 0: no tangential unknowns\n    saved: 12 friction updates",
         "small-strain theory",
         "square roller end",
         "stabilisation carries 2.00 % of the load",
@@ -209,7 +214,7 @@ fn an_unconverged_run_says_so_first() {
     let (scene, state) = loaded();
     let mut summary = summarise(&scene, &state);
     summary.converged = false;
-    assert!(table::render(&summary).starts_with("initial-centre: NOT CONVERGED\n"));
+    assert!(table::render(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
     let warnings = brinell::output::warnings::warnings(&summary);
     assert!(warnings[0].0.contains("has not converged"));
 }

@@ -3,5 +3,6 @@
 mod blocks;
 mod centre;
 mod invariance;
+mod left_out;
 mod reaction;
 mod symmetry;

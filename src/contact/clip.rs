@@ -2,14 +2,48 @@
 
 pub type Point = [f64; 2];
 
+/// Corners of a polygon, kept in place: two quadrilaterals overlap in eight corners at most.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Polygon {
+    corners: [Point; MOST],
+    count: usize,
+}
+
+/// Room for facets that are not quite convex.
+const MOST: usize = 16;
+
+impl Polygon {
+    /// A copy of the first corners of a list.
+    fn of(corners: &[Point]) -> Self {
+        let mut polygon = Self::default();
+        corners.iter().for_each(|p| polygon.push(*p));
+        polygon
+    }
+
+    fn push(&mut self, p: Point) {
+        if let Some(slot) = self.corners.get_mut(self.count) {
+            *slot = p;
+            self.count += 1;
+        }
+    }
+}
+
+impl std::ops::Deref for Polygon {
+    type Target = [Point];
+
+    fn deref(&self) -> &[Point] {
+        &self.corners[..self.count]
+    }
+}
+
 /// The part of `subject` inside `window`, both counter-clockwise and convex
 /// (Sutherland and Hodgman 1974). Empty where they do not overlap.
-pub fn intersect(subject: &[Point], window: &[Point]) -> Vec<Point> {
-    let mut polygon = subject.to_vec();
+pub fn intersect(subject: &[Point], window: &[Point]) -> Polygon {
+    let mut polygon = Polygon::of(subject);
     for (k, a) in window.iter().enumerate() {
         let b = window[(k + 1) % window.len()];
         let side = |p: &Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-        let mut next = Vec::with_capacity(polygon.len() + 2);
+        let mut next = Polygon::default();
         for (i, p) in polygon.iter().enumerate() {
             let q = polygon[(i + 1) % polygon.len()];
             let (sp, sq) = (side(p), side(&q));
@@ -23,7 +57,7 @@ pub fn intersect(subject: &[Point], window: &[Point]) -> Vec<Point> {
         }
         polygon = next;
         if polygon.len() < 3 {
-            return Vec::new();
+            return Polygon::default();
         }
     }
     polygon

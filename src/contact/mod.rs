@@ -7,6 +7,7 @@
 pub mod clip;
 pub mod law;
 pub mod mortar;
+mod piece;
 pub mod search;
 pub mod segment;
 mod side;

@@ -6,8 +6,8 @@
 //! per area) acts on both sides with the same integrals, so that forces balance exactly and a
 //! uniform pressure passes the patch test on meshes that do not match.
 
+use super::piece::{self, Gathered, Piece};
 use super::search::FacetTree;
-use super::segment::{SegmentPoint, View};
 use super::side::Side;
 use crate::geometry::{Vec3, add, cross, dot, norm, planes_through, scale, sub, tangents, unit};
 use crate::mesh::{Mesh, Surface};
@@ -65,20 +65,17 @@ pub struct Pair<'a> {
 impl Pair<'_> {
     /// The largest gap at a point of a facet that counts: all of the facet does where a row on it
     /// is within reach, however coarse the mesh.
-    fn farthest(&self, facet: &[Vec3; 4]) -> f64 {
+    pub fn farthest(&self, facet: &[Vec3; 4]) -> f64 {
         let diagonals = [sub(facet[2], facet[0]), sub(facet[3], facet[1])];
         4.0 * self.reach + diagonals.map(norm).into_iter().fold(0.0, f64::max)
     }
 }
 
-/// What a facet pair adds to the row of a carrier node.
+/// What the facets around a carrier node add up to.
 #[derive(Default)]
-struct Accumulated {
-    area: f64,
+struct Sum {
+    gathered: Gathered,
     terms: BTreeMap<u32, Vec3>,
-    normal: Vec3,
-    gap: Vec3,
-    stiffness: f64,
 }
 
 /// Integrates a pair.
@@ -98,17 +95,20 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
         .into_par_iter()
         .map(|index| match (&pair.opposite, &opposite, &tree) {
             (Opposite::Plane { point, normal }, _, _) => {
-                facet_on_plane(pair, &carrier, index, *point, *normal)
+                piece::on_plane(pair, &carrier, index, *point, *normal)
             }
             (_, Some(opposite), Some(tree)) => {
-                facet_on_surface(pair, &carrier, index, opposite, tree)
+                piece::on_surface(pair, &carrier, index, opposite, tree)
             }
-            _ => Vec::new(),
+            _ => None,
         })
         .collect();
-    let mut nodes: BTreeMap<u32, Accumulated> = BTreeMap::new();
-    for point in pieces.iter().flatten() {
-        point.add_to(&mut nodes);
+    let mut nodes: BTreeMap<u32, Sum> = BTreeMap::new();
+    for (piece, own) in pieces.iter().zip(&carrier.nodes) {
+        let Some(piece) = piece else { continue };
+        for (a, node) in own.iter().enumerate() {
+            nodes.entry(*node).or_default().add(piece, a, own);
+        }
     }
     nodes
         .into_iter()
@@ -116,66 +116,52 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
         .collect()
 }
 
-/// A quadrature point with everything that its carrier nodes gather.
-struct Contribution {
-    carrier_nodes: [u32; 4],
-    /// Nodes of the opposite facet, and the signs of its image.
-    opposite: Option<([u32; 4], Vec3)>,
-    point: SegmentPoint,
-    gap: Vec3,
-    normal: Vec3,
-    stiffness: f64,
-}
-
-impl Contribution {
-    fn add_to(&self, nodes: &mut BTreeMap<u32, Accumulated>) {
-        for (a, shape) in self.carrier_nodes.iter().zip(self.point.carrier) {
-            let weight = shape * self.point.area;
-            let sum = nodes.entry(*a).or_default();
-            sum.area += weight;
-            sum.stiffness += weight * self.stiffness;
-            sum.normal = add(sum.normal, scale(self.normal, weight));
-            sum.gap = add(sum.gap, scale(self.gap, weight));
-            let mut term = |node: &u32, value: Vec3| {
-                let term = sum.terms.entry(*node).or_default();
-                *term = add(*term, value);
-            };
-            for (b, n) in self.carrier_nodes.iter().zip(self.point.carrier) {
-                term(b, [weight * n; 3]);
-            }
-            if let Some((nodes, signs)) = &self.opposite {
-                for (b, n) in nodes.iter().zip(self.point.opposite) {
-                    term(b, scale(*signs, -weight * n));
-                }
+impl Sum {
+    /// Adds what corner `a` of a facet with the nodes `own` gathers.
+    fn add(&mut self, piece: &Piece, a: usize, own: &[u32; 4]) {
+        self.gathered.add(&piece.corners[a]);
+        let mut term = |node: u32, value: Vec3| {
+            let term = self.terms.entry(node).or_default();
+            *term = add(*term, value);
+        };
+        for (b, n) in own.iter().zip(piece.products[a]) {
+            term(*b, [n; 3]);
+        }
+        for across in &piece.across {
+            for (b, n) in across.nodes.iter().zip(across.products[a]) {
+                term(*b, scale(across.signs, -n));
             }
         }
     }
-}
 
-impl Accumulated {
     fn finish(self, node: u32, pair: &Pair) -> Option<Row> {
         let at = &pair.mesh.points[node as usize];
         let mirrors: Vec<usize> = planes_through(pair.mirrors, at).collect();
-        let mut normal = self.normal;
+        let Gathered {
+            area,
+            mut normal,
+            gap,
+            stiffness,
+        } = self.gathered;
         // On a mirror plane the other half turns the mean normal into the plane.
         mirrors.iter().for_each(|axis| normal[*axis] = 0.0);
         let normal = unit(normal)?;
-        if self.area <= 0.0 {
+        if area <= 0.0 {
             return None;
         }
-        let gap = dot(self.gap, normal) / self.area;
+        let gap = dot(gap, normal) / area;
         (gap <= pair.reach).then(|| Row {
             node,
-            area: self.area,
+            area,
             terms: self
                 .terms
                 .into_iter()
-                .map(|(n, c)| (n, c.map(|c| c / self.area)))
+                .map(|(n, c)| (n, c.map(|c| c / area)))
                 .collect(),
             normal,
             tangents: pair.friction.then(|| free_tangents(normal, &mirrors)),
             gap,
-            stiffness: self.stiffness / self.area,
+            stiffness: stiffness / area,
         })
     }
 }
@@ -191,121 +177,4 @@ fn free_tangents(normal: Vec3, mirrors: &[usize]) -> [Vec3; 2] {
         }
         _ => [[0.0; 3]; 2],
     }
-}
-
-/// The facet is projected along the mean normal of both sides, found in a few passes: seen so, two
-/// bodies that are mirror images face each other point by point.
-fn facet_on_surface(
-    pair: &Pair,
-    carrier: &Side,
-    index: usize,
-    opposite: &Side,
-    tree: &FacetTree,
-) -> Vec<Contribution> {
-    const PASSES: usize = 4;
-    const SAME: f64 = 1e-10;
-    let (corners, normal) = (&carrier.corners[index], carrier.normals[index]);
-    let farthest = pair.farthest(corners);
-    let facet = Facing {
-        index,
-        others: tree.near(
-            corners,
-            normal.map(|n| farthest * n.abs() + 0.1 * pair.reach),
-        ),
-        carrier,
-        opposite,
-    };
-    let mut direction = normal;
-    let mut out = facet.project(direction, farthest);
-    for _ in 1..PASSES {
-        let sum = out
-            .iter()
-            .fold([0.0; 3], |sum, c| add(sum, scale(c.normal, c.point.area)));
-        let Some(mean) = unit(sum) else { break };
-        if norm(sub(mean, direction)) < SAME {
-            break;
-        }
-        direction = mean;
-        out = facet.project(direction, farthest);
-    }
-    out
-}
-
-/// A carrier facet and what may lie opposite.
-struct Facing<'a> {
-    index: usize,
-    others: Vec<usize>,
-    carrier: &'a Side,
-    opposite: &'a Side,
-}
-
-impl Facing<'_> {
-    /// What the facet gathers when projected along `direction`.
-    fn project(&self, direction: Vec3, farthest: f64) -> Vec<Contribution> {
-        let (carrier, opposite, index) = (self.carrier, self.opposite, self.index);
-        let normal = carrier.normals[index];
-        let mut out = Vec::new();
-        if dot(normal, direction) < 0.5 {
-            return out;
-        }
-        let view = View::new(&carrier.corners[index], normal, direction);
-        for &other in &self.others {
-            if dot(normal, opposite.normals[other]) > -0.3 {
-                continue;
-            }
-            for point in view.overlap(&opposite.corners[other]) {
-                let (xs, ns) = carrier.at(index, &point.carrier);
-                let (xm, nm) = opposite.at(other, &point.opposite);
-                let gap = sub(xm, xs);
-                if dot(gap, normal).abs() > farthest {
-                    continue;
-                }
-                out.push(Contribution {
-                    carrier_nodes: carrier.nodes[index],
-                    opposite: Some((opposite.nodes[other], opposite.signs[other])),
-                    point,
-                    gap,
-                    normal: sub(ns, nm),
-                    stiffness: series(carrier.stiffness[index], opposite.stiffness[other]),
-                });
-            }
-        }
-        out
-    }
-}
-
-fn facet_on_plane(
-    pair: &Pair,
-    carrier: &Side,
-    index: usize,
-    origin: Vec3,
-    normal: Vec3,
-) -> Vec<Contribution> {
-    let facing = carrier.normals[index];
-    let farthest = pair.farthest(&carrier.corners[index]);
-    if dot(facing, normal) > -0.3 {
-        return Vec::new();
-    }
-    let mut out = Vec::new();
-    for point in View::new(&carrier.corners[index], facing, facing).whole() {
-        let (x, _) = carrier.at(index, &point.carrier);
-        let distance = dot(sub(x, origin), normal);
-        if distance.abs() > farthest {
-            continue;
-        }
-        out.push(Contribution {
-            carrier_nodes: carrier.nodes[index],
-            opposite: None,
-            point,
-            gap: scale(normal, -distance),
-            normal: scale(normal, -1.0),
-            stiffness: carrier.stiffness[index],
-        });
-    }
-    out
-}
-
-/// Two layers in series.
-fn series(a: f64, b: f64) -> f64 {
-    a * b / (a + b)
 }

@@ -69,8 +69,9 @@ impl View {
         [dot(r, self.axes[0]), dot(r, self.axes[1])]
     }
 
-    /// Quadrature points of the overlap with `opposite`, whose normal faces the carrier's.
-    pub fn overlap(&self, opposite: &[Vec3; 4]) -> Vec<SegmentPoint> {
+    /// Hands on the quadrature points of the overlap with `opposite`, whose normal faces the
+    /// carrier's.
+    pub fn overlap(&self, opposite: &[Vec3; 4], each: impl FnMut(SegmentPoint)) {
         let window = opposite.map(|p| self.project(p));
         // Seen from the carrier the opposite facet runs clockwise.
         let mut turned = window;
@@ -78,26 +79,26 @@ impl View {
         let polygon = clip::intersect(&self.corners, &turned);
         let facet_area = clip::area(&self.corners);
         if polygon.is_empty() || clip::area(&polygon) <= 1e-12 * facet_area {
-            return Vec::new();
+            return;
         }
-        self.points(&polygon, |p| inverse_bilinear(&window, p))
+        self.points(&polygon, |p| inverse_bilinear(&window, p), each);
     }
 
-    /// Quadrature points of the whole facet; the opposite shape functions are zero.
-    pub fn whole(&self) -> Vec<SegmentPoint> {
-        self.points(&self.corners, |_| Some([0.0; 4]))
+    /// Hands on the quadrature points of the whole facet; the opposite shape functions are zero.
+    pub fn whole(&self, each: impl FnMut(SegmentPoint)) {
+        self.points(&self.corners, |_| Some([0.0; 4]), each);
     }
 
     fn points(
         &self,
         polygon: &[Point],
         opposite: impl Fn(Point) -> Option<[f64; 4]>,
-    ) -> Vec<SegmentPoint> {
+        mut each: impl FnMut(SegmentPoint),
+    ) {
         let count = polygon.len() as f64;
         let centre = polygon.iter().fold([0.0; 2], |sum, p| {
             [sum[0] + p[0] / count, sum[1] + p[1] / count]
         });
-        let mut points = Vec::with_capacity(6 * polygon.len());
         for (k, a) in polygon.iter().enumerate() {
             let b = polygon[(k + 1) % polygon.len()];
             let area = clip::area(&[centre, *a, b]);
@@ -109,7 +110,7 @@ impl View {
                 if let (Some(carrier), Some(opposite)) =
                     (inverse_bilinear(&self.corners, p), opposite(p))
                 {
-                    points.push(SegmentPoint {
+                    each(SegmentPoint {
                         carrier,
                         opposite,
                         area: self.stretch * weight * area,
@@ -117,7 +118,6 @@ impl View {
                 }
             }
         }
-        points
     }
 }
 
@@ -191,7 +191,8 @@ mod tests {
             [1.25, 0.0, 0.1],
         ];
         let up = [0.0, 0.0, 1.0];
-        let points = View::new(&carrier, up, up).overlap(&opposite);
+        let mut points = Vec::new();
+        View::new(&carrier, up, up).overlap(&opposite, |p| points.push(p));
         let area: f64 = points.iter().map(|p| p.area).sum();
         assert!((area - 0.75).abs() < 1e-14);
         // ∫ (1-x)(1-y) * (1-(x-0.25))(1-y) over the overlap; the y part is 1/3.
@@ -212,7 +213,8 @@ mod tests {
             [0.0, 1.0, 0.0],
         ];
         let view = View::new(&facet, [0.0, 0.0, 1.0], [0.6, 0.0, 0.8]);
-        let area: f64 = view.whole().iter().map(|p| p.area).sum();
+        let mut area = 0.0;
+        view.whole(|p| area += p.area);
         assert!((area - 2.0).abs() < 1e-14, "{area}");
     }
 }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use super::State;
 use super::hex::GaussRule;
 use super::tensor::{mean, mises};
@@ -85,48 +87,78 @@ pub fn recover(scene: &Scene, state: &State) -> Recovered {
     let mesh = &scene.mesh;
     let rule = GaussRule::new();
     let points = BodyPoints::new(mesh);
-    let mut nodal_stress = nodal_average(&rule, &points, state);
-    for (stress, node) in nodal_stress.iter_mut().zip(&points.node) {
-        // The mirrored elements bring the opposite shear.
-        for axis in scene.mirrors_through(&mesh.points[*node as usize]) {
-            let [one, other] = SHEARS[axis];
-            (stress[one], stress[other]) = (0.0, 0.0);
-        }
-    }
+    let nodal_stress = nodal_average(&rule, &points, scene, state);
+    let stress = || state.stress.par_iter();
+    let elements = || (0..mesh.hexes.len()).into_par_iter();
     Recovered {
-        mises_nodal: nodal_stress.iter().map(mises).collect(),
+        mises_nodal: nodal_stress.par_iter().map(mises).collect(),
         nodal_stress,
-        mises_mean: state.stress.iter().map(|s| mises(&mean(s))).collect(),
-        mises_max: state
-            .stress
-            .iter()
-            .map(|s| largest(s.iter().map(mises)))
-            .collect(),
-        peeq: (0..mesh.hexes.len())
-            .map(|e| largest(state.peeq_of(e)))
-            .collect(),
-        volumes: (0..mesh.hexes.len())
-            .map(|e| rule.volumes(&mesh.corners(e)))
-            .collect(),
+        mises_mean: stress().map(|s| mises(&mean(s))).collect(),
+        mises_max: stress().map(|s| largest(s.iter().map(mises))).collect(),
+        peeq: elements().map(|e| largest(state.peeq_of(e))).collect(),
+        volumes: elements().map(|e| rule.volumes(&mesh.corners(e))).collect(),
         points,
     }
 }
 
-fn nodal_average(rule: &GaussRule, points: &BodyPoints, state: &State) -> Vec<[f64; 6]> {
-    let mut sum = vec![[0.0; 6]; points.node.len()];
-    let mut count = vec![0u32; points.node.len()];
-    for (cell, stress) in points.cells.iter().zip(&state.stress) {
-        for (&point, value) in cell.iter().zip(rule.extrapolate(stress)) {
-            count[point as usize] += 1;
-            for (s, v) in sum[point as usize].iter_mut().zip(value) {
+/// Point by point over the corners around it, in the order of the elements.
+fn nodal_average(
+    rule: &GaussRule,
+    points: &BodyPoints,
+    scene: &Scene,
+    state: &State,
+) -> Vec<[f64; 6]> {
+    let corners = Corners::new(points);
+    let average = |(point, node): (usize, &u32)| {
+        let around = corners.around(point);
+        let mut stress = [0.0; 6];
+        for corner in around {
+            let (cell, corner) = (corner / 8, corner % 8);
+            let value = rule.at_corner(corner as usize, &state.stress[cell as usize]);
+            for (s, v) in stress.iter_mut().zip(value) {
                 *s += v;
             }
         }
+        stress = stress.map(|s| s / around.len().max(1) as f64);
+        // The mirrored elements bring the opposite shear.
+        for axis in scene.mirrors_through(&scene.mesh.points[*node as usize]) {
+            let [one, other] = SHEARS[axis];
+            (stress[one], stress[other]) = (0.0, 0.0);
+        }
+        stress
+    };
+    points.node.par_iter().enumerate().map(average).collect()
+}
+
+/// The element corners at each point: eight times the element plus the corner, ascending.
+struct Corners {
+    start: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Corners {
+    fn new(points: &BodyPoints) -> Self {
+        let cells = points.cells.as_flattened();
+        let mut start = vec![0u32; points.node.len() + 1];
+        for point in cells {
+            start[*point as usize + 1] += 1;
+        }
+        for point in 1..start.len() {
+            start[point] += start[point - 1];
+        }
+        let mut next = start.clone();
+        let mut corners = vec![0u32; cells.len()];
+        for (corner, point) in (0u32..).zip(cells) {
+            let slot = &mut next[*point as usize];
+            corners[*slot as usize] = corner;
+            *slot += 1;
+        }
+        Self { start, corners }
     }
-    for (s, n) in sum.iter_mut().zip(count) {
-        *s = s.map(|v| v / f64::from(n.max(1)));
+
+    fn around(&self, point: usize) -> &[u32] {
+        &self.corners[self.start[point] as usize..self.start[point + 1] as usize]
     }
-    sum
 }
 
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {

@@ -84,8 +84,10 @@ pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
     };
     let mut placed = held_bodies(scene, direction);
     let mut closings = Vec::new();
+    let mut ways = vec![None; scene.contacts.len()];
     while placed.iter().any(|p| !p) {
-        let Some((body, distance)) = nearest_floating(scene, &placed, direction) else {
+        let nearest = nearest_floating(scene, &placed, direction, &mut ways);
+        let Some((body, distance)) = nearest else {
             break;
         };
         placed[body] = true;
@@ -127,8 +129,14 @@ fn held_bodies(scene: &Scene, direction: Vec3) -> Vec<bool> {
 }
 
 /// The floating body that touches what is placed after the shortest way, and that way along the
-/// load.
-fn nearest_floating(scene: &Scene, placed: &[bool], direction: Vec3) -> Option<(usize, f64)> {
+/// load. `ways` keeps the way of each pair between a placed body and a floating one: neither moves
+/// until the latter is placed.
+fn nearest_floating(
+    scene: &Scene,
+    placed: &[bool],
+    direction: Vec3,
+    ways: &mut [Option<Option<f64>>],
+) -> Option<(usize, f64)> {
     let body_of = |partner: &Partner| match partner {
         Partner::Surface(name) => {
             let face = scene.mesh.surface(name)?.faces.first()?;
@@ -137,7 +145,7 @@ fn nearest_floating(scene: &Scene, placed: &[bool], direction: Vec3) -> Option<(
         Partner::Plane { .. } => Some(None),
     };
     let mut best: Option<(usize, f64)> = None;
-    for pair in &scene.contacts {
+    for (pair, known) in scene.contacts.iter().zip(ways) {
         let (Some(upper), Some(lower)) = (body_of(&pair.upper), body_of(&pair.lower)) else {
             continue;
         };
@@ -148,7 +156,8 @@ fn nearest_floating(scene: &Scene, placed: &[bool], direction: Vec3) -> Option<(
             _ => continue,
         };
         let Some(body) = body else { continue };
-        if let Some(way) = way_to_touch(scene, pair, direction)
+        let way = known.get_or_insert_with(|| way_to_touch(scene, pair, direction));
+        if let Some(way) = *way
             && best.is_none_or(|(_, b)| way.abs() < b.abs())
         {
             best = Some((body, way));

@@ -11,7 +11,11 @@ use brinell::material::j2::{self, PlasticPoint};
 use brinell::mesh::Mesh;
 use brinell::mesh::block::{Block as Brick, uniform};
 use brinell::mesh::family::problem_h::{Sizes, half};
-use brinell::scene::ElementKind;
+use brinell::mesh::msh;
+use brinell::output::fields;
+use brinell::results::State;
+use brinell::results::recovery::recover;
+use brinell::scene::{Controls, ElementKind, Scene};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -130,4 +134,59 @@ fn condensation(bencher: Bencher, cells: usize) {
         let condensation = Condensation::new(&pattern, &top)?;
         condensation.eliminate(&pattern, matrix.clone())
     });
+}
+
+/// A mesh file in memory, read as text.
+#[divan::bench(args = [10, 40], sample_count = 5, sample_size = 1)]
+fn reading(bencher: Bencher, cells: usize) {
+    let text = msh::write::msh41(&cube(cells));
+    bencher.bench(|| msh::parse(text.as_bytes(), "cube").expect("a mesh"));
+}
+
+/// Nodal averages of a state, as before each VTK file.
+#[divan::bench(args = [10, 40], sample_count = 5, sample_size = 1)]
+fn recovery(bencher: Bencher, cells: usize) {
+    let (scene, state) = loaded(cells);
+    bencher.bench(|| recover(&scene, &state));
+}
+
+/// The VTK file of an increment.
+#[divan::bench(args = [10, 40], sample_count = 5, sample_size = 1)]
+fn writing(bencher: Bencher, cells: usize) {
+    let (scene, state) = loaded(cells);
+    let recovered = recover(&scene, &state);
+    let path = tempfile::tempdir().expect("a folder");
+    let path = path.path().join("cube.vtu");
+    bencher.bench(|| {
+        let grid = fields::bodies(&scene, &state, &recovered).expect("a state of the scene");
+        grid.write(&path)
+    });
+}
+
+/// A cube with a state that does not compress well.
+fn loaded(cells: usize) -> (Scene, State) {
+    let mesh = cube(cells);
+    let wave = |k: usize| (0.1 * k as f64).sin();
+    let state = State {
+        displacement: (mesh.points.iter())
+            .map(|p| p.map(|c| 1e-3 * (7.0 * c).sin()))
+            .collect(),
+        stress: (0..mesh.hexes.len())
+            .map(|e| std::array::from_fn(|k| std::array::from_fn(|i| wave(e + 3 * k + i))))
+            .collect(),
+        ..State::default()
+    };
+    let scene = Scene {
+        name: "cube".into(),
+        materials: vec![STEEL],
+        contacts: Vec::new(),
+        supports: Vec::new(),
+        rigid_planes: Vec::new(),
+        tractions: Vec::new(),
+        steps: Vec::new(),
+        mirrors: Vec::new(),
+        controls: Controls::default(),
+        mesh,
+    };
+    (scene, state)
 }

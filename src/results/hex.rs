@@ -71,18 +71,15 @@ impl GaussRule {
 
     /// Values at the corners of the trilinear field through the integration points.
     pub fn extrapolate(&self, values: &[[f64; 6]; 8]) -> [[f64; 6]; 8] {
-        std::array::from_fn(|corner| self.at_corner(corner, values))
-    }
-
-    /// The value at one corner of that field.
-    pub fn at_corner(&self, corner: usize, values: &[[f64; 6]; 8]) -> [f64; 6] {
-        let mut sum = [0.0; 6];
-        for (w, value) in self.to_corners[corner].iter().zip(values) {
-            for (s, v) in sum.iter_mut().zip(value) {
-                *s += w * v;
+        self.to_corners.map(|weights| {
+            let mut sum = [0.0; 6];
+            for (w, value) in weights.iter().zip(values) {
+                for (s, v) in sum.iter_mut().zip(value) {
+                    *s += w * v;
+                }
             }
-        }
-        sum
+            sum
+        })
     }
 }
 

@@ -101,64 +101,34 @@ pub fn recover(scene: &Scene, state: &State) -> Recovered {
     }
 }
 
-/// Point by point over the corners around it, in the order of the elements.
+/// Extrapolated in parallel, a batch at a time; summed in the order of the elements.
 fn nodal_average(
     rule: &GaussRule,
     points: &BodyPoints,
     scene: &Scene,
     state: &State,
 ) -> Vec<[f64; 6]> {
-    let corners = Corners::new(points);
-    let average = |(point, node): (usize, &u32)| {
-        let around = corners.around(point);
-        let mut stress = [0.0; 6];
-        for corner in around {
-            let (cell, corner) = (corner / 8, corner % 8);
-            let value = rule.at_corner(corner as usize, &state.stress[cell as usize]);
-            for (s, v) in stress.iter_mut().zip(value) {
+    const BATCH: usize = 4096;
+    let mut sum = vec![[0.0; 6]; points.node.len()];
+    let mut count = vec![0u32; points.node.len()];
+    for (cells, stress) in (points.cells.chunks(BATCH)).zip(state.stress.chunks(BATCH)) {
+        let corners: Vec<_> = stress.par_iter().map(|s| rule.extrapolate(s)).collect();
+        for (point, value) in cells.as_flattened().iter().zip(corners.as_flattened()) {
+            count[*point as usize] += 1;
+            for (s, v) in sum[*point as usize].iter_mut().zip(value) {
                 *s += v;
             }
         }
-        stress = stress.map(|s| s / around.len().max(1) as f64);
+    }
+    for ((s, n), node) in sum.iter_mut().zip(count).zip(&points.node) {
+        *s = s.map(|v| v / f64::from(n.max(1)));
         // The mirrored elements bring the opposite shear.
         for axis in scene.mirrors_through(&scene.mesh.points[*node as usize]) {
             let [one, other] = SHEARS[axis];
-            (stress[one], stress[other]) = (0.0, 0.0);
+            (s[one], s[other]) = (0.0, 0.0);
         }
-        stress
-    };
-    points.node.par_iter().enumerate().map(average).collect()
-}
-
-/// The element corners at each point: eight times the element plus the corner, ascending.
-struct Corners {
-    start: Vec<u32>,
-    corners: Vec<u32>,
-}
-
-impl Corners {
-    fn new(points: &BodyPoints) -> Self {
-        let cells = points.cells.as_flattened();
-        let mut start = vec![0u32; points.node.len() + 1];
-        for point in cells {
-            start[*point as usize + 1] += 1;
-        }
-        for point in 1..start.len() {
-            start[point] += start[point - 1];
-        }
-        let mut next = start.clone();
-        let mut corners = vec![0u32; cells.len()];
-        for (corner, point) in (0u32..).zip(cells) {
-            let slot = &mut next[*point as usize];
-            corners[*slot as usize] = corner;
-            *slot += 1;
-        }
-        Self { start, corners }
     }
-
-    fn around(&self, point: usize) -> &[u32] {
-        &self.corners[self.start[point] as usize..self.start[point + 1] as usize]
-    }
+    sum
 }
 
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {

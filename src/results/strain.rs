@@ -12,7 +12,7 @@ use crate::mesh::Mesh;
 /// `None` for an empty mesh.
 pub fn largest_strain(mesh: &Mesh, displacement: &[[f64; 3]]) -> Option<(f64, [f64; 3])> {
     // Runs of elements in parallel, then the runs in order: of equal values the first counts.
-    const RUN: usize = 4096;
+    const RUN: usize = 1 << 15;
     let rule = GaussRule::new();
     let runs: Vec<_> = mesh
         .hexes

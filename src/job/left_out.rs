@@ -116,8 +116,10 @@ fn path(scene: &Scene) -> Option<LeftOut> {
     let yields = scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic());
     let least = (1.0 / scene.controls.first_increment).ceil() as usize;
     (!rubs && !yields).then(|| {
-        LeftOut::new("nothing depends on the path: one increment a step")
-            .saving_about(scene.steps.len() * least.saturating_sub(1), "increments")
+        LeftOut::new("nothing depends on the path: one increment a step").saving_about(
+            scene.steps.len().saturating_mul(least.saturating_sub(1)),
+            "increments",
+        )
     })
 }
 

@@ -18,7 +18,7 @@ use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Solution};
 pub use error::JobError;
-pub use mesh::{find_mesh, make_mesh};
+pub use mesh::{find_mesh, make_mesh, unknowns};
 use record::Recorder;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use super::end_shape::RollerEnd;
@@ -29,15 +30,32 @@ pub enum Preset {
 }
 
 /// How a bearing is to be meshed.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MeshRequest {
     pub preset: Preset,
     /// Numbers in place of those of the preset, by key of [`MESH_KEYS`]; lengths in the unit of
     /// the bearing. A `roller_size` without a `plate_size` changes both.
     pub overrides: Vec<(String, f64)>,
+    /// Every element this many times as large as those say, in every direction, the grading kept;
+    /// see [`Sizes::scaled`].
+    pub scale: f64,
     /// All four quarters of a centred bearing; a displaced one is always whole.
     pub full: bool,
 }
+
+impl Default for MeshRequest {
+    fn default() -> Self {
+        Self {
+            preset: Preset::default(),
+            overrides: Vec::new(),
+            scale: 1.0,
+            full: false,
+        }
+    }
+}
+
+/// Scales beyond these make no mesh that is of use: 5 leaves one element where there were five.
+const SCALES: RangeInclusive<f64> = 0.02..=5.0;
 
 /// Plate elements across a contact line against those of the roller.
 const PLATE_TO_ROLLER: f64 = 1.06;
@@ -165,8 +183,8 @@ fn report_like(geometry: &BearingGeometry) -> Sizes {
 }
 
 impl MeshRequest {
-    /// The sizes of the preset with the overrides in their places; overrides whose keys are not
-    /// in [`MESH_KEYS`] are passed over.
+    /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
+    /// are not in [`MESH_KEYS`] are passed over.
     pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
         let mut sizes = self.preset.sizes(geometry);
         for (key, value) in &self.overrides {
@@ -178,15 +196,13 @@ impl MeshRequest {
         if given("roller_size") && !given("plate_size") {
             sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
         }
-        sizes
+        sizes.scaled(self.scale)
     }
 
     /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
-    pub fn scaled(&self, geometry: &BearingGeometry, scale: f64) -> Self {
-        let sizes = self.sizes(geometry).scaled(scale);
-        let numbers = MESH_KEYS.iter().zip(sizes.values());
+    pub fn scaled(&self, scale: f64) -> Self {
         Self {
-            overrides: numbers.map(|(k, v)| (k.key.to_string(), v)).collect(),
+            scale: self.scale * scale,
             ..self.clone()
         }
     }
@@ -197,6 +213,14 @@ impl MeshRequest {
     /// Names the first number that is out of its range, with the range.
     pub fn check(&self, geometry: &BearingGeometry) -> Result<(), GeometryError> {
         geometry.check()?;
+        let (least, most) = (SCALES.start(), SCALES.end());
+        GeometryError::unless(
+            SCALES.contains(&self.scale),
+            "scale",
+            self.scale,
+            || format!("must lie between {least} and {most}"),
+            "every element this many times as large as the preset has it",
+        )?;
         for (key, value) in MESH_KEYS.iter().zip(self.sizes(geometry).values()) {
             let (least, most, range) = match key.kind {
                 // Finer meshes than this could not be solved, nor made in reasonable time.
@@ -269,6 +293,23 @@ mod tests {
         assert_eq!([sizes.roller_size, sizes.growth], [0.05, 1.3]);
         assert!((sizes.plate_size - 0.053).abs() < 1e-12);
         assert!(request.check(&initial()).is_ok());
+    }
+
+    #[test]
+    fn a_scale_takes_every_number_along() {
+        let base = MeshRequest {
+            overrides: vec![("wall_least".into(), 8.0), ("growth".into(), 4.0)],
+            ..MeshRequest::default()
+        };
+        let half = base.scaled(0.5).sizes(&initial());
+        assert_eq!(half, base.sizes(&initial()).scaled(0.5));
+        let found = [half.roller_size, half.wall_least, half.growth];
+        assert_eq!(found, [0.0125, 16.0, 2.0]);
+        assert_eq!(base.scaled(0.5).scaled(2.0), base, "no rounding adds up");
+        for scale in [0.0, -1.0, f64::NAN, 50.0] {
+            let error = base.scaled(scale).check(&initial()).expect_err("a scale");
+            assert_eq!(error.key, "scale");
+        }
     }
 
     #[test]

@@ -8,6 +8,8 @@
 //! measured again. `--write` puts table and plot into `docs/`.
 
 mod fit;
+#[path = "../kit/mod.rs"]
+mod kit;
 mod page;
 mod process;
 mod record;
@@ -15,6 +17,7 @@ mod run;
 mod sizes;
 
 use clap::Parser;
+use kit::Failure;
 use record::{Record, Store};
 use sizes::{Model, Size};
 use std::path::Path;
@@ -58,8 +61,6 @@ struct Arguments {
     bench: bool,
 }
 
-type Failure = Box<dyn std::error::Error>;
-
 fn main() -> ExitCode {
     match measure(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
@@ -100,7 +101,11 @@ fn measure(arguments: &Arguments) -> Result<(), Failure> {
     page::picture(&series, &Path::new(WORK).join("growth.svg"))?;
     if arguments.write {
         page::picture(&series, &Path::new(ROOT).join("docs/images/growth.svg"))?;
-        page::insert(&Path::new(ROOT).join("docs/performance.md"), &text)?;
+        kit::insert(
+            &Path::new(ROOT).join("docs/performance.md"),
+            "growth",
+            &text,
+        )?;
     }
     Ok(())
 }

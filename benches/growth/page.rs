@@ -1,16 +1,13 @@
 //! What is printed, and what is written into `docs/`.
 
-use crate::Failure;
 use crate::fit::{self, Quantity};
+use crate::kit::{Failure, machine};
 use crate::record::Record;
 use crate::sizes::Model;
 use brinell::converge::plot::{Figure, Line, Panel, write};
-use brinell::output::file::write_atomically;
 use brinell::output::text::significant;
 use std::path::Path;
 
-const BEGIN: &str = "<!-- growth -->";
-const END: &str = "<!-- /growth -->";
 /// Phases that are drawn, the longest ones.
 const DRAWN: usize = 4;
 
@@ -62,24 +59,6 @@ fn command(series: &Series, threads: usize) -> String {
         "cargo bench --bench growth -- --threads {threads} --case {} --sizes {} --write",
         models.join(","),
         sizes.join(",")
-    )
-}
-
-/// Processors and memory, as Linux describes them.
-fn machine() -> String {
-    let of = |file: &str, key: &str| {
-        let text = std::fs::read_to_string(file).unwrap_or_default();
-        let line = text.lines().find(|l| l.starts_with(key));
-        let value = line.and_then(|l| l.split(':').nth(1));
-        value.map(|v| v.trim().to_owned()).unwrap_or_default()
-    };
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let kib = of("/proc/meminfo", "MemTotal");
-    let kib: f64 = kib.trim_end_matches(" kB").parse().unwrap_or(f64::NAN);
-    format!(
-        "{cores} cores of {}, {} GiB",
-        of("/proc/cpuinfo", "model name"),
-        significant(kib / 1024.0 / 1024.0, 2)
     )
 }
 
@@ -214,21 +193,4 @@ fn panel(quantity: &Quantity, series: &Series) -> Panel {
         lines,
         floor: None,
     }
-}
-
-/// Puts `text` between the markers of the page, which is made where it is missing.
-pub fn insert(path: &Path, text: &str) -> Result<(), Failure> {
-    let old = match std::fs::read_to_string(path) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => "# Performance\n".into(),
-        other => other?,
-    };
-    let section = format!("{BEGIN}\n{}\n{END}", text.trim_end());
-    let new = match (old.find(BEGIN), old.find(END)) {
-        (Some(begin), Some(end)) if begin < end => {
-            format!("{}{section}{}", &old[..begin], &old[end + END.len()..])
-        }
-        (None, None) => format!("{}\n\n{section}\n", old.trim_end()),
-        _ => return Err(format!("{}: the markers do not pair", path.display()).into()),
-    };
-    Ok(write_atomically(path, |out| out.write_all(new.as_bytes()))?)
 }

@@ -1,9 +1,10 @@
 //! One size: its case file, its mesh, its run.
 
+use crate::kit::Failure;
 use crate::process::{End, run as run_process};
 use crate::record::{Record, Run};
 use crate::sizes::{Model, Size};
-use crate::{BINARY, Failure, ROOT, WORK};
+use crate::{BINARY, ROOT, WORK};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;

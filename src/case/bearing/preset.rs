@@ -186,6 +186,10 @@ impl MeshRequest {
     /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
     /// are not in [`MESH_KEYS`] are passed over.
     pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
+        self.unscaled(geometry).scaled(self.scale)
+    }
+
+    fn unscaled(&self, geometry: &BearingGeometry) -> Sizes {
         let mut sizes = self.preset.sizes(geometry);
         for (key, value) in &self.overrides {
             if let Some(number) = sizes.get_mut(key) {
@@ -196,7 +200,7 @@ impl MeshRequest {
         if given("roller_size") && !given("plate_size") {
             sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
         }
-        sizes.scaled(self.scale)
+        sizes
     }
 
     /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
@@ -221,7 +225,10 @@ impl MeshRequest {
             || format!("must lie between {least} and {most}"),
             "every element this many times as large as the preset has it",
         )?;
-        for (key, value) in MESH_KEYS.iter().zip(self.sizes(geometry).values()) {
+        // Scaling mends counts of none, so what was asked for is looked at, too.
+        let both = [self.unscaled(geometry), self.sizes(geometry)];
+        let numbers = both.map(|sizes| MESH_KEYS.iter().zip(sizes.values()));
+        for (key, value) in numbers.into_iter().flatten() {
             let (least, most, range) = match key.kind {
                 // Finer meshes than this could not be solved, nor made in reasonable time.
                 Kind::Length => {

@@ -148,7 +148,9 @@ fn has_every_key(summary: &Value, bodies: &[&str], interfaces: &[&str]) {
             "warnings",
         ],
     );
-    has(&summary["timing"], &["mesh_s", "solve_s", "total_s"]);
+    let timing = &summary["timing"];
+    has(timing, &["mesh_s", "solve_s", "total_s", "phases"]);
+    has(&timing["phases"], &["assemble", "factorise"]);
     has(
         &summary["checks"],
         &[

@@ -8,7 +8,7 @@ use crate::scene::ElementKind;
 
 impl Case {
     /// Meshes the bearing by another preset than the file says. Numbers that the file sets in
-    /// place of those of its own preset are dropped.
+    /// place of those of its own preset are dropped, and so is its scale.
     ///
     /// # Errors
     /// Where there is no such preset, it does not fit the bearing, or the case is a general scene, which has a mesh file.
@@ -25,8 +25,8 @@ impl Case {
         let bearing = self.bearing_mut("a mesh preset")?;
         let request = MeshRequest {
             preset,
-            overrides: Vec::new(),
             full: bearing.mesh.full,
+            ..MeshRequest::default()
         };
         request
             .check(&bearing.geometry)
@@ -70,7 +70,7 @@ impl Case {
     /// Where the sizes come out of their range, or the case is a general scene.
     pub fn scale_mesh(&mut self, scale: f64) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a scaled template")?;
-        let request = bearing.mesh.scaled(&bearing.geometry, scale);
+        let request = bearing.mesh.scaled(scale);
         request
             .check(&bearing.geometry)
             .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;

@@ -93,12 +93,15 @@ pub(super) fn request(
     };
     let mut given = false;
     if let Some(field) = root.get("mesh") {
-        let mut keys = vec!["preset"];
+        let mut keys = vec!["preset", "scale"];
         keys.extend(MESH_KEYS.iter().map(|key| key.key));
         let table = field.table()?.only(&keys)?;
         if let Some(field) = table.get("preset") {
             request.preset = field.choice(&Preset::ALL.map(|p| (p.name(), p)))?.value;
             given = true;
+        }
+        if let Some(field) = table.get("scale") {
+            request.scale = field.ratio()?.value;
         }
         for MeshKey { key, kind, .. } in MESH_KEYS {
             let Some(field) = table.get(key) else {
@@ -113,10 +116,13 @@ pub(super) fn request(
         }
     }
     let name = request.preset.name();
-    let text = match request.overrides.len() {
+    let mut text = match request.overrides.len() {
         0 => name.to_string(),
         n => format!("{name}, {n} of its numbers overridden"),
     };
+    if request.scale != 1.0 {
+        text.push_str(&format!(", every element {} times as large", request.scale));
+    }
     let why = "peak stresses near a contact line depend on the mesh";
     assumptions.push(Assumption::new("mesh.preset", text, why, given));
     Ok(request)

@@ -37,12 +37,16 @@ fn make(args: &MeshArgs) -> Result<String, JobError> {
         case.set_full()?;
     }
     let mesh = job::make_mesh(&case, &args.out)?;
-    let mut lines = vec![format!(
+    let mut first = format!(
         "{}: {} nodes, {} hexahedra",
         args.out.display(),
         mesh.points.len(),
         mesh.hexes.len()
-    )];
+    );
+    if let Some(unknowns) = job::unknowns(&case, &mesh) {
+        first.push_str(&format!(", {unknowns} unknowns"));
+    }
+    let mut lines = vec![first];
     for quality in mesh.quality() {
         lines.push(format!(
             "  {:20} {:7} hexahedra, scaled Jacobian >= {:.3}, aspect ratio <= {:.1}",

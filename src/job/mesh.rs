@@ -3,6 +3,7 @@
 use super::JobError;
 use crate::case::bearing::{gmsh_parameters, write_template, write_with_fingerprint};
 use crate::case::{BearingCase, Case, Family, Kind, MeshOrigin};
+use crate::fem::dofs::DofMap;
 use crate::mesh::family::problem_h;
 use crate::mesh::{Mesh, gmsh, msh};
 use std::path::{Path, PathBuf};
@@ -58,6 +59,12 @@ pub fn make_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
             case: case.title.clone(),
         }),
     }
+}
+
+/// The free displacement components that `case` has on `mesh`; `None` where the two do not fit.
+pub fn unknowns(case: &Case, mesh: &Mesh) -> Option<usize> {
+    let scene = case.scene(mesh.clone()).ok()?;
+    Some(DofMap::new(&scene).ok()?.len())
 }
 
 fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {

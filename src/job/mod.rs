@@ -1,5 +1,6 @@
 //! One case from its file to its results on disk: mesh, solve, write, summarise.
 
+mod clock;
 mod compare;
 mod error;
 mod left_out;
@@ -9,16 +10,17 @@ mod record;
 
 use crate::case::{Case, Kind};
 use crate::mesh::Mesh;
-use crate::output::summary::{Checks, Counters, Timing};
+use crate::output::summary::{Checks, Counters, Named, Timing};
 use crate::output::{Summary, SummaryInputs, UnitLabels};
 use crate::results::State;
 use crate::results::bore::Bore;
 use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::recover;
 use crate::scene::Scene;
-use crate::solve::{self, Observer, Solution};
+use crate::solve::{self, Observer, Phase, Solution, Timers};
+use clock::Clock;
 pub use error::JobError;
-pub use mesh::{find_mesh, make_mesh};
+pub use mesh::{find_mesh, make_mesh, unknowns};
 use record::Recorder;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -104,21 +106,27 @@ pub fn run_on(
         scene.mesh.hexes.len(),
         scene.mesh.bodies.len()
     ));
-    let solving = Instant::now();
+    let clock = Clock::start();
     let mut recorder = Recorder::new(case, options.out.as_deref(), scene.clone(), observer);
     let solution = solve::solve(&mut scene, &mut recorder)?;
-    let solve_s = solving.elapsed().as_secs_f64() - recorder.seconds();
+    let writing = recorder.spent();
+    let solving = clock.spent().minus(writing);
     if !solution.complete && solution.last.displacement.is_empty() {
         return Err(JobError::Interrupted);
     }
+    let clock = Clock::start();
     let elastic = match options.elastic_peaks {
         true => elastic_peaks(&scene, &solution, observer),
         false => None,
     };
     let timing = Timing {
         mesh_s,
-        solve_s,
+        solve_s: solving.wall_s,
+        solve_cpu_s: solving.cpu_s,
+        write_s: writing.wall_s,
+        elastic_s: clock.spent().wall_s,
         total_s: start.elapsed().as_secs_f64(),
+        phases: phases(&solution.counters.timers),
     };
     let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing, options)?;
     if let Some(out) = &options.out {
@@ -203,6 +211,9 @@ fn summarise(
             dofs: solution.counters.equations,
             iterations: solution.counters.iterations,
             factorisations: solution.counters.factorisations,
+            krylov_directions: solution.counters.krylov_directions,
+            kept_dofs: solution.counters.kept_equations,
+            factor_entries: solution.counters.factor_entries,
         },
         timing,
         peak_memory_bytes: peak_memory(),
@@ -224,6 +235,12 @@ fn summarise(
         comparison: comparison.clone(),
         ..bare
     })
+}
+
+/// Seconds by phase, under names without blanks.
+fn phases(timers: &Timers) -> Named<f64> {
+    let phase = |p: &Phase| (p.name().replace(' ', "_"), timers.seconds(*p));
+    Named(Phase::ALL.iter().map(phase).collect())
 }
 
 /// Inner walls of hollow rollers.

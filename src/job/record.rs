@@ -1,5 +1,6 @@
 //! Writes each accepted increment to disk while it passes the observer on.
 
+use super::clock::{Clock, Spent};
 use crate::case::Case;
 use crate::output::Series;
 use crate::results::State;
@@ -7,13 +8,12 @@ use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{Iteration, Observer};
 use std::path::Path;
-use std::time::Instant;
 
 pub struct Recorder<'o> {
     inner: &'o mut dyn Observer,
     series: Option<Series>,
     scene: Scene,
-    seconds: f64,
+    spent: Spent,
 }
 
 impl<'o> Recorder<'o> {
@@ -26,13 +26,16 @@ impl<'o> Recorder<'o> {
             series: out.map(|out| Series::new(out, &stem)),
             inner,
             scene,
-            seconds: 0.0,
+            spent: Spent {
+                cpu_s: Some(0.0),
+                ..Spent::default()
+            },
         }
     }
 
-    /// Time spent on writing.
-    pub fn seconds(&self) -> f64 {
-        self.seconds
+    /// Spent on writing.
+    pub fn spent(&self) -> Spent {
+        self.spent
     }
 }
 
@@ -47,11 +50,11 @@ impl Observer for Recorder<'_> {
     }
 
     fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
-        let start = Instant::now();
+        let clock = Clock::start();
         if let Some(series) = &mut self.series {
             series.write(&self.scene, state, &recover(&self.scene, state))?;
         }
-        self.seconds += start.elapsed().as_secs_f64();
+        self.spent = self.spent.plus(clock.spent());
         self.inner.increment(state)
     }
 

@@ -63,14 +63,29 @@ pub struct Counters {
     pub dofs: usize,
     pub iterations: usize,
     pub factorisations: usize,
+    /// Directions of the Krylov method, each a product with the matrix and a solution with a factor.
+    pub krylov_directions: usize,
+    /// Unknowns that the Newton iterations see, the others being eliminated beforehand.
+    pub kept_dofs: usize,
+    /// Entries of the factors that are held at the end.
+    pub factor_entries: usize,
 }
 
-/// Seconds on the clock.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+/// Seconds on the clock; those with `cpu` in their names are of all threads of the process together.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Timing {
+    /// Reading or making the mesh, and the scene from it.
     pub mesh_s: f64,
     pub solve_s: f64,
+    /// Not known on every system.
+    pub solve_cpu_s: Option<f64>,
+    /// Fields of the increments to their files, with recovering them.
+    pub write_s: f64,
+    /// Solving once more without plasticity.
+    pub elastic_s: f64,
     pub total_s: f64,
+    /// What `solve_s` went into.
+    pub phases: Named<f64>,
 }
 
 /// Relative figures that say how well the answer satisfies its own equations.
@@ -224,6 +239,9 @@ pub struct Summary {
     pub elements: usize,
     pub iterations: usize,
     pub factorisations: usize,
+    pub krylov_directions: usize,
+    pub kept_dofs: usize,
+    pub factor_entries: usize,
     pub timing: Timing,
     pub peak_memory_bytes: Option<u64>,
     pub applied_load: f64,
@@ -276,7 +294,10 @@ impl Summary {
             elements: scene.mesh.hexes.len(),
             iterations: inputs.counters.iterations,
             factorisations: inputs.counters.factorisations,
-            timing: inputs.timing,
+            krylov_directions: inputs.counters.krylov_directions,
+            kept_dofs: inputs.counters.kept_dofs,
+            factor_entries: inputs.counters.factor_entries,
+            timing: inputs.timing.clone(),
             peak_memory_bytes: inputs.peak_memory_bytes,
             applied_load,
             descent,

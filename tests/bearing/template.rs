@@ -239,6 +239,26 @@ fn displaced_bearings_are_whole() {
 }
 
 #[test]
+fn every_element_scales_in_every_direction() {
+    for (geometry, whole) in [(initial(), false), (displaced(2.5), true), (solid(), false)] {
+        let meshes = [1.6, 0.8].map(|scale| {
+            let mesh = mesh(&geometry, &request(Preset::H025).scaled(scale));
+            // Coarser ones have fewer elements along the rollers than the presets promise.
+            check(&mesh, &geometry, scale <= 1.0, whole);
+            mesh
+        });
+        // Each body has about eight times the elements, and elements of the same shapes.
+        let [coarse, fine] = meshes.map(|mesh| mesh.quality());
+        for (coarse, fine) in coarse.iter().zip(&fine) {
+            let times = fine.elements as f64 / coarse.elements as f64;
+            assert!((5.0..13.0).contains(&times), "{}: {times}", fine.name);
+            let longer = fine.max_aspect_ratio / coarse.max_aspect_ratio;
+            assert!((0.6..1.6).contains(&longer), "{}: {longer}", fine.name);
+        }
+    }
+}
+
+#[test]
 fn solid_rollers_have_a_core() {
     let quarter = mesh(&solid(), &request(Preset::H025));
     check(&quarter, &solid(), true, false);

@@ -450,6 +450,10 @@ fn an_impossible_mesh_preset() {
         &["mesh.growth = 0.5", "between 1 and 10"],
     );
     refused(
+        &with_size("scale = 0"),
+        &["mesh.scale = 0", "between 0.02 and 5"],
+    );
+    refused(
         &with_size("fine_layers = 1.5"),
         &["mesh.fine_layers = 1.5", "whole number"],
     );

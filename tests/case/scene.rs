@@ -211,6 +211,23 @@ fn assumptions_are_named_and_say_whether_they_were_given() {
 }
 
 #[test]
+fn a_scale_multiplies_every_element_size() {
+    let sizes = |line: &str| {
+        let case = good(&format!("{BEARING}{line}\n"));
+        let mut assumptions = case.assumptions.iter();
+        let text = assumptions.find(|a| a.key == "mesh.preset");
+        let bearing = bearing(&case);
+        let sizes = bearing.mesh.sizes(&bearing.geometry);
+        (sizes, text.map(|a| a.value.clone()))
+    };
+    let ((base, plain), (finer, text)) = (sizes(""), sizes("scale = 0.5"));
+    assert_eq!(finer, base.scaled(0.5));
+    assert_eq!(plain.as_deref(), Some("h025"));
+    let text = text.unwrap_or_default();
+    assert_eq!(text, "h025, every element 0.5 times as large");
+}
+
+#[test]
 fn a_case_can_be_changed_from_outside() {
     let mut case = good(&format!("{BEARING}growth = 1.5\n"));
     case.set_preset("report-like").unwrap();

@@ -1,7 +1,7 @@
 use crate::block::{close, fill_stress, pressed, stack};
 use brinell::output::left_out::LeftOut;
 use brinell::output::summary::{
-    Checks, Comparison, Counters, Figure, Measure, Summary, SummaryInputs, Timing,
+    Checks, Comparison, Counters, Figure, Measure, Named, Summary, SummaryInputs, Timing,
 };
 use brinell::output::{UnitLabels, table};
 use brinell::results::State;
@@ -40,11 +40,16 @@ fn summarise(scene: &Scene, state: &State) -> Summary {
             dofs: 120,
             iterations: 7,
             factorisations: 2,
+            krylov_directions: 9,
+            kept_dofs: 40,
+            factor_entries: 1000,
         },
         timing: Timing {
             mesh_s: 0.5,
             solve_s: 1.0,
             total_s: 2.0,
+            phases: Named(vec![("assemble".into(), 0.25)]),
+            ..Timing::default()
         },
         peak_memory_bytes: Some(123_000_000),
         measures: &[Measure {
@@ -100,6 +105,9 @@ fn the_summary_has_every_key_and_no_nan() {
         "elements",
         "iterations",
         "factorisations",
+        "krylov_directions",
+        "kept_dofs",
+        "factor_entries",
         "timing",
         "peak_memory_bytes",
         "applied_load",
@@ -120,6 +128,7 @@ fn the_summary_has_every_key_and_no_nan() {
         "/timing/mesh_s",
         "/timing/solve_s",
         "/timing/total_s",
+        "/timing/phases/assemble",
         "/bodies/block/mises_max/centroid",
         "/bodies/block/mises_max/integration_point",
         "/bodies/block/mises_max/nodal",

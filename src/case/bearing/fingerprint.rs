@@ -9,7 +9,7 @@ use flate2::{Compression, GzBuilder};
 
 use super::geometry::BearingGeometry;
 use super::parameters::parameters;
-use super::preset::MeshRequest;
+use super::request::MeshRequest;
 use super::template::TEMPLATE_VERSION;
 
 /// A hash of everything that the mesh of a bearing depends on: 16 hexadecimal digits.

@@ -1,7 +1,7 @@
 //! From a bearing to the numbers of the gmsh template, and from its mesh back to its unit.
 
 use super::geometry::BearingGeometry;
-use super::preset::MeshRequest;
+use super::request::MeshRequest;
 use super::sizes::{Kind, MESH_KEYS};
 use crate::mesh::Mesh;
 

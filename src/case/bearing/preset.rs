@@ -5,9 +5,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::end_shape::RollerEnd;
-use super::error::GeometryError;
 use super::geometry::BearingGeometry;
-use super::sizes::{Kind, MESH_KEYS, Sizes};
+use super::sizes::Sizes;
 
 /// A named choice of element sizes.
 ///
@@ -28,19 +27,8 @@ pub enum Preset {
     ReportLike,
 }
 
-/// How a bearing is to be meshed.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MeshRequest {
-    pub preset: Preset,
-    /// Numbers in place of those of the preset, by key of [`MESH_KEYS`]; lengths in the unit of
-    /// the bearing. A `roller_size` without a `plate_size` changes both.
-    pub overrides: Vec<(String, f64)>,
-    /// All four quarters of a centred bearing; a displaced one is always whole.
-    pub full: bool,
-}
-
 /// Plate elements across a contact line against those of the roller.
-const PLATE_TO_ROLLER: f64 = 1.06;
+pub(super) const PLATE_TO_ROLLER: f64 = 1.06;
 
 impl Preset {
     /// One of each, the default first.
@@ -164,63 +152,6 @@ fn report_like(geometry: &BearingGeometry) -> Sizes {
     }
 }
 
-impl MeshRequest {
-    /// The sizes of the preset with the overrides in their places; overrides whose keys are not
-    /// in [`MESH_KEYS`] are passed over.
-    pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
-        let mut sizes = self.preset.sizes(geometry);
-        for (key, value) in &self.overrides {
-            if let Some(number) = sizes.get_mut(key) {
-                *number = *value;
-            }
-        }
-        let given = |key: &str| self.overrides.iter().any(|(k, _)| k == key);
-        if given("roller_size") && !given("plate_size") {
-            sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
-        }
-        sizes
-    }
-
-    /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
-    pub fn scaled(&self, geometry: &BearingGeometry, scale: f64) -> Self {
-        let sizes = self.sizes(geometry).scaled(scale);
-        let numbers = MESH_KEYS.iter().zip(sizes.values());
-        Self {
-            overrides: numbers.map(|(k, v)| (k.key.to_string(), v)).collect(),
-            ..self.clone()
-        }
-    }
-
-    /// Can this mesh be made?
-    ///
-    /// # Errors
-    /// Names the first number that is out of its range, with the range.
-    pub fn check(&self, geometry: &BearingGeometry) -> Result<(), GeometryError> {
-        geometry.check()?;
-        for (key, value) in MESH_KEYS.iter().zip(self.sizes(geometry).values()) {
-            let (least, most, range) = match key.kind {
-                // Finer meshes than this could not be solved, nor made in reasonable time.
-                Kind::Length => {
-                    let least = 1e-4 * geometry.diameter;
-                    let range = format!("must be at least {least} (1e-4 diameters)");
-                    (least, f64::MAX, range)
-                }
-                Kind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
-                Kind::Ratio => (1.0, 10.0, "must lie between 1 and 10".into()),
-            };
-            let help = "a size, count or growth of the bearing template";
-            GeometryError::unless(
-                value >= least && value <= most,
-                key.key,
-                value,
-                || range,
-                help,
-            )?;
-        }
-        Ok(())
-    }
-}
-
 impl fmt::Display for Preset {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
@@ -257,35 +188,5 @@ mod tests {
         }
         assert!("h05".parse::<Preset>().is_err());
         assert_eq!(Preset::default().sizes(&initial()).roller_size, 0.025);
-    }
-
-    #[test]
-    fn overrides_take_the_place_of_the_preset() {
-        let request = MeshRequest {
-            overrides: vec![("roller_size".into(), 0.05), ("growth".into(), 1.3)],
-            ..MeshRequest::default()
-        };
-        let sizes = request.sizes(&initial());
-        assert_eq!([sizes.roller_size, sizes.growth], [0.05, 1.3]);
-        assert!((sizes.plate_size - 0.053).abs() < 1e-12);
-        assert!(request.check(&initial()).is_ok());
-    }
-
-    #[test]
-    fn impossible_sizes_are_refused_by_name() {
-        for (key, value) in [
-            ("roller_size", 0.0),
-            ("end_size", -1.0),
-            ("growth", 0.9),
-            ("fine_layers", 0.0),
-            ("depth_cap", f64::NAN),
-        ] {
-            let request = MeshRequest {
-                overrides: vec![(key.into(), value)],
-                ..MeshRequest::default()
-            };
-            let error = request.check(&initial()).expect_err(key);
-            assert_eq!(error.key, key);
-        }
     }
 }

@@ -1,0 +1,159 @@
+//! What a case asks of the mesh: a preset, numbers in place of its own, a scale.
+
+use std::ops::RangeInclusive;
+
+use super::error::GeometryError;
+use super::geometry::BearingGeometry;
+use super::preset::{PLATE_TO_ROLLER, Preset};
+use super::sizes::{Kind, MESH_KEYS, Sizes};
+
+/// How a bearing is to be meshed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshRequest {
+    pub preset: Preset,
+    /// Numbers in place of those of the preset, by key of [`MESH_KEYS`]; lengths in the unit of
+    /// the bearing. A `roller_size` without a `plate_size` changes both.
+    pub overrides: Vec<(String, f64)>,
+    /// Every element this many times as large as those say, in every direction, the grading kept;
+    /// see [`Sizes::scaled`].
+    pub scale: f64,
+    /// All four quarters of a centred bearing; a displaced one is always whole.
+    pub full: bool,
+}
+
+impl Default for MeshRequest {
+    fn default() -> Self {
+        Self {
+            preset: Preset::default(),
+            overrides: Vec::new(),
+            scale: 1.0,
+            full: false,
+        }
+    }
+}
+
+/// Scales beyond these make no mesh that is of use: 5 leaves one element where there were five.
+const SCALES: RangeInclusive<f64> = 0.02..=5.0;
+
+impl MeshRequest {
+    /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
+    /// are not in [`MESH_KEYS`] are passed over.
+    pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
+        self.unscaled(geometry).scaled(self.scale)
+    }
+
+    fn unscaled(&self, geometry: &BearingGeometry) -> Sizes {
+        let mut sizes = self.preset.sizes(geometry);
+        for (key, value) in &self.overrides {
+            if let Some(number) = sizes.get_mut(key) {
+                *number = *value;
+            }
+        }
+        let given = |key: &str| self.overrides.iter().any(|(k, _)| k == key);
+        if given("roller_size") && !given("plate_size") {
+            sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
+        }
+        sizes
+    }
+
+    /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
+    pub fn scaled(&self, scale: f64) -> Self {
+        Self {
+            scale: self.scale * scale,
+            ..self.clone()
+        }
+    }
+
+    /// Can this mesh be made?
+    ///
+    /// # Errors
+    /// Names the first number that is out of its range, with the range.
+    pub fn check(&self, geometry: &BearingGeometry) -> Result<(), GeometryError> {
+        geometry.check()?;
+        let (least, most) = (SCALES.start(), SCALES.end());
+        GeometryError::unless(
+            SCALES.contains(&self.scale),
+            "scale",
+            self.scale,
+            || format!("must lie between {least} and {most}"),
+            "every element this many times as large as the preset has it",
+        )?;
+        // Scaling mends counts of none, so what was asked for is looked at, too.
+        let both = [self.unscaled(geometry), self.sizes(geometry)];
+        let numbers = both.map(|sizes| MESH_KEYS.iter().zip(sizes.values()));
+        for (key, value) in numbers.into_iter().flatten() {
+            let (least, most, range) = match key.kind {
+                // Finer meshes than this could not be solved, nor made in reasonable time.
+                Kind::Length => {
+                    let least = 1e-4 * geometry.diameter;
+                    let range = format!("must be at least {least} (1e-4 diameters)");
+                    (least, f64::MAX, range)
+                }
+                Kind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
+                Kind::Ratio => (1.0, 10.0, "must lie between 1 and 10".into()),
+            };
+            let help = "a size, count or growth of the bearing template";
+            GeometryError::unless(
+                value >= least && value <= most,
+                key.key,
+                value,
+                || range,
+                help,
+            )?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::geometry::tests::initial;
+
+    #[test]
+    fn overrides_take_the_place_of_the_preset() {
+        let request = MeshRequest {
+            overrides: vec![("roller_size".into(), 0.05), ("growth".into(), 1.3)],
+            ..MeshRequest::default()
+        };
+        let sizes = request.sizes(&initial());
+        assert_eq!([sizes.roller_size, sizes.growth], [0.05, 1.3]);
+        assert!((sizes.plate_size - 0.053).abs() < 1e-12);
+        assert!(request.check(&initial()).is_ok());
+    }
+
+    #[test]
+    fn a_scale_takes_every_number_along() {
+        let base = MeshRequest {
+            overrides: vec![("wall_least".into(), 8.0), ("growth".into(), 4.0)],
+            ..MeshRequest::default()
+        };
+        let half = base.scaled(0.5).sizes(&initial());
+        assert_eq!(half, base.sizes(&initial()).scaled(0.5));
+        let found = [half.roller_size, half.wall_least, half.growth];
+        assert_eq!(found, [0.0125, 16.0, 2.0]);
+        assert_eq!(base.scaled(0.5).scaled(2.0), base, "no rounding adds up");
+        for scale in [0.0, -1.0, f64::NAN, 50.0] {
+            let error = base.scaled(scale).check(&initial()).expect_err("a scale");
+            assert_eq!(error.key, "scale");
+        }
+    }
+
+    #[test]
+    fn impossible_sizes_are_refused_by_name() {
+        for (key, value) in [
+            ("roller_size", 0.0),
+            ("end_size", -1.0),
+            ("growth", 0.9),
+            ("fine_layers", 0.0),
+            ("depth_cap", f64::NAN),
+        ] {
+            let request = MeshRequest {
+                overrides: vec![(key.into(), value)],
+                ..MeshRequest::default()
+            };
+            let error = request.check(&initial()).expect_err(key);
+            assert_eq!(error.key, key);
+        }
+    }
+}

@@ -640,3 +640,27 @@ fn a_bearing_takes_a_preset_and_no_mesh_files() {
         says(&run, &[words]);
     }
 }
+
+#[test]
+fn a_deck_is_named_after_its_case() {
+    let folder = folder(SCENE, &blocks(0.0, 0.1));
+    let out = brinell(folder.path(), "export scene.toml --format inp --out decks").code(0);
+    let said = words(&out.get_output().stdout);
+    assert!(
+        said.contains("to close its gap") && said.contains("scene.inp"),
+        "{said}"
+    );
+    let deck = std::fs::read_to_string(folder.path().join("decks/scene.inp")).unwrap();
+    for line in [
+        "** Units: mm, N, MPa.",
+        "*CONTACT PAIR,INTERACTION=UPPER_LOWER,TYPE=SURFACE TO SURFACE",
+    ] {
+        assert!(deck.lines().any(|l| l == line), "`{line}` is missing");
+    }
+    let line = "export scene.toml --format inp --out decks --contact-stiffness 0";
+    says(
+        &brinell(folder.path(), line).code(2),
+        &["contact stiffness"],
+    );
+    brinell(folder.path(), "export scene.toml --out decks").code(2);
+}

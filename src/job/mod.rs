@@ -2,6 +2,7 @@
 
 mod compare;
 mod error;
+mod export;
 mod left_out;
 mod limits;
 mod mesh;
@@ -18,6 +19,7 @@ use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Solution};
 pub use error::JobError;
+pub use export::{Exported, export};
 pub use mesh::{find_mesh, make_mesh};
 use record::Recorder;
 use std::io::ErrorKind;

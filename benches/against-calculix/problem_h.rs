@@ -15,6 +15,8 @@ use std::path::{Path, PathBuf};
 const GOALS: [f64; 2] = [0.01, 0.003];
 /// Pressure per overclosure of the mortar contact of CalculiX, ksi/in: 50000 E an inch.
 const STIFFNESS: &str = "1.475e9";
+/// Overlap that CalculiX starts from, in: a² / 8 R; it converges sooner than from a touch.
+pub const OVERLAP: &str = "7.978e-5";
 /// Elements of CalculiX across the half-width.
 const PEER_SIZES: [usize; 8] = [4, 5, 6, 7, 8, 10, 12, 16];
 /// Meshes of Brinell: elements across the half-width, and growth from one to the next beyond.
@@ -160,8 +162,15 @@ fn peer(across: usize, element: &str, folder: &Path, repeat: usize) -> Result<Ro
     let mesh = problem_h::full(&Sizes::with(across)).map_err(|e| e.to_string())?;
     let case = write(&folder, &mesh, false, "")?;
     let mortar = ["--contact", "mortar", "--contact-stiffness", STIFFNESS];
-    let more = ["--element", element, "--increment", "1"];
-    subject::export(&case, &folder, &[mortar, more].concat())?;
+    let more = [
+        "--element",
+        element,
+        "--increment",
+        "1",
+        "--closing",
+        OVERLAP,
+    ];
+    subject::export(&case, &folder, &[&mortar[..], &more[..]].concat())?;
     let run = ccx::run(&folder, "problem-h", mesh.points.len(), 1, repeat)?;
     Ok(Row {
         name: format!("CalculiX {element}, mortar"),

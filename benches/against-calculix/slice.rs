@@ -67,8 +67,13 @@ pub fn run(options: &Options, folder: &Path) -> Result<String, String> {
     {
         let deck = folder.join(solver);
         let case = plane::write(&deck, &mesh, true, "")?;
-        let law = ["--contact-stiffness", STIFFNESS, "--increment", "1"];
-        subject::export(&case, &deck, &[&law[..], &["--solver", solver]].concat())?;
+        let law = ["--contact-stiffness", STIFFNESS];
+        let start = ["--increment", "1", "--closing", plane::OVERLAP];
+        subject::export(
+            &case,
+            &deck,
+            &[&law[..], &start, &["--solver", solver]].concat(),
+        )?;
         let run = match ccx::run(&deck, "problem-h", mesh.points.len(), 2, 1) {
             Ok(run) => run,
             Err(error) => {

@@ -43,7 +43,8 @@ pub struct Settings {
     /// Pressure per overclosure; `None` takes [`default_stiffness`].
     pub contact_stiffness: Option<f64>,
     /// How far the closing step moves a plane that is driven by force; `None` takes the
-    /// shortening of a solid block in place of the bodies, which is safely too little.
+    /// shortening of a solid block in place of the bodies, which is safely too little. Where no
+    /// plane is driven there is no such step.
     pub closing: Option<f64>,
     /// First increment of the load steps, as a share of the step; `None` takes that of the scene.
     pub increment: Option<f64>,

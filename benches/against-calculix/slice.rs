@@ -1,4 +1,4 @@
-//! Problem H extruded to 40 layers, 1 in long: elastic contact with 184 thousand unknowns.
+//! Problem H extruded to 40 layers, 1 in long: elastic contact with 181 thousand unknowns.
 
 use crate::page::{Table, error, number, times};
 use crate::reading::{Basis, half_width, nodal};

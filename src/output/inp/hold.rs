@@ -33,7 +33,7 @@ pub(super) struct Springs {
 
 /// The springs of a body and axis together would carry this share of the load if the body moved by
 /// a thousandth of the model.
-const SHARE: f64 = 2e-5;
+const SHARE: f64 = 1e-4;
 /// Springs on a body along an axis, at most.
 const SPRINGS: usize = 60;
 

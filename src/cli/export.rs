@@ -64,8 +64,8 @@ pub struct ExportArgs {
     /// Keep every body elastic.
     #[arg(long)]
     pub elastic: bool,
-    /// Pressure per overclosure in the stress and length of the case [default: 20000 Young's
-    /// moduli over the diagonal of the model].
+    /// Pressure per overclosure in the stress and length of the case [default: 20 Young's
+    /// moduli over the shortest edge of the faces that press].
     #[arg(long, value_name = "K")]
     pub contact_stiffness: Option<f64>,
     #[arg(long, value_enum, default_value = "surface-to-surface")]

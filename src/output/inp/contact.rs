@@ -4,6 +4,7 @@ use super::mesh::face_number;
 use super::names::Names;
 use super::{ContactType, Deck, InpError, number};
 use crate::contact::search::FacetTree;
+use crate::geometry::{norm, sub};
 use crate::mesh::Face;
 use crate::scene::{ContactPair, Partner, Scene, Side};
 use std::io::{self, Write};
@@ -21,16 +22,23 @@ pub(super) struct Pair {
 
 /// Faces further apart than this share of the model are left out: far more than bodies approach.
 const NEAR: f64 = 0.01;
-/// Default pressure per overclosure, in Young's moduli per diagonal of the model.
-const STIFFNESS: f64 = 20_000.0;
+/// Default pressure per overclosure, in Young's moduli over the shortest edge of a carrier's face.
+const STIFFNESS: f64 = 20.0;
 /// Shear per slip where the nodes stick, as a share of the pressure per overclosure.
 const STICK: f64 = 0.1;
 
-/// Contact stiffness that makes the overclosure a small part of the approach: the largest Young's
-/// modulus times 20000 over the diagonal of the model, in stress per length.
-pub fn default_stiffness(scene: &Scene) -> f64 {
+/// Contact stiffness in stress per length that makes the overclosure a small part of the approach,
+/// and is not so stiff that coarse meshes find no balance.
+pub(super) fn default_stiffness(scene: &Scene, pairs: &[Pair]) -> f64 {
     let moduli = scene.materials.iter().map(|steel| steel.youngs_modulus);
-    STIFFNESS * moduli.fold(0.0, f64::max) / diagonal(scene)
+    let edges = pairs
+        .iter()
+        .flat_map(|pair| &pair.faces[0])
+        .flat_map(|face| {
+            let corners = face.corners(&scene.mesh);
+            (0..4).map(move |k| norm(sub(corners[k], corners[(k + 1) % 4])))
+        });
+    STIFFNESS * moduli.fold(0.0, f64::max) / edges.fold(diagonal(scene), f64::min)
 }
 
 /// Diagonal of the box around the model.

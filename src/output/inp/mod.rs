@@ -11,7 +11,6 @@ mod mesh;
 mod names;
 mod steps;
 
-pub use contact::default_stiffness;
 pub use error::InpError;
 
 use crate::scene::{ElementKind, Scene};
@@ -40,7 +39,8 @@ pub struct Settings {
     /// Element type; `None` takes the one that stands for the element of the scene.
     pub element: Option<String>,
     pub contact: ContactType,
-    /// Pressure per overclosure; `None` takes [`default_stiffness`].
+    /// Pressure per overclosure; `None` takes 20 Young's moduli over the shortest edge of the
+    /// carriers' faces.
     pub contact_stiffness: Option<f64>,
     /// How far the closing step moves a plane that is driven by force; `None` takes the
     /// shortening of a solid block in place of the bodies, which is safely too little. Where no
@@ -87,7 +87,7 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Checked<'a>
     let springs = hold::springs(scene, &mut names);
     let stiffness = settings.contact_stiffness;
     Ok(Checked(Deck {
-        stiffness: stiffness.unwrap_or_else(|| default_stiffness(scene)),
+        stiffness: stiffness.unwrap_or_else(|| contact::default_stiffness(scene, &pairs)),
         scene,
         settings,
         names,

@@ -642,3 +642,41 @@ fn a_bearing_takes_a_preset_and_no_mesh_files() {
         says(&run, &[words]);
     }
 }
+
+#[test]
+fn a_deck_is_named_after_its_case() {
+    let folder = folder(SCENE, &blocks(0.0, 0.1));
+    let out = brinell(folder.path(), "export scene.toml --format inp --out decks").code(0);
+    let said = words(&out.get_output().stdout);
+    assert!(
+        said.contains("to close its gap") && said.contains("scene.inp"),
+        "{said}"
+    );
+    let deck = std::fs::read_to_string(folder.path().join("decks/scene.inp")).unwrap();
+    for line in [
+        "** Units: mm, N, MPa.",
+        "*CONTACT PAIR,INTERACTION=UPPER_LOWER,TYPE=SURFACE TO SURFACE",
+    ] {
+        assert!(deck.lines().any(|l| l == line), "`{line}` is missing");
+    }
+    // Pressed by pressure alone: the cylinder starts inside the block.
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/problem-h.toml");
+    let line = format!(
+        "export {} --format inp --out h --closing 0.001",
+        case.display()
+    );
+    brinell(folder.path(), &line).code(0);
+    let deck = std::fs::read_to_string(folder.path().join("h/problem-h.inp")).unwrap();
+    let nodes = deck.lines().skip_while(|l| !l.starts_with("*NODE")).skip(1);
+    let nodes = nodes.take_while(|l| !l.starts_with('*'));
+    let height = |line: &str| line.split(',').nth(2).unwrap().parse::<f64>().unwrap();
+    let cylinder = nodes.map(height).filter(|y| (-0.1..0.0).contains(y));
+    let lowest = cylinder.filter(|y| (y + 0.001).abs() < 1e-5).count();
+    assert!(lowest > 0, "the cylinder does not overlap by 0.001");
+    let line = "export scene.toml --format inp --out decks --contact-stiffness 0";
+    says(
+        &brinell(folder.path(), line).code(2),
+        &["contact stiffness"],
+    );
+    brinell(folder.path(), "export scene.toml --out decks").code(2);
+}

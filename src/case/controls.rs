@@ -59,9 +59,10 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
         let name = field.string()?;
         controls.element = match name.value.as_str() {
             "bbar" => ElementKind::Bbar,
+            "full" => ElementKind::Full,
             "enhanced" => ElementKind::Enhanced,
             _ => {
-                let why = "must be \"bbar\" or \"enhanced\"";
+                let why = "must be \"bbar\", \"full\" or \"enhanced\"";
                 return Err(name.place.error(ErrorKind::Value, why));
             }
         };

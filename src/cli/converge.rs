@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Element {
     Bbar,
+    Full,
     Enhanced,
 }
 
@@ -134,6 +135,7 @@ impl Job {
         for element in &args.element {
             let kind = match element {
                 Element::Bbar => ElementKind::Bbar,
+                Element::Full => ElementKind::Full,
                 Element::Enhanced => ElementKind::Enhanced,
             };
             if !elements.contains(&kind) {

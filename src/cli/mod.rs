@@ -2,6 +2,7 @@
 
 mod console;
 pub mod converge;
+pub mod export;
 pub mod hertz;
 pub mod mesh;
 pub mod run;
@@ -25,6 +26,8 @@ enum Command {
     Run(run::RunArgs),
     /// Mesh a bearing case by gmsh.
     Mesh(mesh::MeshArgs),
+    /// Write a case as a deck for CalculiX or Abaqus.
+    Export(export::ExportArgs),
     /// The handbook: Hertz, ring and groove figures for a roller on a plate.
     Hertz(hertz::HertzArgs),
     /// One case on a series of meshes: error against unknowns, run time and memory.
@@ -52,6 +55,7 @@ impl Cli {
         let status = match self.command {
             Command::Run(args) => run::run(&args),
             Command::Mesh(args) => mesh::run(&args),
+            Command::Export(args) => export::run(&args),
             Command::Converge(args) => converge::run(&args),
             Command::Verify(args) => verify::run(&args),
             Command::Hertz(args) => hertz::run(&args)

@@ -108,6 +108,7 @@ pub struct Study {
 pub fn element_name(element: ElementKind) -> &'static str {
     match element {
         ElementKind::Bbar => "bbar",
+        ElementKind::Full => "full",
         ElementKind::Enhanced => "enhanced",
     }
 }

@@ -1,8 +1,10 @@
-//! Hex8 with the element-mean volumetric strain (B-bar), the element that "C3D8" stands for.
+//! Hex8 with the element-mean volumetric strain (B-bar), or plain and fully integrated.
 //!
-//! The volumetric part of the strain is replaced by its mean over the element,
+//! In B-bar the volumetric part of the strain is replaced by its mean over the element,
 //! ε̄ = ∇ˢu + ⅓ (θ̄ − θ) I with θ̄ = (1/V) ∫ div u dV
 //! (Hughes, *The Finite Element Method*, 1987, section 4.5; the mean-dilatation form).
+//! In the plain element θ̄ is θ; CalculiX 2.20's C3D8 is that one, and agrees with it to 0.4 % where
+//! B-bar differs by 12 % (nodal Mises stress on the bore of a roller, plastic contact).
 //! Tensors are stored xx yy zz xy yz zx; strains carry engineering shears.
 
 use super::hex8::Geometry;
@@ -17,12 +19,13 @@ pub type ElementMatrix = [[f64; 24]; 24];
 pub fn strain(g: &Geometry, k: usize, u: &ElementVector) -> [f64; 6] {
     let mut d = [[0.0; 3]; 3];
     let mut mean = 0.0;
+    let dilatation = g.dilatation(k);
     for a in 0..8 {
         for i in 0..3 {
             for j in 0..3 {
                 d[i][j] += u[a][i] * g.gradients[k][a][j];
             }
-            mean += u[a][i] * g.mean_gradients[a][i];
+            mean += u[a][i] * dilatation[a][i];
         }
     }
     let shift = (mean - d[0][0] - d[1][1] - d[2][2]) / 3.0;
@@ -42,11 +45,12 @@ pub fn add_stress_force(g: &Geometry, k: usize, stress: &[f64; 6], force: &mut E
     let tensor = [[s[0], s[3], s[5]], [s[3], s[1], s[4]], [s[5], s[4], s[2]]];
     let pressure = (s[0] + s[1] + s[2]) / 3.0;
     let volume = g.volumes[k];
+    let dilatation = g.dilatation(k);
     for (a, f) in force.iter_mut().enumerate() {
         let d = g.gradients[k][a];
         for i in 0..3 {
             let plain = tensor[i][0] * d[0] + tensor[i][1] * d[1] + tensor[i][2] * d[2];
-            f[i] += volume * (plain + pressure * (g.mean_gradients[a][i] - d[i]));
+            f[i] += volume * (plain + pressure * (dilatation[a][i] - d[i]));
         }
     }
 }
@@ -57,18 +61,24 @@ pub fn stiffness(g: &Geometry, elastic: &Elastic) -> ElementMatrix {
     for k in 0..8 {
         add_deviatoric(g, k, elastic.shear * g.volumes[k], &mut matrix);
     }
-    let bulk = elastic.bulk * g.volume;
-    for a in 0..8 {
-        for i in 0..3 {
-            for b in 0..8 {
-                for j in 0..3 {
-                    matrix[3 * a + i][3 * b + j] +=
-                        bulk * g.mean_gradients[a][i] * g.mean_gradients[b][j];
-                }
-            }
+    if g.mean_dilatation {
+        add_dilatation(&g.mean_gradients, elastic.bulk * g.volume, &mut matrix);
+    } else {
+        for (gradients, volume) in g.gradients.iter().zip(g.volumes) {
+            add_dilatation(gradients, elastic.bulk * volume, &mut matrix);
         }
     }
     matrix
+}
+
+/// Adds `factor` (div u)², its gradients being `d`.
+fn add_dilatation(d: &[[f64; 3]; 8], factor: f64, matrix: &mut ElementMatrix) {
+    let d = d.as_flattened();
+    for (row, a) in matrix.iter_mut().zip(d) {
+        for (value, b) in row.iter_mut().zip(d) {
+            *value += factor * a * b;
+        }
+    }
 }
 
 /// Adds `factor` ∫ 2 dev ε : dev ε of integration point `k` (its shear stiffness for factor G V).
@@ -127,18 +137,19 @@ mod tests {
     #[test]
     fn stiffness_times_displacement_equals_the_force_of_the_stress() {
         let elastic = Steel::elastic(200.0, 0.3).moduli();
-        let g = Geometry::new(&distorted());
-        let k = stiffness(&g, &elastic);
         let u: ElementVector =
             std::array::from_fn(|a| std::array::from_fn(|i| ((a * 3 + i) as f64 * 0.77).sin()));
-        let mut force = [[0.0; 3]; 8];
-        for p in 0..8 {
-            add_stress_force(&g, p, &elastic.stress(&strain(&g, p, &u)), &mut force);
-        }
-        for a in 0..8 {
-            for i in 0..3 {
-                let row: f64 = (0..24).map(|c| k[3 * a + i][c] * u[c / 3][c % 3]).sum();
-                assert!((row - force[a][i]).abs() < 1e-11 * 200.0);
+        for g in [Geometry::new(&distorted()), Geometry::plain(&distorted())] {
+            let k = stiffness(&g, &elastic);
+            let mut force = [[0.0; 3]; 8];
+            for p in 0..8 {
+                add_stress_force(&g, p, &elastic.stress(&strain(&g, p, &u)), &mut force);
+            }
+            for a in 0..8 {
+                for i in 0..3 {
+                    let row: f64 = (0..24).map(|c| k[3 * a + i][c] * u[c / 3][c % 3]).sum();
+                    assert!((row - force[a][i]).abs() < 1e-11 * 200.0);
+                }
             }
         }
     }

@@ -17,7 +17,8 @@ use crate::scene::ElementKind;
     reason = "lives on the stack for one turn of a loop over elements"
 )]
 pub enum Element {
-    Bbar(Geometry),
+    /// Without inner unknowns: B-bar, or plain and fully integrated.
+    Displacement(Geometry),
     Enhanced(Enhanced),
 }
 
@@ -32,7 +33,8 @@ impl Element {
     /// From the corner coordinates of a valid (not inverted) element.
     pub fn new(kind: ElementKind, corners: &[[f64; 3]; 8]) -> Self {
         match kind {
-            ElementKind::Bbar => Self::Bbar(Geometry::new(corners)),
+            ElementKind::Bbar => Self::Displacement(Geometry::new(corners)),
+            ElementKind::Full => Self::Displacement(Geometry::plain(corners)),
             ElementKind::Enhanced => Self::Enhanced(Enhanced::new(corners)),
         }
     }
@@ -40,7 +42,7 @@ impl Element {
     /// Elastic stiffness.
     pub fn stiffness(&self, elastic: &Elastic) -> ElementMatrix {
         match self {
-            Self::Bbar(g) => bbar::stiffness(g, elastic),
+            Self::Displacement(g) => bbar::stiffness(g, elastic),
             Self::Enhanced(e) => e.stiffness(elastic),
         }
     }
@@ -65,7 +67,7 @@ impl Element {
         let mut points = *old;
         let mut flows = [None; 8];
         match self {
-            Self::Bbar(g) => {
+            Self::Displacement(g) => {
                 for k in 0..8 {
                     let update = j2::update(steel, elastic, &bbar::strain(g, k, u), &old[k]);
                     (points[k], flows[k]) = (update.point, update.flow);
@@ -80,7 +82,7 @@ impl Element {
     /// is the stiffness times the displacement, minus this.
     pub fn relief(&self, elastic: &Elastic, points: &[PlasticPoint; 8]) -> ElementVector {
         match self {
-            Self::Bbar(g) => {
+            Self::Displacement(g) => {
                 let mut relief = [[0.0; 3]; 8];
                 for (k, point) in points.iter().enumerate() {
                     bbar::add_stress_force(g, k, &elastic.stress(&point.strain), &mut relief);
@@ -95,7 +97,7 @@ impl Element {
     /// plus this.
     pub fn tangent_change(&self, elastic: &Elastic, flows: &[Option<Flow>; 8]) -> ElementMatrix {
         match self {
-            Self::Bbar(g) => {
+            Self::Displacement(g) => {
                 let mut change = [[0.0; 24]; 24];
                 for (k, flow) in flows.iter().enumerate() {
                     let Some(flow) = flow else { continue };
@@ -120,7 +122,7 @@ impl Element {
         points: &[PlasticPoint; 8],
     ) -> [[f64; 6]; 8] {
         match self {
-            Self::Bbar(g) => std::array::from_fn(|k| {
+            Self::Displacement(g) => std::array::from_fn(|k| {
                 let strain = bbar::strain(g, k, u);
                 elastic.stress(&std::array::from_fn(|i| strain[i] - points[k].strain[i]))
             }),

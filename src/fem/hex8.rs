@@ -43,16 +43,19 @@ pub struct Geometry {
     pub mean_gradients: [[f64; 3]; 8],
     /// Volume of the element.
     pub volume: f64,
+    /// Is the volumetric strain the element's mean (B-bar), or that of each integration point?
+    pub mean_dilatation: bool,
 }
 
 impl Geometry {
-    /// From the corner coordinates of a valid (not inverted) element.
+    /// From the corner coordinates of a valid (not inverted) element, with mean dilatation.
     pub fn new(corners: &[[f64; 3]; 8]) -> Self {
         let mut g = Self {
             gradients: [[[0.0; 3]; 8]; 8],
             volumes: [0.0; 8],
             mean_gradients: [[0.0; 3]; 8],
             volume: 0.0,
+            mean_dilatation: true,
         };
         for (k, corner) in CORNERS.iter().enumerate() {
             let dn = shape_derivatives(corner.map(|c| c * GAUSS));
@@ -71,6 +74,22 @@ impl Geometry {
             *d /= g.volume;
         }
         g
+    }
+
+    /// Fully integrated: the volumetric strain is that of each integration point.
+    pub fn plain(corners: &[[f64; 3]; 8]) -> Self {
+        Self {
+            mean_dilatation: false,
+            ..Self::new(corners)
+        }
+    }
+
+    /// Gradients that make the volumetric strain at integration point `k`.
+    pub fn dilatation(&self, k: usize) -> &[[f64; 3]; 8] {
+        match self.mean_dilatation {
+            true => &self.mean_gradients,
+            false => &self.gradients[k],
+        }
     }
 }
 

@@ -5,6 +5,7 @@ use crate::mesh::family::FamilyError;
 use crate::mesh::gmsh::GmshError;
 use crate::mesh::msh::MeshError;
 use crate::output::OutputError;
+use crate::output::inp::InpError;
 use crate::solve::SolveError;
 use std::path::{Path, PathBuf};
 
@@ -28,6 +29,9 @@ pub enum JobError {
         help("name another folder with --out, or make room and give write permission")
     )]
     Output(#[from] OutputError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Export(#[from] InpError),
     #[error(transparent)]
     #[diagnostic(transparent)]
     BuiltIn(#[from] FamilyError),

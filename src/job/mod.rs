@@ -3,6 +3,7 @@
 mod clock;
 mod compare;
 mod error;
+mod export;
 mod left_out;
 mod limits;
 mod mesh;
@@ -20,6 +21,7 @@ use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
 use clock::Clock;
 pub use error::JobError;
+pub use export::{Exported, export};
 pub use mesh::{find_mesh, make_mesh, unknowns};
 use record::Recorder;
 use std::io::ErrorKind;

@@ -1,4 +1,5 @@
-//! What people and other programs read: the terminal table, `summary.json` and VTK files.
+//! What people and other programs read: the terminal table, `summary.json`, VTK files,
+//! and decks for other solvers.
 //!
 //! Nothing here knows how a scene is solved. Fields and scalars come from
 //! [`results`](crate::results); here they get names, units and a file format.
@@ -7,6 +8,7 @@ pub mod encode;
 pub mod fields;
 pub mod file;
 pub mod grid;
+pub mod inp;
 pub mod left_out;
 pub mod pvd;
 pub mod series;

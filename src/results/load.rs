@@ -61,6 +61,11 @@ fn driven(scene: &Scene, factor: impl Fn(&str) -> f64) -> [f64; 3] {
     whole(scene, total)
 }
 
+/// Total force of driven planes and tractions on the whole, every factor being one.
+pub fn full(scene: &Scene) -> [f64; 3] {
+    driven(scene, |_| 1.0)
+}
+
 /// Direction of prescribed plane motions.
 fn held(scene: &Scene) -> [f64; 3] {
     let mut sum = [0.0; 3];

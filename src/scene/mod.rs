@@ -161,9 +161,12 @@ pub struct Controls {
 /// A formulation of the eight-node hexahedron.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ElementKind {
-    /// Element-mean volumetric strain: what "C3D8" stands for. Robust, but stiff in bending.
+    /// Element-mean volumetric strain: "C3D8" of Abaqus. Robust, but stiff in bending.
     #[default]
     Bbar,
+    /// Plain and fully integrated: "C3D8" of CalculiX. For comparison: stiffer still, and it locks
+    /// in plastic flow.
+    Full,
     /// Incompatible modes, as in "C3D8I": bends exactly where it is a brick.
     Enhanced,
 }

@@ -22,4 +22,5 @@ pub use driver::{Solution, solve};
 pub use error::SolveError;
 pub use model::Counters;
 pub use observer::{Iteration, Observer, Silent};
+pub use start::{Closing, close_gaps};
 pub use timers::{Phase, Timers};

@@ -496,7 +496,11 @@ fn impossible_controls() {
     );
     refused(
         &with_control("element = \"c3d8\""),
-        &["controls.element", "c3d8", "\"bbar\" or \"enhanced\""],
+        &[
+            "controls.element",
+            "c3d8",
+            "\"bbar\", \"full\" or \"enhanced\"",
+        ],
     );
     refused(
         &with_control("iterations = -3"),

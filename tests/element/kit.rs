@@ -6,7 +6,7 @@ use brinell::results::State;
 use brinell::scene::{Controls, ElementKind, Scene, Step, Support};
 use brinell::solve::{Silent, solve};
 
-pub const KINDS: [ElementKind; 2] = [ElementKind::Bbar, ElementKind::Enhanced];
+pub const KINDS: [ElementKind; 3] = [ElementKind::Bbar, ElementKind::Full, ElementKind::Enhanced];
 
 /// A scene of one steel with one step to the full load and tight tolerances.
 pub fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {

@@ -65,7 +65,7 @@ fn displacements(kind: ElementKind, radial: usize, around: usize) -> Vec<[f64; 2
 
 #[test]
 fn tube_expands_as_it_should_up_to_95_percent_of_its_limit() {
-    for kind in kit::KINDS {
+    for kind in [ElementKind::Bbar, ElementKind::Enhanced] {
         for ([outer, inner], (pressure, exact_outer, exact_inner)) in
             displacements(kind, 24, 24).iter().zip(EXACT)
         {

@@ -2,6 +2,7 @@
 
 mod block;
 mod bore;
+mod deck;
 mod dent;
 mod interface;
 mod recovery;

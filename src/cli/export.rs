@@ -1,0 +1,144 @@
+//! `brinell export`: a case as a deck for CalculiX or Abaqus.
+
+use super::{CommandResult, Status, say};
+use crate::case;
+use crate::job::{self, JobError};
+use crate::output::inp::{ContactType, Settings};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// A file format of other programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// The keywords of CalculiX and Abaqus.
+    Inp,
+}
+
+/// Contact of the deck.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Contact {
+    /// Penalty at points of the faces; copes with friction and plasticity.
+    SurfaceToSurface,
+    /// Penalty at the nodes.
+    NodeToSurface,
+    /// Multipliers, of CalculiX; wrong where a symmetry plane cuts the contact.
+    Mortar,
+}
+
+/// Linear solvers of CalculiX.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Solver {
+    Spooles,
+    Pardiso,
+    Pastix,
+    IterativeScaling,
+    IterativeCholesky,
+}
+
+/// Element types of the deck.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Element {
+    #[value(name = "C3D8")]
+    C3d8,
+    #[value(name = "C3D8I")]
+    C3d8i,
+    #[value(name = "C3D8R")]
+    C3d8r,
+}
+
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    /// The case file.
+    pub case: PathBuf,
+    #[arg(long, value_enum)]
+    pub format: Format,
+    /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
+    #[arg(long)]
+    pub mesh: Option<String>,
+    /// Folder for the deck, which is called as the case file.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Model the whole bearing though it is symmetric.
+    #[arg(long)]
+    pub full: bool,
+    /// Keep every body elastic.
+    #[arg(long)]
+    pub elastic: bool,
+    /// Pressure per overclosure in the stress and length of the case [default: 20 Young's
+    /// moduli over the shortest edge of the faces that press].
+    #[arg(long, value_name = "K")]
+    pub contact_stiffness: Option<f64>,
+    #[arg(long, value_enum, default_value = "surface-to-surface")]
+    pub contact: Contact,
+    /// How far the closing step moves what the load steps drive by force, in the length of the
+    /// case. Best a little less than the descent under the load of the first step [default: the
+    /// shortening of a solid block, safely too little]. Where pressure alone drives, the bodies
+    /// start with this overlap instead [default: just touching].
+    #[arg(long, value_name = "LENGTH")]
+    pub closing: Option<f64>,
+    /// First increment of the load steps, as a share of the step [default: that of the case].
+    #[arg(long, value_name = "SHARE")]
+    pub increment: Option<f64>,
+    /// Linear solver [default: left to the program].
+    #[arg(long, value_enum)]
+    pub solver: Option<Solver>,
+    /// Element type [default: C3D8, or C3D8I for the enhanced element].
+    #[arg(long, value_enum)]
+    pub element: Option<Element>,
+}
+
+/// Carries out the command.
+pub fn run(args: &ExportArgs) -> CommandResult {
+    let Format::Inp = args.format;
+    let exported = export(args).map_err(|error| (Status::BadInput, error.into()))?;
+    say(&exported);
+    Ok(Status::Done)
+}
+
+fn export(args: &ExportArgs) -> Result<String, JobError> {
+    let mut case = case::read(&args.case)?;
+    if let Some(preset) = &args.mesh {
+        case.set_preset(preset)?;
+    }
+    if args.full {
+        case.set_full()?;
+    }
+    if args.elastic {
+        case.set_elastic();
+    }
+    let exported = job::export(&case, settings(args), &args.out, &mut |line| say(line))?;
+    Ok(format!(
+        "{}: {} nodes, {} elements",
+        exported.path.display(),
+        exported.nodes,
+        exported.elements
+    ))
+}
+
+fn settings(args: &ExportArgs) -> Settings {
+    let solver = args.solver.map(|solver| match solver {
+        Solver::Spooles => "SPOOLES",
+        Solver::Pardiso => "PARDISO",
+        Solver::Pastix => "PASTIX",
+        Solver::IterativeScaling => "ITERATIVE SCALING",
+        Solver::IterativeCholesky => "ITERATIVE CHOLESKY",
+    });
+    let element = args.element.map(|element| match element {
+        Element::C3d8 => "C3D8",
+        Element::C3d8i => "C3D8I",
+        Element::C3d8r => "C3D8R",
+    });
+    Settings {
+        element: element.map(str::to_string),
+        contact: match args.contact {
+            Contact::SurfaceToSurface => ContactType::SurfaceToSurface,
+            Contact::NodeToSurface => ContactType::NodeToSurface,
+            Contact::Mortar => ContactType::Mortar,
+        },
+        contact_stiffness: args.contact_stiffness,
+        closing: args.closing,
+        increment: args.increment,
+        solver: solver.map(str::to_string),
+        ..Settings::default()
+    }
+}

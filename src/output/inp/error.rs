@@ -1,0 +1,42 @@
+//! What a deck cannot express.
+
+use thiserror::Error;
+
+/// Why a scene cannot be written as a deck.
+#[derive(Debug, Error, miette::Diagnostic)]
+pub enum InpError {
+    #[error(
+        "contact pair `{pair}` has a rigid plane, which a deck of solid elements cannot express"
+    )]
+    #[diagnostic(
+        code(brinell::export::plane),
+        help("give the rigid side a body of its own, ten times as stiff, and hold it")
+    )]
+    Plane { pair: String },
+    #[error("the mesh has no surface `{surface}`, which `{user}` names")]
+    #[diagnostic(code(brinell::export::surface))]
+    NoSurface { user: String, surface: String },
+    #[error("the surfaces of contact pair `{pair}` are nowhere near each other")]
+    #[diagnostic(
+        code(brinell::export::apart),
+        help("check the positions of the two bodies; `brinell run` says what touches")
+    )]
+    Apart { pair: String },
+    #[error(
+        "node {node} of the rigid plane `{plane}` is held along {axis} by `{other}` too, so the \
+         plane cannot move as one"
+    )]
+    #[diagnostic(
+        code(brinell::export::held_twice),
+        help("let the support or the second plane leave out the nodes of this plane")
+    )]
+    HeldTwice {
+        node: usize,
+        plane: String,
+        axis: char,
+        other: String,
+    },
+    #[error("{what} must be more than 0, and is {value}")]
+    #[diagnostic(code(brinell::export::not_positive))]
+    NotPositive { what: &'static str, value: f64 },
+}

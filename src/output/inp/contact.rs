@@ -110,7 +110,7 @@ fn close_to(scene: &Scene, faces: &[Face], others: &[Face], near: f64) -> Vec<Fa
         .map(|face| face.corners(&scene.mesh))
         .collect();
     let tree = FacetTree::new(&corners);
-    let touches = |face: &&Face| !tree.near(&face.corners(&scene.mesh), near).is_empty();
+    let touches = |face: &&Face| !tree.near(&face.corners(&scene.mesh), [near; 3]).is_empty();
     faces.iter().filter(touches).copied().collect()
 }
 

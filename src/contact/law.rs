@@ -6,16 +6,21 @@
 //! rest, the contact conditions hold exactly, whatever the penalty ε.
 //!
 //! *Tangential*: the same with stick and slip (Hüeber, Stadler and Wohlmuth 2008). Within an
-//! iteration a sticking node carries λ + ε d, whatever Coulomb says; a slipping one carries the
-//! bound μ p of the iteration before, along its slip. For given sets and bounds that is the slope
-//! of a convex potential, so that the tangent is symmetric (in equal steels pressure hardly feels
-//! shear at all, and the bound settles quickly). Between iterations a sticking node slips if its
-//! shear exceeds the bound, and a slipping one sticks if it moves against its shear.
+//! iteration a sticking node carries λ + ε d, whatever Coulomb says; a slipping one carries Newton's
+//! linearisation of
+//! ```text
+//! |λ + c d| λ = μ p (λ + c d)
+//! ```
+//! about where it stood, with p of the iteration before (in equal steels pressure hardly feels shear
+//! at all, and the bound settles quickly) and without what would make the tangent unsymmetric or
+//! indefinite. As the shear turns with λ, not with d alone, a node that moves back within an
+//! iteration does not throw its shear about. Between iterations a node sticks where |λ + c d| is
+//! within the bound, and slips otherwise.
 //!
 //! Where these sets do not settle, at a node between stick and slip or under a body that only
-//! friction holds, nodes are treated with *caution*: radial return of λ + ε_t d onto the disc of radius μ p with a soft ε_t, stick and
-//! slip within one iteration, so that a line search always finds its way (Simo and Laursen 1992);
-//! λ takes the shear only when all is in balance.
+//! friction holds, nodes are treated with *caution*: radial return of λ + ε_t d onto the disc of
+//! radius μ p with a soft ε_t, stick and slip within one iteration, so that a line search always
+//! finds its way (Simo and Laursen 1992); λ takes the shear only when all is in balance.
 //!
 //! Components everywhere: normal (compression positive), two tangents. d is the closure beyond
 //! the gap and the slip since the last increment.
@@ -50,6 +55,9 @@ pub struct Node {
     pub multiplier: [f64; 3],
     /// Largest shear traction, μ p of the iteration before.
     pub bound: f64,
+    /// A slipping node's shear is λ + `slope` (d − `origin`), tangential.
+    pub origin: [f64; 2],
+    pub slope: [[f64; 2]; 2],
     /// Radial return in place of sets?
     pub cautious: bool,
     /// How often it changed between stick and slip in this increment.
@@ -64,8 +72,8 @@ pub struct Answer {
     pub status: Status,
 }
 
-/// ε_t over the stiffness of the bodies: the weight of slip against λ where the direction of slip
-/// is found (large, so that few iterations find it), and the stiffness of cautious sticking.
+/// Over the stiffness of the bodies: ε_t of cautious nodes, and the most that holds a slipping node
+/// across its slip.
 const SOFT: f64 = 30.0;
 
 impl Law {
@@ -81,14 +89,20 @@ impl Law {
         if self.friction == 0.0 {
             return answer;
         }
+        if !node.cautious && !node.sticks {
+            for i in 0..2 {
+                let [s, t] = node.slope[i];
+                let moved = s * (d[1] - node.origin[0]) + t * (d[2] - node.origin[1]);
+                answer.traction[1 + i] = node.multiplier[1 + i] + moved;
+                answer.tangent[1 + i][1..].copy_from_slice(&node.slope[i]);
+            }
+            return answer;
+        }
         let soft = SOFT * self.stiffness;
         let stick = if node.cautious { soft } else { self.penalty };
         let elastic = [1, 2].map(|i| node.multiplier[i] + stick * d[i]);
-        let sticks = match node.cautious {
-            true => elastic[0].hypot(elastic[1]) <= node.bound,
-            false => node.sticks,
-        };
-        if sticks {
+        let shear = elastic[0].hypot(elastic[1]);
+        if !node.cautious || shear <= node.bound {
             answer.status = Status::Stick;
             for i in 0..2 {
                 answer.traction[1 + i] = elastic[i];
@@ -96,15 +110,7 @@ impl Law {
             }
             return answer;
         }
-        let trial = match node.cautious {
-            true => elastic,
-            false => self.along(&node.multiplier, d),
-        };
-        let shear = trial[0].hypot(trial[1]);
-        if shear == 0.0 {
-            return answer;
-        }
-        let e = trial.map(|t| t / shear);
+        let e = elastic.map(|t| t / shear);
         let turn = soft * node.bound / shear;
         for i in 0..2 {
             answer.traction[1 + i] = node.bound * e[i];
@@ -132,23 +138,6 @@ impl Law {
         })
     }
 
-    /// The way a slipping node pulls: along its slip, or along λ while it has none. Slip against
-    /// λ does not count; a node that moves back is to stick first.
-    fn along(&self, multiplier: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
-        let [s, t] = [multiplier[1], multiplier[2]];
-        let against = (s * d[1] + t * d[2]).min(0.0) / (s * s + t * t).max(f64::MIN_POSITIVE);
-        let weight = SOFT * self.stiffness;
-        [
-            s + weight * (d[1] - against * s),
-            t + weight * (d[2] - against * t),
-        ]
-    }
-
-    /// λ + c d, tangential.
-    fn trial(&self, multiplier: [f64; 2], d: &[f64; 3]) -> [f64; 2] {
-        [0, 1].map(|i| multiplier[i] + self.stiffness * d[1 + i])
-    }
-
     /// The node after an iteration that ended with `traction` at d: multipliers take the tractions,
     /// sets and bound are decided anew.
     pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3]) -> Node {
@@ -162,11 +151,11 @@ impl Law {
         }
         let mut next = Node {
             closed: true,
-            sticks: false,
-            multiplier: [pressure, 0.0, 0.0],
+            multiplier: [pressure, s, t],
             bound: self.friction * pressure.max(0.0),
             cautious: node.cautious,
             switches: node.switches,
+            ..Node::default()
         };
         if self.friction == 0.0 {
             return next;
@@ -175,27 +164,52 @@ impl Law {
             (next.multiplier[1], next.multiplier[2]) = (node.multiplier[1], node.multiplier[2]);
             return next;
         }
-        let old = match node.sticks {
-            true => [s, t],
-            false => [node.multiplier[1], node.multiplier[2]],
-        };
-        let trial = self.trial(old, d);
+        let trial = [s + self.stiffness * d[1], t + self.stiffness * d[2]];
         let shear = trial[0].hypot(trial[1]);
         // A node that has just closed may have moved far: it sticks only once it is known to.
         next.sticks = node.closed && shear <= next.bound;
         next.switches += u8::from(node.closed && next.sticks != node.sticks);
-        let along = match (next.sticks, node.sticks) {
-            (false, true) => trial,
-            _ => [s, t],
-        };
-        let size = along[0].hypot(along[1]);
-        if next.sticks {
-            (next.multiplier[1], next.multiplier[2]) = (s, t);
-        } else if size > 0.0 {
-            let scale = next.bound / size;
-            (next.multiplier[1], next.multiplier[2]) = (scale * along[0], scale * along[1]);
+        if !next.sticks {
+            self.slip(&mut next, [s, t], [d[1], d[2]]);
         }
         next
+    }
+
+    /// The shear of a slipping node and how it changes with d, linearised about the `shear` and d
+    /// of now.
+    ///
+    /// With b = |λ + c d|, n = (λ + c d) / b and a = λ·n within 0 and μ p, the slope is
+    /// μ p c / (b − μ p) across n and c (μ p − a) / (b − μ p + a) along n. A node that slips steadily
+    /// has a = μ p: its shear turns by μ p / |d|, and grows no more.
+    fn slip(&self, node: &mut Node, shear: [f64; 2], d: [f64; 2]) {
+        let (c, bound) = (self.stiffness, node.bound);
+        node.origin = d;
+        let clip = |v: [f64; 2]| {
+            let size = v[0].hypot(v[1]);
+            let share = if size > bound { bound / size } else { 1.0 };
+            v.map(|v| share * v)
+        };
+        let old = clip(shear);
+        let trial = [0, 1].map(|i| old[i] + c * d[i]);
+        let b = trial[0].hypot(trial[1]);
+        if b == 0.0 {
+            (node.multiplier[1], node.multiplier[2]) = (0.0, 0.0);
+            return;
+        }
+        let n = trial.map(|v| v / b);
+        let excess = (b - bound).max(bound / SOFT);
+        let along = (old[0] * n[0] + old[1] * n[1]).clamp(0.0, bound);
+        let slip_along = d[0] * n[0] + d[1] * n[1];
+        let across = bound * c / excess;
+        let forward = c * (bound - along) / (excess + along).max(f64::MIN_POSITIVE);
+        let next = clip([0, 1].map(|i| bound * n[i] + across * (d[i] - slip_along * n[i])));
+        for i in 0..2 {
+            node.multiplier[1 + i] = next[i];
+            for j in 0..2 {
+                let nn = n[i] * n[j];
+                node.slope[i][j] = across * (f64::from(u8::from(i == j)) - nn) + forward * nn;
+            }
+        }
     }
 }
 
@@ -247,7 +261,11 @@ mod tests {
     fn the_tangent_is_the_derivative_of_the_traction() {
         for sticks in [true, false] {
             let d = [0.001, 0.03, 0.02];
-            let node = closed([10.0, 0.5, -0.2], sticks);
+            let mut node = closed([10.0, 0.5, -0.2], sticks);
+            if !sticks {
+                LAW.slip(&mut node, [0.5, -0.2], [0.025, 0.02]);
+                assert!(node.slope[0][0] > 1.0);
+            }
             let base = LAW.traction(&node, &d);
             for j in 0..3 {
                 let mut moved = d;
@@ -259,6 +277,29 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_slipping_shear_settles_on_the_bound_along_the_slip() {
+        let d = [0.0, 0.3, 0.4];
+        let mut node = closed([10.0, -1.5, 0.0], false);
+        for _ in 0..6 {
+            let traction = LAW.traction(&node, &d).traction;
+            node = LAW.decide(&node, &[10.0, traction[1], traction[2]], &d);
+        }
+        assert!(!node.sticks);
+        let [_, s, t] = LAW.traction(&node, &d).traction;
+        assert!((s - 0.9).abs() < 1e-6 && (t - 1.2).abs() < 1e-6, "{s} {t}");
+        // It turns with the slip and grows no more.
+        let [_, s, t] = LAW
+            .traction(&node, &[0.0, 0.3 - 0.004, 0.4 + 0.003])
+            .traction;
+        assert!(
+            (s - 0.9 + 1.5 * 0.004 / 0.5).abs() < 1e-6
+                && (t - 1.2 - 1.5 * 0.003 / 0.5).abs() < 1e-6
+        );
+        let [_, s, t] = LAW.traction(&node, &[0.0, 0.33, 0.44]).traction;
+        assert!((s - 0.9).abs() < 1e-6 && (t - 1.2).abs() < 1e-6);
     }
 
     #[test]

@@ -3,6 +3,8 @@
 pub mod cholesky;
 pub mod krylov;
 pub mod ordering;
+pub mod preconditioner;
+pub mod schwarz;
 pub mod small;
 pub mod sparse;
 pub mod substructure;

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::sync::Mutex;
 
 /// METIS draws on the C library's random state: one call at a time keeps it reproducible.
-static METIS: Mutex<()> = Mutex::new(());
+pub(super) static METIS: Mutex<()> = Mutex::new(());
 
 /// Vertices that are eliminated together, before those of the blocks after them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,6 +40,17 @@ pub fn with_last(pattern: &Pattern, last: &[bool]) -> (Vec<u32>, usize) {
     let last = (0..last.len() as u32).filter(|v| last[*v as usize]);
     push(pattern, last.collect(), &mut order);
     (order, before)
+}
+
+/// Order of the equations of some vertices, ascending, among themselves; `starts` are the first
+/// equations of the vertices in that numbering.
+pub fn of_part(pattern: &Pattern, part: &[u32], starts: &[u32]) -> Vec<u32> {
+    let graph = Graph::of_part(pattern, part);
+    let mut order = Vec::new();
+    for vertex in graph.postorder(&graph.dissect()) {
+        order.extend(starts[vertex as usize]..starts[vertex as usize + 1]);
+    }
+    order
 }
 
 /// The equations of vertices.
@@ -96,6 +107,25 @@ impl Graph {
             graph.start.push(graph.adjacency.len() as i32);
             let equations = pattern.vertex_start[vertex + 1] - pattern.vertex_start[vertex];
             graph.weights.push(equations as i32);
+        }
+        graph
+    }
+
+    /// Of some vertices, ascending; costs nothing for the others.
+    fn of_part(pattern: &Pattern, part: &[u32]) -> Self {
+        let mut graph = Self {
+            vertices: part.to_vec(),
+            start: vec![0],
+            adjacency: Vec::new(),
+            weights: Vec::new(),
+        };
+        for &vertex in part {
+            let neighbours = pattern.neighbours(vertex as usize).iter();
+            let inside = neighbours.filter_map(|v| part.binary_search(v).ok());
+            graph.adjacency.extend(inside.map(|v| v as i32));
+            graph.start.push(graph.adjacency.len() as i32);
+            let starts = &pattern.vertex_start[vertex as usize..];
+            graph.weights.push((starts[1] - starts[0]) as i32);
         }
         graph
     }

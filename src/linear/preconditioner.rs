@@ -6,14 +6,14 @@ use super::sparse::{Pattern, SymmetricMatrix};
 
 /// Symbolic work, done once a pattern.
 pub enum Preconditioner {
-    Direct(Symbolic),
-    Schwarz(Schwarz),
+    Direct(Box<Symbolic>),
+    Schwarz(Box<Schwarz>),
 }
 
 /// The numbers of one matrix.
 pub enum Prepared {
     Direct(Factor),
-    Schwarz(SchwarzFactor),
+    Schwarz(Box<SchwarzFactor>),
 }
 
 impl Preconditioner {
@@ -33,14 +33,16 @@ impl Preconditioner {
                     Some(Prepared::Direct(factor)) => Some(factor),
                     _ => None,
                 };
-                symbolic.factorise(pattern, matrix, old).map(Prepared::Direct)
+                symbolic
+                    .factorise(pattern, matrix, old)
+                    .map(Prepared::Direct)
             }
             Self::Schwarz(schwarz) => {
                 let old = match old {
-                    Some(Prepared::Schwarz(factor)) => Some(factor),
+                    Some(Prepared::Schwarz(factor)) => Some(*factor),
                     _ => None,
                 };
-                schwarz.factorise(pattern, matrix, old).map(Prepared::Schwarz)
+                (schwarz.factorise(pattern, matrix, old)).map(|f| Prepared::Schwarz(Box::new(f)))
             }
         }
     }
@@ -55,7 +57,9 @@ impl Preconditioner {
     ) {
         match (self, prepared) {
             (Self::Direct(symbolic), Prepared::Direct(factor)) => symbolic.solve(factor, x),
-            (Self::Schwarz(schwarz), Prepared::Schwarz(factor)) => schwarz.apply(pattern, factor, multiply, x),
+            (Self::Schwarz(schwarz), Prepared::Schwarz(factor)) => {
+                schwarz.apply(pattern, factor, multiply, x)
+            }
             _ => unreachable!("prepared by the same preconditioner"),
         }
     }

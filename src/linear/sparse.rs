@@ -1,5 +1,8 @@
 //! Symmetric sparse matrices: the lower triangle, column by column, on a fixed pattern.
 
+use rayon::prelude::*;
+use std::ops::Range;
+
 /// The pattern of a symmetric matrix whose equations come in vertices (a node's components).
 ///
 /// Vertices that share a clique (an element, a contact row) are coupled in full.
@@ -68,6 +71,12 @@ impl Pattern {
         }
     }
 
+    /// Vertices that share a clique with `vertex`, ascending.
+    pub fn neighbours(&self, vertex: usize) -> &[u32] {
+        let range = self.adjacency_start[vertex]..self.adjacency_start[vertex + 1];
+        &self.adjacency[range.start as usize..range.end as usize]
+    }
+
     /// Number of equations.
     pub fn len(&self) -> usize {
         self.columns.len() - 1
@@ -82,6 +91,29 @@ impl Pattern {
         let start = self.columns[column as usize] as usize;
         let end = self.columns[column as usize + 1] as usize;
         start + self.rows[start..end].partition_point(|r| *r < row)
+    }
+
+    /// The block of row vertex `v` and column vertex `w`, which are neighbours or the same, of up
+    /// to three equations each.
+    pub fn block(&self, matrix: &SymmetricMatrix, v: u32, w: u32) -> [[f64; 3]; 3] {
+        let of = |v: u32| self.vertex_start[v as usize]..self.vertex_start[v as usize + 1];
+        let (columns, rows) = (of(v.min(w)), of(v.max(w)));
+        let mut block = [[0.0; 3]; 3];
+        for (j, column) in columns.enumerate() {
+            // Within its own vertex a column begins with its diagonal.
+            let skipped = if v == w { j } else { 0 };
+            let first = rows.start + skipped as u32;
+            let start = self.position(first, column);
+            let values = &matrix.values[start..start + (rows.end - first) as usize];
+            for (i, value) in values.iter().enumerate().map(|(i, v)| (i + skipped, *v)) {
+                let (row, column) = if v < w { (j, i) } else { (i, j) };
+                block[row][column] = value;
+                if v == w {
+                    block[column][row] = value;
+                }
+            }
+        }
+        block
     }
 
     /// A matrix of zeros.
@@ -114,8 +146,41 @@ impl Pattern {
 
     /// y = A x.
     pub fn multiply(&self, matrix: &SymmetricMatrix, x: &[f64], y: &mut [f64]) {
-        y.fill(0.0);
-        for column in 0..self.len() {
+        /// Entries that are worth a thread. The shares depend on the pattern alone, so that sums
+        /// come out the same on any number of threads.
+        const SHARE: usize = 1 << 20;
+        let shares = self.rows.len().div_ceil(SHARE).clamp(1, 4);
+        let bounds: Vec<usize> = (0..=shares)
+            .map(|k| {
+                let entry = (self.rows.len() * k / shares) as u32;
+                self.columns[..self.len()].partition_point(|c| *c < entry)
+            })
+            .collect();
+        if shares == 1 {
+            y.fill(0.0);
+            return self.multiply_columns(matrix, 0..self.len(), x, y);
+        }
+        let parts: Vec<Vec<f64>> = (bounds.par_windows(2))
+            .map(|ends| {
+                let mut part = vec![0.0; y.len()];
+                self.multiply_columns(matrix, ends[0]..ends[1], x, &mut part);
+                part
+            })
+            .collect();
+        y.par_iter_mut().enumerate().for_each(|(i, y)| {
+            *y = parts.iter().map(|part| part[i]).sum();
+        });
+    }
+
+    /// Adds the product with the columns and their mirror images.
+    fn multiply_columns(
+        &self,
+        matrix: &SymmetricMatrix,
+        columns: Range<usize>,
+        x: &[f64],
+        y: &mut [f64],
+    ) {
+        for column in columns {
             let range = self.columns[column] as usize..self.columns[column + 1] as usize;
             let (rows, values) = (&self.rows[range.clone()], &matrix.values[range]);
             let Some((diagonal, values)) = values.split_first() else {

@@ -5,17 +5,14 @@
 //! A supernodal Cholesky factor with B last gives all of it: the trailing block L_BB is a factor
 //! of S, and half a triangular solve is the reduction of f.
 
-use super::cholesky::{FactorError, parallelism, structure};
+use super::cholesky::{FactorError, numeric, structure};
 use super::ordering;
 use super::sparse::{Pattern, SymmetricMatrix};
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::perm::PermRef;
-use faer::sparse::SparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SymbolicSupernodalCholesky};
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholesky, SymbolicCholeskyRaw};
-use faer::{Accum, Mat, Side};
+use faer::{Accum, Mat, Par, Side};
 
 /// Order and structure of the factor, before any number.
 pub struct Condensation {
@@ -122,26 +119,7 @@ impl Condensation {
             .try_reserve_exact(self.inner.len_val())
             .map_err(|_| FactorError::Memory)?;
         values.resize(self.inner.len_val(), 0.0);
-        let par = parallelism();
-        let need = self
-            .inner
-            .factorize_numeric_llt_scratch::<f64>(par, Default::default());
-        let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
-        self.inner
-            .factorize_numeric_llt(
-                &mut values,
-                SparseColMatRef::new(structure(pattern), &matrix.values),
-                Side::Lower,
-                LltRegularization::default(),
-                par,
-                MemStack::new(&mut memory),
-                Default::default(),
-            )
-            .map_err(|error| match error {
-                LltError::NonPositivePivot { index } => FactorError::NotPositiveDefinite {
-                    equation: self.order.get(index).map_or(index, |e| *e as usize),
-                },
-            })?;
+        numeric(&self.inner, pattern, &matrix, &mut values)?;
         let whole = Substructure {
             condensation: self,
             values,
@@ -183,7 +161,7 @@ impl Substructure {
             factor.transpose(),
             faer::linalg::matmul::triangular::BlockStructure::TriangularUpper,
             1.0,
-            parallelism(),
+            Par::Seq,
         );
         for (i, d) in added.iter().enumerate() {
             schur[(i, i)] -= d;

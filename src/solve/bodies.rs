@@ -51,6 +51,8 @@ pub struct Plan<'a> {
     pub needed: &'a [bool],
     /// Elements that are expected to flow, ascending: never condensed.
     pub flow: &'a [u32],
+    /// Condense at all?
+    pub condense: bool,
 }
 
 /// Bodies that share vertices, without the elements that are expected to flow.
@@ -296,7 +298,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
         .map(|v| plan.needed[*v as usize])
         .collect();
     let count = kept.iter().filter(|k| **k).count();
-    if count == 0 || 3 * count > kept.len() {
+    if !plan.condense || count == 0 || 3 * count > kept.len() {
         return Ok(Made::Sparse(group));
     }
     let (equations, local_of) = numbering(plan, &group);

@@ -55,11 +55,16 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
         reach: start::reach(scene),
         contact: start::likely_gap(scene),
         flow: Vec::new(),
+        divided: false,
     };
     let model = timers.time(Phase::Prepare, || {
         let rows = contact_rows(scene, expected.reach);
         Model::new(scene, &expected, rows)
     })?;
+    let expected = Expected {
+        divided: model.is_divided(),
+        ..expected
+    };
     let mut run = Run::new(model, expected, observer);
     run.counters.timers = timers;
     let untouched = run.untouched();
@@ -85,9 +90,7 @@ struct Run<'a, 'o> {
     solver: LinearSolver,
     history: History,
     point: Point,
-    /// Unknowns and multipliers of the accepted increment before this one, for extrapolation.
-    previous: Option<Point>,
-    /// A better first guess than extrapolation.
+    /// A better first guess than the last accepted state.
     guess: Option<Point>,
     counters: Counters,
     states: Vec<State>,
@@ -114,7 +117,6 @@ impl<'a, 'o> Run<'a, 'o> {
                 cautious: false,
             },
             solver: LinearSolver::default(),
-            previous: None,
             guess: None,
             states: Vec::new(),
             last: State::default(),
@@ -156,7 +158,6 @@ impl<'a, 'o> Run<'a, 'o> {
             1.0
         };
         let mut time = 0.0;
-        self.previous = None;
         self.point.cautious = false;
         while time < 1.0 {
             let most = size.min(self.relief(step, time));
@@ -165,7 +166,7 @@ impl<'a, 'o> Run<'a, 'o> {
             } else {
                 time + most
             };
-            let mut trial = self.predict(step, time, target);
+            let mut trial = self.predict(step, target);
             self.touch(&mut trial);
             let before = self.counters.iterations;
             let result = newton::balance(
@@ -188,7 +189,7 @@ impl<'a, 'o> Run<'a, 'o> {
                         size = target - time;
                         continue;
                     }
-                    self.accept(trial, &evaluation, time, target >= 1.0)?;
+                    self.accept(trial, &evaluation, target >= 1.0)?;
                     time = target;
                     if !unforeseen.is_empty() {
                         self.prepare_for(unforeseen, None)?;
@@ -202,7 +203,6 @@ impl<'a, 'o> Run<'a, 'o> {
                 }
                 Err(_) if !self.point.cautious => {
                     self.point.cautious = true;
-                    self.previous = None;
                     size = target - time;
                 }
                 Err(failure) => {
@@ -212,7 +212,6 @@ impl<'a, 'o> Run<'a, 'o> {
                     if size < controls.smallest_increment {
                         return Err(self.give_up(failure, step, time, before));
                     }
-                    self.previous = None;
                     self.observer.message(&format!(
                         "cut back to {:.3} % of the step: {}",
                         100.0 * (time + size),
@@ -246,21 +245,14 @@ impl<'a, 'o> Run<'a, 'o> {
             .unwrap_or(f64::INFINITY)
     }
 
-    /// First guess at `target`: on along the last increment.
-    fn predict(&mut self, step: usize, time: f64, target: f64) -> Point {
-        if let Some(guess) = self.guess.take() {
-            return guess;
-        }
-        let mut guess = self.point.clone();
-        guess.step = step;
-        guess.time = target;
-        if let Some(previous) = &self.previous {
-            let ratio = (target - time) / (time - previous.time);
-            for (x, old) in guess.x.iter_mut().zip(&previous.x) {
-                *x += ratio * (*x - old);
-            }
-        }
-        guess
+    /// First guess at `target`: where things stand. On along the last increment would be worse: as
+    /// contact grows bodies turn towards each other, and nodes that were closing part again.
+    fn predict(&mut self, step: usize, target: f64) -> Point {
+        self.guess.take().unwrap_or_else(|| Point {
+            step,
+            time: target,
+            ..self.point.clone()
+        })
     }
 
     /// Where nothing presses yet, lets the rows carry that all but touch: bodies float until then.
@@ -292,9 +284,14 @@ impl<'a, 'o> Run<'a, 'o> {
         unforeseen: Unforeseen,
         guess: Option<&Point>,
     ) -> Result<(), SolveError> {
-        let integrate = unforeseen.is_approach();
+        let (integrate, flow_only) = (unforeseen.is_approach(), unforeseen.is_flow_only());
         self.expected.learn(unforeseen);
-        self.rebuild(integrate, guess)?;
+        if flow_only && self.model.is_divided() {
+            self.check_more_elements();
+            self.guess = guess.cloned();
+        } else {
+            self.rebuild(integrate, guess)?;
+        }
         let c = &self.counters;
         self.observer.message(&format!(
             "{} contact nodes may close, {} elements yield: {} of {} unknowns kept",
@@ -304,6 +301,17 @@ impl<'a, 'o> Run<'a, 'o> {
             c.equations,
         ));
         Ok(())
+    }
+
+    /// Where nothing is condensed, an element that flows only has to be looked at.
+    fn check_more_elements(&mut self) {
+        let old = std::mem::take(&mut self.model.yielding);
+        let plastic = std::mem::take(&mut self.history.plastic);
+        let mut histories: BTreeMap<u32, PlasticElement> = old.into_iter().zip(plastic).collect();
+        self.model.yielding = self.expected.flow.clone();
+        self.history.plastic = (self.model.yielding.iter())
+            .map(|e| histories.remove(e).flatten())
+            .collect();
     }
 
     /// Prepares the model for what is expected now, and carries the state over.
@@ -366,9 +374,9 @@ impl<'a, 'o> Run<'a, 'o> {
         self.history.plastic = (model.yielding.iter())
             .map(|e| histories.remove(e).flatten())
             .collect();
-        self.previous = None;
         self.solver = LinearSolver::default();
         self.counters.measure(&model);
+        self.expected.divided = model.is_divided();
         self.model = model;
         Ok(())
     }
@@ -377,7 +385,6 @@ impl<'a, 'o> Run<'a, 'o> {
         &mut self,
         trial: Point,
         evaluation: &Evaluation,
-        time_before: f64,
         last: bool,
     ) -> Result<(), SolveError> {
         for answer in &evaluation.plastic {
@@ -399,10 +406,9 @@ impl<'a, 'o> Run<'a, 'o> {
         let mut accepted = trial;
         for (node, answer) in accepted.nodes.iter_mut().zip(&evaluation.contact) {
             node.multiplier = answer.traction;
+            node.origin = [0.0; 2];
         }
-        let mut before = std::mem::replace(&mut self.point, accepted);
-        before.time = time_before;
-        self.previous = (time_before > 0.0).then_some(before);
+        self.point = accepted;
         let mut timers = self.counters.timers;
         let state = timers.time(Phase::Recover, || {
             state::state(&self.model, &self.history, &self.point, evaluation)

@@ -19,6 +19,8 @@ pub struct Expected {
     pub contact: f64,
     /// Elements that may flow, ascending.
     pub flow: Vec<u32>,
+    /// Was the model found too large for one factor?
+    pub divided: bool,
 }
 
 /// What it was not prepared for.
@@ -82,6 +84,11 @@ impl Unforeseen {
     /// Nothing at all?
     pub fn is_empty(&self) -> bool {
         !self.missed && self.flow.is_empty()
+    }
+
+    /// Nothing but elements that flow?
+    pub fn is_flow_only(&self) -> bool {
+        self.approach.is_none() && self.contact.is_none()
     }
 
     pub fn is_approach(&self) -> bool {

@@ -11,6 +11,8 @@ use crate::fem::element::Element;
 use crate::fem::loads;
 use crate::linear::cholesky::Symbolic;
 use crate::linear::krylov::norm;
+use crate::linear::preconditioner::Preconditioner;
+use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
@@ -20,7 +22,7 @@ use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, Step};
 ///
 /// The augmented-Lagrange update makes the answer independent of it; it only has to be stiff
 /// enough that few updates are needed and soft enough that the factor stays accurate.
-const PENALTY: f64 = 1000.0;
+const PENALTY: f64 = 50.0;
 
 /// How often the expensive parts ran.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -60,7 +62,7 @@ impl Counters {
         self.equations = model.all.len();
         self.kept_equations = model.dofs.len();
         self.preparations += 1;
-        self.kept_factor_entries = model.symbolic.factor_entries();
+        self.kept_factor_entries = model.preconditioner.factor_entries();
         self.factor_entries = model.bodies.factor_entries() + self.kept_factor_entries;
         self.watched_elements = model.yielding.len();
         self.contact_rows = model.rows.len();
@@ -84,7 +86,7 @@ pub struct Model<'a> {
     pub bodies: Bodies,
     pub elastic: Vec<Elastic>,
     pub pattern: Pattern,
-    pub symbolic: Symbolic,
+    pub preconditioner: Preconditioner,
     /// Stiffness of all bodies as long as they are elastic.
     pub stiffness: SymmetricMatrix,
     pub rows: Vec<ContactRow>,
@@ -117,29 +119,40 @@ impl<'a> Model<'a> {
         }
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
         let (rows, spare) = expected.split(rows);
+        let needed = needed(scene, &all, &rows, &expected.flow);
+        let divided = expected.divided || is_large(&all, &needed);
         let plan = Plan {
             scene,
             dofs: &all,
             elastic: &elastic,
-            needed: &needed(scene, &all, &rows, &expected.flow),
+            needed: &needed,
             flow: &expected.flow,
+            condense: !divided,
         };
         let mut bodies = Bodies::new(&plan)?;
         let dofs = bodies.kept_dofs(&all);
         let pattern = pattern(&scene.mesh, &bodies, &dofs, &rows);
-        let symbolic = Symbolic::new(&pattern, &bodies.blocks)?;
         let number = |e| bodies.kept_of(e);
         let mut stiffness = bodies::assemble(&plan, &bodies.sparse_elements, &pattern, number);
         bodies.add_stiffness(&pattern, &mut stiffness);
         bodies.release();
+        let preconditioner = if divided {
+            let places = places(scene, &dofs);
+            Preconditioner::Schwarz(Box::new(Schwarz::new(&pattern, &stiffness, &places)?))
+        } else {
+            Preconditioner::Direct(Box::new(Symbolic::new(&pattern, &bodies.blocks)?))
+        };
         let mut model = Self {
             loads: load_vectors(scene, &all),
             reference: 0.0,
-            yielding: yielding(scene, &bodies),
+            yielding: match divided {
+                true => expected.flow.clone(),
+                false => yielding(scene, &bodies),
+            },
             scene,
             elastic,
             pattern,
-            symbolic,
+            preconditioner,
             stiffness,
             rows,
             spare,
@@ -154,6 +167,11 @@ impl<'a> Model<'a> {
             model.bodies.reduce(vector);
         }
         Ok(model)
+    }
+
+    /// Is it too large for one factor?
+    pub fn is_divided(&self) -> bool {
+        matches!(self.preconditioner, Preconditioner::Schwarz(_))
     }
 
     /// Norm of the forces at the end of the step where it is largest.
@@ -277,6 +295,35 @@ impl<'a> Model<'a> {
         });
         forces.collect()
     }
+}
+
+/// Is it cheaper to divide the model than to condense its bodies?
+///
+/// Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
+/// made about as often as Krylov directions number with a division.
+fn is_large(dofs: &DofMap, needed: &[bool]) -> bool {
+    const DIVIDED: f64 = 1.5e6;
+    let starts = dofs.vertex_start.windows(2).zip(needed);
+    let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
+    f64::from(kept).powi(3) / 3.0 > DIVIDED * dofs.len() as f64
+}
+
+/// Where each equation acts.
+fn places(scene: &Scene, dofs: &DofMap) -> Vec<Place> {
+    let mut places = vec![None; dofs.len()];
+    let mut nodes = vec![0u32; dofs.len()];
+    for (equations, point) in dofs.equations.iter().zip(&scene.mesh.points) {
+        for (axis, equation) in equations.iter().enumerate() {
+            if *equation != FIXED {
+                places[*equation as usize] = Some((*point, axis));
+                nodes[*equation as usize] += 1;
+            }
+        }
+    }
+    // The motion of a rigid plane.
+    let shared = places.iter_mut().zip(nodes).filter(|(_, n)| *n > 1);
+    shared.for_each(|(place, _)| *place = None);
+    places
 }
 
 /// Vertices that contact or expected flow acts on.

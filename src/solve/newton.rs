@@ -13,8 +13,9 @@ use super::observer::{Iteration, Observer};
 use super::start;
 use super::timers::Phase;
 use crate::contact::law::{Node, Status};
-use crate::linear::cholesky::{Factor, FactorError};
+use crate::linear::cholesky::FactorError;
 use crate::linear::krylov::{self, dot, norm};
+use crate::linear::preconditioner::Prepared;
 
 /// Where the load history stands and what the unknowns are there.
 #[derive(Clone)]
@@ -48,7 +49,7 @@ pub enum Failure {
 /// The linear solver with the factor that it carries from iteration to iteration.
 #[derive(Default)]
 pub struct LinearSolver {
-    factor: Option<Factor>,
+    factor: Option<Prepared>,
     /// Statuses and number of flowing points that the factor was made for.
     made_for: (Vec<Status>, usize),
 }
@@ -62,8 +63,12 @@ const SHIFT: f64 = 1e-10;
 /// points) have changed, for this many directions: about what a new factor costs.
 const CHANGES: usize = 6;
 const TRIES: usize = 12;
+
+/// Error of a correction, in the energy norm, that is left to the next iteration.
+const INEXACT: f64 = 1e-2;
+
 /// Directions with a fresh factor.
-const DIRECTIONS: usize = 60;
+const DIRECTIONS: usize = 150;
 
 /// Where stick and slip have not settled after this many iterations, it is time for caution.
 const PATIENCE: usize = 25;
@@ -95,13 +100,16 @@ impl LinearSolver {
         };
         let mut residual = evaluation.residual.clone();
         let mut tolerance = tolerance;
-        if let Some(factor) = self
-            .factor
-            .as_ref()
-            .filter(|_| self.changes(evaluation) <= CHANGES)
-        {
+        let small_change = || self.changes(evaluation) <= CHANGES;
+        // Renewing the parts that changed costs next to nothing.
+        let aged = self.factor.as_ref();
+        if let Some(factor) = aged.filter(|_| !model.is_divided() && small_change()) {
             let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
-            let precondition = |x: &mut [f64]| model.symbolic.solve(factor, x);
+            let precondition = |x: &mut [f64]| {
+                model
+                    .preconditioner
+                    .apply(&model.pattern, factor, multiply, x)
+            };
             let (dx, outcome) = timers.time(Phase::LinearSolve, || {
                 krylov::solve(multiply, precondition, &residual, tolerance, TRIES)
             });
@@ -124,15 +132,28 @@ impl LinearSolver {
         }
         let old = self.factor.take();
         let factor = timers.time(Phase::Factorise, || {
-            model.symbolic.factorise(&model.pattern, &matrix, old)
+            model.preconditioner.factorise(&model.pattern, &matrix, old)
         })?;
         for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
             matrix.values[*start as usize] = *d;
         }
         let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
-        let precondition = |x: &mut [f64]| model.symbolic.solve(&factor, x);
-        let (dx, outcome) = timers.time(Phase::LinearSolve, || {
-            krylov::solve(multiply, precondition, &residual, tolerance, DIRECTIONS)
+        let precondition = |x: &mut [f64]| {
+            model
+                .preconditioner
+                .apply(&model.pattern, &factor, multiply, x)
+        };
+        let (dx, outcome) = timers.time(Phase::LinearSolve, || match model.is_divided() {
+            // Every direction costs as much as the last: no more than the next iteration can use.
+            true => krylov::minimise(
+                multiply,
+                precondition,
+                &residual,
+                INEXACT,
+                tolerance,
+                DIRECTIONS,
+            ),
+            false => krylov::solve(multiply, precondition, &residual, tolerance, DIRECTIONS),
         });
         out.dx.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
         out.directions += outcome.iterations;

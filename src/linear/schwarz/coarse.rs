@@ -68,7 +68,9 @@ impl Coarse {
                 near.into_iter().map(move |other| [index as u32, other])
             })
             .collect();
-        let starts = (0..=pieces.len() as u32).map(|i| MODES as u32 * i).collect();
+        let starts = (0..=pieces.len() as u32)
+            .map(|i| MODES as u32 * i)
+            .collect();
         let coupled = pairs.iter().filter(|p| p[0] != p[1]);
         let own = Pattern::new(starts, coupled.map(|p| p.as_slice()));
         Ok(Self {
@@ -96,13 +98,17 @@ impl Coarse {
             Some(old) => (old.couplings, Some(old.factor)),
             None => (vec![Vec::new(); self.pieces.len()], None),
         };
-        couplings.par_iter_mut().enumerate().for_each(|(index, list)| {
-            let mut equations = (self.pieces[index].vertices.iter())
-                .flat_map(|v| pattern.vertex_start[*v as usize]..pattern.vertex_start[*v as usize + 1]);
-            if list.is_empty() || equations.any(&changed) {
-                *list = self.couple(pattern, matrix, index as u32);
-            }
-        });
+        couplings
+            .par_iter_mut()
+            .enumerate()
+            .for_each(|(index, list)| {
+                let mut equations = (self.pieces[index].vertices.iter()).flat_map(|v| {
+                    pattern.vertex_start[*v as usize]..pattern.vertex_start[*v as usize + 1]
+                });
+                if list.is_empty() || equations.any(&changed) {
+                    *list = self.couple(pattern, matrix, index as u32);
+                }
+            });
         let mut coarse = self.pattern.zeros();
         for (i, list) in couplings.iter().enumerate() {
             for (j, block) in list {
@@ -143,24 +149,28 @@ impl Coarse {
         for &v in &piece.vertices {
             let own = self.mode(pattern, piece, v);
             for &w in pattern.neighbours(v as usize).iter().chain([&v]) {
-                for &other in self.of_vertex[w as usize].iter().filter(|o| **o <= index) {
+                let near = &self.of_vertex[w as usize];
+                if near.iter().all(|other| *other > index) {
+                    continue;
+                }
+                let block = pattern.block(matrix, v, w);
+                let axes = |v: u32| {
+                    let equations = starts[v as usize]..starts[v as usize + 1];
+                    equations.map(|e| self.axis(e)).enumerate()
+                };
+                for &other in near.iter().filter(|other| **other <= index) {
                     let mode = self.mode(pattern, &self.pieces[other as usize], w);
                     let at = list.iter().position(|(o, _)| *o == other);
                     let at = at.unwrap_or_else(|| {
                         list.push((other, Box::new([[0.0; MODES]; MODES])));
                         list.len() - 1
                     });
-                    let block = &mut list[at].1;
-                    for row in starts[v as usize]..starts[v as usize + 1] {
-                        for column in starts[w as usize]..starts[w as usize + 1] {
-                            let entry = pattern.position(row.max(column), row.min(column));
-                            let value = matrix.values[entry];
-                            let (a, b) = (self.axis(row), self.axis(column));
-                            for (p, own) in own.iter().enumerate() {
-                                let target = &mut block[FORMS * a + p][FORMS * b..FORMS * b + FORMS];
-                                for (t, m) in target.iter_mut().zip(&mode) {
-                                    *t += value * own * m;
-                                }
+                    let coupling = &mut list[at].1;
+                    for ((i, a), (j, b)) in axes(v).flat_map(|a| axes(w).map(move |b| (a, b))) {
+                        for (p, own) in own.iter().enumerate() {
+                            let target = &mut coupling[FORMS * a + p][FORMS * b..FORMS * b + FORMS];
+                            for (t, m) in target.iter_mut().zip(&mode) {
+                                *t += block[i][j] * own * m;
                             }
                         }
                     }

@@ -117,7 +117,10 @@ impl Local {
                 pattern.columns[*e as usize] as usize..pattern.columns[*e as usize + 1] as usize;
             let end = columns[j + 1] as usize;
             // Both lists ascend.
-            for (row, value) in pattern.rows[range.clone()].iter().zip(&matrix.values[range]) {
+            for (row, value) in pattern.rows[range.clone()]
+                .iter()
+                .zip(&matrix.values[range])
+            {
                 let next = entries.len();
                 if next < end && self.equations[rows[next] as usize] == *row {
                     entries.push((value * scale[rows[next] as usize] * scale[j]) as f32);
@@ -149,13 +152,17 @@ impl Local {
             MemStack::new(&mut memory),
             Default::default(),
         );
-        result.map(|_| ()).map_err(|LltError::NonPositivePivot { index }| {
-            let order = self.inner.perm().map(|p| p.arrays().0);
-            let local = order.and_then(|o| o.get(index)).map_or(index, |e| *e as usize);
-            FactorError::NotPositiveDefinite {
-                equation: self.equations.get(local).map_or(0, |e| *e as usize),
-            }
-        })
+        result
+            .map(|_| ())
+            .map_err(|LltError::NonPositivePivot { index }| {
+                let order = self.inner.perm().map(|p| p.arrays().0);
+                let local = order
+                    .and_then(|o| o.get(index))
+                    .map_or(index, |e| *e as usize);
+                FactorError::NotPositiveDefinite {
+                    equation: self.equations.get(local).map_or(0, |e| *e as usize),
+                }
+            })
     }
 
     /// The subdomain's correction for the residual `r` of all equations.
@@ -180,7 +187,8 @@ impl Local {
 fn structure(pattern: &Pattern, equations: &[u32]) -> (Vec<u32>, Vec<u32>) {
     let (mut columns, mut rows) = (vec![0u32], Vec::new());
     for (j, e) in equations.iter().enumerate() {
-        let range = pattern.columns[*e as usize] as usize..pattern.columns[*e as usize + 1] as usize;
+        let range =
+            pattern.columns[*e as usize] as usize..pattern.columns[*e as usize + 1] as usize;
         let mut i = j;
         for row in &pattern.rows[range] {
             while i < equations.len() && equations[i] < *row {

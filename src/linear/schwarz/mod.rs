@@ -96,8 +96,7 @@ impl Schwarz {
             })?;
         if changed.iter().any(|c| *c) {
             let is_changed = |e: u32| changed[e as usize];
-            old.coarse =
-                (self.coarse).factorise(pattern, matrix, Some(old.coarse), is_changed)?;
+            old.coarse = (self.coarse).factorise(pattern, matrix, Some(old.coarse), is_changed)?;
         }
         for ((then, now), changed) in old.diagonal.iter_mut().zip(&diagonal).zip(&changed) {
             if *changed {
@@ -192,7 +191,10 @@ mod tests {
             let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(&matrix, x, y);
             let precondition = |x: &mut [f64]| schwarz.apply(&pattern, &factor, multiply, x);
             let (x, outcome) = krylov::solve(multiply, precondition, &b, 1e-8, 40);
-            assert!(outcome.residual <= 1e-8 && outcome.iterations <= 25, "{outcome:?}");
+            assert!(
+                outcome.residual <= 1e-8 && outcome.iterations <= 25,
+                "{outcome:?}"
+            );
             let mut product = vec![0.0; x.len()];
             multiply(&x, &mut product);
             assert!(product.iter().zip(&b).all(|(p, b)| (p - b).abs() < 1e-6));

@@ -1,11 +1,14 @@
-//! Sparse Cholesky factor (faer, supernodal) on a fixed pattern and order.
+//! Sparse Cholesky factor on a fixed pattern and order: faer's structure and kernels, and its
+//! numeric factor on one thread; on more `subtrees` shares the work out.
+
+mod subtrees;
 
 use super::ordering::{self, Block};
 use super::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::perm::PermRef;
-use faer::sparse::linalg::cholesky as sparse;
+use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
@@ -75,30 +78,7 @@ impl Symbolic {
                 values
             }
         };
-        let par = parallelism();
-        let need = self
-            .inner
-            .factorize_numeric_llt_scratch::<f64>(par, Default::default());
-        let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
-        self.inner
-            .factorize_numeric_llt(
-                &mut values,
-                SparseColMatRef::new(structure(pattern), &matrix.values),
-                Side::Lower,
-                LltRegularization::default(),
-                par,
-                MemStack::new(&mut memory),
-                Default::default(),
-            )
-            .map_err(|error| match error {
-                LltError::NonPositivePivot { index } => {
-                    let order = self.inner.perm().map(|p| p.arrays().0);
-                    let equation = order
-                        .and_then(|o| o.get(index))
-                        .map_or(index, |e| *e as usize);
-                    FactorError::NotPositiveDefinite { equation }
-                }
-            })?;
+        numeric(&self.inner, pattern, matrix, &mut values)?;
         Ok(Factor { values })
     }
 
@@ -121,10 +101,34 @@ pub(super) fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
     SymbolicSparseColMatRef::new_checked(n, n, &pattern.columns, None, &pattern.rows)
 }
 
-pub(super) fn parallelism() -> Par {
-    match rayon::current_num_threads() {
-        0 | 1 => Par::Seq,
-        threads => Par::rayon(threads),
+/// Factors `matrix` into `values`, on all threads of the pool.
+pub(super) fn numeric(
+    symbolic: &sparse::SymbolicCholesky<u32>,
+    pattern: &Pattern,
+    matrix: &SymmetricMatrix,
+    values: &mut [f64],
+) -> Result<(), FactorError> {
+    let order = symbolic.perm().map_or(&[][..], |p| p.arrays().0);
+    let threads = rayon::current_num_threads();
+    if let (SymbolicCholeskyRaw::Supernodal(nodes), 2..) = (symbolic.raw(), threads) {
+        return subtrees::factorise(nodes, order, pattern, matrix, values);
+    }
+    let need = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+    let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
+    let result = symbolic.factorize_numeric_llt(
+        values,
+        SparseColMatRef::new(structure(pattern), &matrix.values),
+        Side::Lower,
+        LltRegularization::default(),
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    );
+    match result {
+        Ok(_) => Ok(()),
+        Err(LltError::NonPositivePivot { index }) => Err(FactorError::NotPositiveDefinite {
+            equation: order.get(index).map_or(index, |e| *e as usize),
+        }),
     }
 }
 
@@ -149,5 +153,66 @@ mod tests {
         let factor = symbolic.factorise(&pattern, &m, None).unwrap();
         symbolic.solve(&factor, &mut b);
         assert!(b.iter().zip(&x).all(|(b, x)| (b - x).abs() < 1e-12));
+    }
+
+    /// A plate of springs between neighbours, held everywhere a little: a factor of many supernodes.
+    fn plate(n: u32) -> (Pattern, SymmetricMatrix) {
+        let at = |i: u32, j: u32| i + n * j;
+        let right = (0..n).flat_map(|j| (0..n - 1).map(move |i| [at(i, j), at(i + 1, j)]));
+        let up = (0..n - 1).flat_map(|j| (0..n).map(move |i| [at(i, j), at(i, j + 1)]));
+        let springs: Vec<[u32; 2]> = right.chain(up).collect();
+        let starts = (0..=n * n).map(|v| 3 * v).collect();
+        let pattern = Pattern::new(starts, springs.iter().map(|s| s.as_slice()));
+        let mut m = pattern.zeros();
+        for [a, b] in springs {
+            let equations: Vec<u32> = (3 * a..3 * a + 3).chain(3 * b..3 * b + 3).collect();
+            pattern.add_block(&mut m, &equations, |i, j| match (i == j, i % 3 == j % 3) {
+                (true, _) => 2.0,
+                (false, true) => -1.0,
+                _ => 0.1,
+            });
+        }
+        (pattern, m)
+    }
+
+    fn threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(count)
+            .build()
+            .unwrap();
+        pool.install(work)
+    }
+
+    #[test]
+    fn threads_do_not_change_the_factor() {
+        let (pattern, m) = plate(60);
+        let n = pattern.len();
+        let x: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
+        let mut b = vec![0.0; n];
+        pattern.multiply(&m, &x, &mut b);
+        let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+        let factors = [1, 2, 3]
+            .map(|count| threads(count, || symbolic.factorise(&pattern, &m, None).unwrap()));
+        for factor in &factors {
+            let mut solved = b.clone();
+            symbolic.solve(factor, &mut solved);
+            assert!(solved.iter().zip(&x).all(|(s, x)| (s - x).abs() < 1e-11));
+            let pairs = factor.values.iter().zip(&factors[0].values);
+            assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn a_pivot_that_is_not_positive_is_named_on_any_number_of_threads() {
+        let (pattern, mut m) = plate(60);
+        m.values[pattern.columns[5000] as usize] = -1.0;
+        let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+        for count in [1, 2] {
+            let result = threads(count, || symbolic.factorise(&pattern, &m, None).map(|_| ()));
+            assert_eq!(
+                result,
+                Err(FactorError::NotPositiveDefinite { equation: 5000 })
+            );
+        }
     }
 }

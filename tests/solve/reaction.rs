@@ -71,7 +71,8 @@ fn a_moved_plane_carries_its_reaction() {
     for (squeeze, stress) in [(5e-4, 0.5), (1e-2, 1.0 + tangent * (1e-2 - 1e-3))] {
         for element in [ElementKind::Bbar, ElementKind::Enhanced] {
             let (_, force, load) = pressed(element, squeeze, hardening);
-            assert!((force[2] / (-6.0 * stress) - 1.0).abs() < 1e-8, "{force:?}");
+            // Forces balance to 1e-8 of those of an elastic bar, ten times as large.
+            assert!((force[2] / (-6.0 * stress) - 1.0).abs() < 1e-7, "{force:?}");
             assert_eq!(force[..2], [0.0, 0.0]);
             assert_eq!(load, -force[2]);
         }

@@ -3,7 +3,7 @@
 use super::error::{CaseError, ErrorKind};
 use super::parse::Table;
 use super::source::Located;
-use crate::scene::{Controls, ElementKind};
+use crate::scene::{Controls, ElementKind, SolverKind};
 
 const KEYS: &[&str] = &[
     "residual",
@@ -13,6 +13,7 @@ const KEYS: &[&str] = &[
     "iterations",
     "plasticity",
     "element",
+    "solver",
 ];
 
 /// The controls of the case, with the defaults of [`Controls`].
@@ -63,6 +64,18 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
             "enhanced" => ElementKind::Enhanced,
             _ => {
                 let why = "must be \"bbar\", \"full\" or \"enhanced\"";
+                return Err(name.place.error(ErrorKind::Value, why));
+            }
+        };
+    }
+    if let Some(field) = table.get("solver") {
+        let name = field.string()?;
+        controls.solver = match name.value.as_str() {
+            "auto" => SolverKind::Auto,
+            "direct" => SolverKind::Direct,
+            "divided" => SolverKind::Divided,
+            _ => {
+                let why = "must be \"auto\", \"direct\" or \"divided\"";
                 return Err(name.place.error(ErrorKind::Value, why));
             }
         };

@@ -156,6 +156,20 @@ pub struct Controls {
     pub plasticity: bool,
     /// The hexahedron that all bodies are made of.
     pub element: ElementKind,
+    /// How linear systems are solved.
+    pub solver: SolverKind,
+}
+
+/// How linear systems are solved. The answer does not depend on it; time and memory do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SolverKind {
+    /// Whichever should be quicker.
+    #[default]
+    Auto,
+    /// Bodies condensed onto contact and plastic flow, and a factor of what is left.
+    Direct,
+    /// A factor of each of many small parts and conjugate directions: the least memory.
+    Divided,
 }
 
 /// A formulation of the eight-node hexahedron.
@@ -181,6 +195,7 @@ impl Default for Controls {
             iterations: 40,
             plasticity: true,
             element: ElementKind::default(),
+            solver: SolverKind::default(),
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
-use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, Step};
+use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, SolverKind, Step};
 
 /// Penalty over the stiffness of the material next to the contact, at a user factor of one.
 ///
@@ -120,7 +120,11 @@ impl<'a> Model<'a> {
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
         let (rows, spare) = expected.split(rows);
         let needed = needed(scene, &all, &rows, &expected.flow);
-        let divided = expected.divided || is_large(&all, &needed);
+        let divided = match scene.controls.solver {
+            SolverKind::Auto => expected.divided || is_large(&all, &needed),
+            SolverKind::Direct => false,
+            SolverKind::Divided => true,
+        };
         let plan = Plan {
             scene,
             dofs: &all,

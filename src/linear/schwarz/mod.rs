@@ -36,9 +36,11 @@ pub struct SchwarzFactor {
     diagonal: Vec<f64>,
 }
 
-/// Vertices of a subdomain before it is extended. Smaller ones cost less each and need more modes
+/// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each and need more modes
 /// in the coarse system; between 150 and 700 the number of Krylov directions hardly changes.
-const SIZE: usize = 350;
+const SIZES: (usize, usize) = (200, 600);
+/// How many subdomains there are between these sizes.
+const SUBDOMAINS: usize = 100;
 
 /// A subdomain is factored anew where an entry of its diagonal has changed by more than this share.
 const CHANGE: f64 = 0.05;
@@ -54,7 +56,9 @@ impl Schwarz {
         guide: &SymmetricMatrix,
         places: &[Place],
     ) -> Result<Self, FactorError> {
-        let division = partition::divide(pattern, guide, places, SIZE);
+        let vertices = pattern.vertex_start.len() - 1;
+        let size = (vertices / SUBDOMAINS).clamp(SIZES.0, SIZES.1);
+        let division = partition::divide(pattern, guide, places, size);
         let coarse = Coarse::new(pattern, places, &division)?;
         let locals = (division.subdomains.par_iter().enumerate())
             .map(|(index, vertices)| {

@@ -28,6 +28,9 @@ pub struct RunArgs {
     /// Keep every body elastic.
     #[arg(long)]
     pub elastic: bool,
+    /// Leave out the second solution without plasticity, which gives the elastic peaks.
+    #[arg(long)]
+    pub no_elastic_peaks: bool,
     /// Say for each thing left out what that saved.
     #[arg(long)]
     pub explain: bool,
@@ -47,7 +50,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
                 .clone()
                 .unwrap_or_else(|| default_folder(&args.case)),
         ),
-        elastic_peaks: true,
+        elastic_peaks: !args.no_elastic_peaks,
     };
     let mut console = Console::new(args.quiet);
     if !args.quiet {

@@ -184,7 +184,9 @@ fn outputs(scene: &Scene, solution: &Solution, options: &Options) -> Vec<LeftOut
                 .saving(elements * size_of::<[f64; 8]>(), "bytes a state"),
         );
     } else if !options.elastic_peaks {
-        list.push(LeftOut::new("elastic peaks: not asked for"));
+        list.push(LeftOut::new(
+            "elastic peaks: not wanted (--no-elastic-peaks)",
+        ));
     }
     if options.out.is_none() {
         list.push(LeftOut::new("files: not asked for"));

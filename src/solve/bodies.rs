@@ -187,6 +187,11 @@ impl Bodies {
         self.superelements = Vec::new();
     }
 
+    /// Forgets the factors as well.
+    pub fn forget(&mut self) {
+        self.parts = Vec::new();
+    }
+
     /// Eliminates inner unknowns from a vector of forces.
     pub fn reduce(&self, forces: &mut [f64]) {
         self.locally(forces, Substructure::reduce);

@@ -326,6 +326,9 @@ impl<'a, 'o> Run<'a, 'o> {
         let histories = yielding.zip(std::mem::take(&mut self.history.plastic));
         let mut histories: BTreeMap<u32, PlasticElement> = histories.collect();
 
+        // Two models at once would be twice the memory.
+        self.solver = LinearSolver::default();
+        self.model.release();
         let (scene, expected) = (self.model.scene, &self.expected);
         let (model, timers) = (&mut self.model, &mut self.counters.timers);
         let model = timers.time(Phase::Prepare, || {
@@ -374,7 +377,6 @@ impl<'a, 'o> Run<'a, 'o> {
         self.history.plastic = (model.yielding.iter())
             .map(|e| histories.remove(e).flatten())
             .collect();
-        self.solver = LinearSolver::default();
         self.counters.measure(&model);
         self.expected.divided = model.is_divided();
         self.model = model;

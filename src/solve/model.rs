@@ -178,6 +178,13 @@ impl<'a> Model<'a> {
         matches!(self.preconditioner, Preconditioner::Schwarz(_))
     }
 
+    /// Gives most memory back; what is left knows its rows and which elements may flow.
+    pub fn release(&mut self) {
+        self.bodies.forget();
+        self.stiffness.values = Vec::new();
+        self.pattern = Pattern::new(vec![0], std::iter::empty());
+    }
+
     /// Norm of the forces at the end of the step where it is largest.
     fn largest_load(&self) -> f64 {
         let steps = 0..self.scene.steps.len();

@@ -183,8 +183,8 @@ fn render(rows: &[Row]) -> String {
     let mut text = table.render().to_string();
     text.push_str("\nOver Brinell with the same element:\n\n");
     let mut ratios = Table::new(&["program", "wall", "CPU", "memory", "descent", "bore Mises"]);
-    for row in &rows[2..] {
-        let ours = &rows[0];
+    let peers = rows.iter().filter(|row| !row.name.starts_with("Brinell"));
+    for (row, ours) in peers.zip(std::iter::repeat(&rows[0])) {
         ratios.row(&[
             row.name.clone(),
             times(row.cost.wall_s, ours.cost.wall_s),

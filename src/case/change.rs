@@ -4,7 +4,7 @@ use super::bearing::{MeshRequest, Preset};
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};
-use crate::scene::ElementKind;
+use crate::scene::{ElementKind, SolverKind};
 
 impl Case {
     /// Meshes the bearing by another preset than the file says. Numbers that the file sets in
@@ -60,6 +60,14 @@ impl Case {
         self.controls.element = element;
         if let Kind::General(general) = &mut self.kind {
             general.model.controls.element = element;
+        }
+    }
+
+    /// Solves linear systems this way.
+    pub fn set_solver(&mut self, solver: SolverKind) {
+        self.controls.solver = solver;
+        if let Kind::General(general) = &mut self.kind {
+            general.model.controls.solver = solver;
         }
     }
 

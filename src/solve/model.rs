@@ -313,7 +313,7 @@ impl<'a> Model<'a> {
 /// Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
 /// made about as often as Krylov directions number with a division.
 fn is_large(dofs: &DofMap, needed: &[bool]) -> bool {
-    const DIVIDED: f64 = 1.5e6;
+    const DIVIDED: f64 = 3e6;
     let starts = dofs.vertex_start.windows(2).zip(needed);
     let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
     f64::from(kept).powi(3) / 3.0 > DIVIDED * dofs.len() as f64

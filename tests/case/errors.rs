@@ -495,6 +495,14 @@ fn impossible_controls() {
         &["controls.iterations = 0", "1 or more"],
     );
     refused(
+        &with_control("solver = \"spooles\""),
+        &[
+            "controls.solver",
+            "spooles",
+            "\"auto\", \"direct\" or \"divided\"",
+        ],
+    );
+    refused(
         &with_control("element = \"c3d8\""),
         &[
             "controls.element",

@@ -1,7 +1,9 @@
 //! Whole solutions: blocks, the reference study's centre case, and what must not change them.
 
+mod bearing;
 mod blocks;
 mod centre;
+mod divided;
 mod invariance;
 mod left_out;
 mod reaction;

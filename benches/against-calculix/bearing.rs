@@ -3,7 +3,6 @@
 use crate::page::{Table, number, times};
 use crate::process::Cost;
 use crate::{Options, ccx, subject};
-use brinell::case::bearing::{Kind as Measure, MESH_KEYS};
 use brinell::case::{self, Case, Kind};
 use brinell::job::make_mesh;
 use brinell::mesh::{Mesh, msh};
@@ -126,14 +125,7 @@ fn cases(scale: f64, plain: &Path, full: &Path) -> Result<Case, String> {
     let mut table = "preset = \"h0125\"".to_string();
     if scale != 1.0 {
         case.scale_mesh(scale).map_err(|e| e.to_string())?;
-        if let Kind::Bearing(bearing) = &case.kind {
-            for ((key, value), kind) in bearing.mesh.overrides.iter().zip(MESH_KEYS) {
-                table += &match kind.kind {
-                    Measure::Length => format!("\n{key} = \"{value} in\""),
-                    _ => format!("\n{key} = {value}"),
-                };
-            }
-        }
+        table += &format!("\nscale = {scale}");
     }
     let text = case.source.text().replace("preset = \"h025\"", &table);
     let write = |path: &Path, text: &str| {

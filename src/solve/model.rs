@@ -22,7 +22,7 @@ use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, SolverKind, S
 ///
 /// The augmented-Lagrange update makes the answer independent of it; it only has to be stiff
 /// enough that few updates are needed and soft enough that the factor stays accurate.
-const PENALTY: f64 = 200.0;
+const PENALTY: f64 = 1000.0;
 
 /// How often the expensive parts ran.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

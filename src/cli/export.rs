@@ -1,7 +1,6 @@
 //! `brinell export`: a case as a deck for CalculiX or Abaqus.
 
-use super::{CommandResult, Status, say};
-use crate::case;
+use super::{CommandResult, Status, read_case, say};
 use crate::job::{self, JobError};
 use crate::output::inp::{ContactType, Settings};
 use clap::{Args, ValueEnum};
@@ -96,13 +95,7 @@ pub fn run(args: &ExportArgs) -> CommandResult {
 }
 
 fn export(args: &ExportArgs) -> Result<String, JobError> {
-    let mut case = case::read(&args.case)?;
-    if let Some(preset) = &args.mesh {
-        case.set_preset(preset)?;
-    }
-    if args.full {
-        case.set_full()?;
-    }
+    let mut case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
     if args.elastic {
         case.set_elastic();
     }

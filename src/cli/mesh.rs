@@ -1,7 +1,6 @@
 //! `brinell mesh`: the mesh of a bearing case, by gmsh.
 
-use super::{CommandResult, Status, say};
-use crate::case;
+use super::{CommandResult, Status, read_case, say};
 use crate::job::{self, JobError};
 use clap::Args;
 use std::path::PathBuf;
@@ -29,13 +28,7 @@ pub fn run(args: &MeshArgs) -> CommandResult {
 }
 
 fn make(args: &MeshArgs) -> Result<String, JobError> {
-    let mut case = case::read(&args.case)?;
-    if let Some(preset) = &args.mesh {
-        case.set_preset(preset)?;
-    }
-    if args.full {
-        case.set_full()?;
-    }
+    let case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
     let mesh = job::make_mesh(&case, &args.out)?;
     let mut first = format!(
         "{}: {} nodes, {} hexahedra",

@@ -8,8 +8,11 @@ pub mod mesh;
 pub mod run;
 pub mod verify;
 
+use crate::case::{self, Case};
+use crate::job::JobError;
 use clap::{Parser, Subcommand};
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Contact stresses of roller bearings by finite elements.
@@ -78,3 +81,15 @@ fn say(text: &str) {
 
 /// What a command comes to: a status, or one with the reason.
 pub type CommandResult = Result<Status, (Status, miette::Report)>;
+
+/// The case of a file with what the arguments change: mesh preset, whole model.
+fn read_case(path: &Path, preset: Option<&str>, full: bool) -> Result<Case, JobError> {
+    let mut case = case::read(path)?;
+    if let Some(preset) = preset {
+        case.set_preset(preset)?;
+    }
+    if full {
+        case.set_full()?;
+    }
+    Ok(case)
+}

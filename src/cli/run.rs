@@ -1,8 +1,8 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
 use super::console::{Console, LEGEND};
-use super::{CommandResult, Status, say};
-use crate::case::{self, Case};
+use super::{CommandResult, Status, read_case, say};
+use crate::case::Case;
 use crate::job::{self, JobError, Options};
 use crate::output::table;
 use crate::solve::{Counters, Phase};
@@ -109,13 +109,7 @@ fn timer_table(counters: &Counters) -> String {
 }
 
 fn read(args: &RunArgs) -> Result<Case, JobError> {
-    let mut case = case::read(&args.case)?;
-    if let Some(preset) = &args.mesh {
-        case.set_preset(preset)?;
-    }
-    if args.full {
-        case.set_full()?;
-    }
+    let mut case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
     if args.elastic {
         case.set_elastic();
     }

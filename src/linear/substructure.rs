@@ -5,14 +5,13 @@
 //! A supernodal Cholesky factor with B last gives all of it: the trailing block L_BB is a factor
 //! of S, and half a triangular solve is the reduction of f.
 
-use super::cholesky::{FactorError, numeric, structure};
+use super::cholesky::{FactorError, analyse, numeric, structure};
 use super::ordering;
 use super::sparse::{Pattern, SymmetricMatrix};
-use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SymbolicSupernodalCholesky};
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholesky, SymbolicCholeskyRaw};
-use faer::{Accum, Mat, Par, Side};
+use faer::{Accum, Mat, Par};
 
 /// Order and structure of the factor, before any number.
 pub struct Condensation {
@@ -35,21 +34,11 @@ impl Condensation {
     /// [`FactorError::Memory`].
     pub fn new(pattern: &Pattern, kept: &[bool]) -> Result<Self, FactorError> {
         let (order, eliminated) = ordering::with_last(pattern, kept);
-        let mut inverse = vec![0u32; order.len()];
-        for (k, equation) in order.iter().enumerate() {
-            inverse[*equation as usize] = k as u32;
-        }
         let params = sparse::CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
             ..Default::default()
         };
-        let inner = sparse::factorize_symbolic_cholesky(
-            structure(pattern),
-            Side::Lower,
-            sparse::SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len())),
-            params,
-        )
-        .map_err(|_| FactorError::Memory)?;
+        let inner = analyse(structure(pattern), &order, params)?;
         Ok(Self {
             inner,
             order,

@@ -1,7 +1,7 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
 use super::error::SolveError;
-use super::evaluate::{Evaluation, History, PlasticElement};
+use super::evaluate::{Evaluation, History};
 use super::foresight::{Expected, Unforeseen};
 use super::model::{ContactRow, Counters, Model, can_yield, contact_rows};
 use super::newton::{self, Failure, LinearSolver, Point};
@@ -61,10 +61,6 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
         let rows = contact_rows(scene, expected.reach);
         Model::new(scene, &expected, rows)
     })?;
-    let expected = Expected {
-        divided: model.is_divided(),
-        ..expected
-    };
     let mut run = Run::new(model, expected, observer);
     run.counters.timers = timers;
     let untouched = run.untouched();
@@ -305,13 +301,9 @@ impl<'a, 'o> Run<'a, 'o> {
 
     /// Where nothing is condensed, an element that flows only has to be looked at.
     fn check_more_elements(&mut self) {
-        let old = std::mem::take(&mut self.model.yielding);
-        let plastic = std::mem::take(&mut self.history.plastic);
-        let mut histories: BTreeMap<u32, PlasticElement> = old.into_iter().zip(plastic).collect();
-        self.model.yielding = self.expected.flow.clone();
-        self.history.plastic = (self.model.yielding.iter())
-            .map(|e| histories.remove(e).flatten())
-            .collect();
+        let old = std::mem::replace(&mut self.model.yielding, self.expected.flow.clone());
+        self.history.watch(&old, &self.model.yielding);
+        self.counters.watched_elements = self.model.yielding.len();
     }
 
     /// Prepares the model for what is expected now, and carries the state over.
@@ -322,10 +314,8 @@ impl<'a, 'o> Run<'a, 'o> {
         let guess = guess.map(|p| (p.clone(), all(&self.model, p)));
         let rows = self.model.rows.iter().enumerate();
         let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
-        let yielding = self.model.yielding.iter().copied();
-        let histories = yielding.zip(std::mem::take(&mut self.history.plastic));
-        let mut histories: BTreeMap<u32, PlasticElement> = histories.collect();
 
+        self.expected.divided = self.model.is_divided();
         // Two models at once would be twice the memory.
         self.solver = LinearSolver::default();
         self.model.release();
@@ -374,11 +364,8 @@ impl<'a, 'o> Run<'a, 'o> {
             })
             .collect();
         self.history.slip = carry(&map, &self.history.slip);
-        self.history.plastic = (model.yielding.iter())
-            .map(|e| histories.remove(e).flatten())
-            .collect();
+        self.history.watch(&self.model.yielding, &model.yielding);
         self.counters.measure(&model);
-        self.expected.divided = model.is_divided();
         self.model = model;
         Ok(())
     }

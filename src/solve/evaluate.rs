@@ -7,6 +7,7 @@ use crate::fem::element::Answer as ElementAnswer;
 use crate::linear::sparse::SymmetricMatrix;
 use crate::material::j2::{self, PlasticPoint};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Plastic history of an element's integration points; `None` while it never yielded.
 pub type PlasticElement = Option<Box<[PlasticPoint; 8]>>;
@@ -20,6 +21,15 @@ pub struct History {
     pub slip_origin: Vec<[f64; 2]>,
     /// Accumulated slip length of each row.
     pub slip: Vec<f64>,
+}
+
+impl History {
+    /// Carries the plastic state from the elements that were watched to those that will be.
+    pub fn watch(&mut self, old: &[u32], new: &[u32]) {
+        let states = old.iter().zip(std::mem::take(&mut self.plastic));
+        let mut states: BTreeMap<&u32, PlasticElement> = states.collect();
+        self.plastic = new.iter().map(|e| states.remove(e).flatten()).collect();
+    }
 }
 
 /// An element that yields, or has yielded before.

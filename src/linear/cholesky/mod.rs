@@ -10,6 +10,7 @@ use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::traits::RealField;
 use faer::{Conj, MatMut, Par, Side};
 
 /// Symbolic work that is done once a pattern: order and structure of the factor.
@@ -37,18 +38,7 @@ impl Symbolic {
     /// [`FactorError::Memory`].
     pub fn new(pattern: &Pattern, blocks: &[Block]) -> Result<Self, FactorError> {
         let forward = ordering::blockwise(pattern, blocks);
-        let mut inverse = vec![0u32; forward.len()];
-        for (k, equation) in forward.iter().enumerate() {
-            inverse[*equation as usize] = k as u32;
-        }
-        let order = PermRef::new_checked(&forward, &inverse, forward.len());
-        let inner = sparse::factorize_symbolic_cholesky(
-            structure(pattern),
-            Side::Lower,
-            sparse::SymmetricOrdering::Custom(order),
-            Default::default(),
-        )
-        .map_err(|_| FactorError::Memory)?;
+        let inner = analyse(structure(pattern), &forward, Default::default())?;
         Ok(Self { inner })
     }
 
@@ -84,16 +74,40 @@ impl Symbolic {
 
     /// Solves A x = b in place.
     pub fn solve(&self, factor: &Factor, x: &mut [f64]) {
-        let need = self.inner.solve_in_place_scratch::<f64>(1, Par::Seq);
-        let mut memory = MemBuffer::new(need);
-        let rows = x.len();
-        sparse::LltRef::new(&self.inner, &factor.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(x, rows, 1),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
+        solve(&self.inner, &factor.values, x);
     }
+}
+
+/// Structure of the factor of a lower triangle, the equations of which are eliminated in `order`.
+pub(super) fn analyse(
+    structure: SymbolicSparseColMatRef<u32>,
+    order: &[u32],
+    params: sparse::CholeskySymbolicParams,
+) -> Result<sparse::SymbolicCholesky<u32>, FactorError> {
+    let mut inverse = vec![0u32; order.len()];
+    for (k, equation) in order.iter().enumerate() {
+        inverse[*equation as usize] = k as u32;
+    }
+    let order = PermRef::new_checked(order, &inverse, order.len());
+    let order = sparse::SymmetricOrdering::Custom(order);
+    sparse::factorize_symbolic_cholesky(structure, Side::Lower, order, params)
+        .map_err(|_| FactorError::Memory)
+}
+
+/// Solves A x = b in place.
+pub(super) fn solve<T: RealField>(
+    symbolic: &sparse::SymbolicCholesky<u32>,
+    values: &[T],
+    x: &mut [T],
+) {
+    let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<T>(1, Par::Seq));
+    let rows = x.len();
+    sparse::LltRef::new(symbolic, values).solve_in_place_with_conj(
+        Conj::No,
+        MatMut::from_column_major_slice_mut(x, rows, 1),
+        Par::Seq,
+        MemStack::new(&mut memory),
+    );
 }
 
 pub(super) fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
@@ -108,16 +122,25 @@ pub(super) fn numeric(
     matrix: &SymmetricMatrix,
     values: &mut [f64],
 ) -> Result<(), FactorError> {
-    let order = symbolic.perm().map_or(&[][..], |p| p.arrays().0);
     let threads = rayon::current_num_threads();
     if let (SymbolicCholeskyRaw::Supernodal(nodes), 2..) = (symbolic.raw(), threads) {
-        return subtrees::factorise(nodes, order, pattern, matrix, values);
+        return subtrees::factorise(nodes, order(symbolic), pattern, matrix, values);
     }
-    let need = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+    numeric_alone(symbolic, structure(pattern), &matrix.values, values)
+}
+
+/// Factors a lower triangle into `values` on one thread.
+pub(super) fn numeric_alone<T: RealField>(
+    symbolic: &sparse::SymbolicCholesky<u32>,
+    structure: SymbolicSparseColMatRef<u32>,
+    entries: &[T],
+    values: &mut [T],
+) -> Result<(), FactorError> {
+    let need = symbolic.factorize_numeric_llt_scratch::<T>(Par::Seq, Default::default());
     let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
     let result = symbolic.factorize_numeric_llt(
         values,
-        SparseColMatRef::new(structure(pattern), &matrix.values),
+        SparseColMatRef::new(structure, entries),
         Side::Lower,
         LltRegularization::default(),
         Par::Seq,
@@ -126,9 +149,19 @@ pub(super) fn numeric(
     );
     match result {
         Ok(_) => Ok(()),
-        Err(LltError::NonPositivePivot { index }) => Err(FactorError::NotPositiveDefinite {
-            equation: order.get(index).map_or(index, |e| *e as usize),
-        }),
+        Err(LltError::NonPositivePivot { index }) => Err(not_positive(order(symbolic), index)),
+    }
+}
+
+/// Equations in the order of elimination.
+fn order(symbolic: &sparse::SymbolicCholesky<u32>) -> &[u32] {
+    symbolic.perm().map_or(&[], |p| p.arrays().0)
+}
+
+/// The error of the pivot at `index` in the order of elimination.
+fn not_positive(order: &[u32], index: usize) -> FactorError {
+    FactorError::NotPositiveDefinite {
+        equation: order.get(index).map_or(index, |e| *e as usize),
     }
 }
 

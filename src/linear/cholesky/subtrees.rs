@@ -4,7 +4,7 @@
 //! longer than one. Here each thread factors whole subtrees by itself, and only what is left above
 //! them is split. Left-looking, supernode by supernode (Ng and Peyton 1993), into faer's storage.
 
-use super::FactorError;
+use super::{FactorError, not_positive};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor as dense;
@@ -60,9 +60,7 @@ pub fn factorise(
     let tree = Tree::new(symbolic);
     let input = Input::new(pattern, matrix, order);
     let result = tree.factorise(&input, values, rayon::current_num_threads());
-    result.map_err(|Pivot(k)| FactorError::NotPositiveDefinite {
-        equation: order.get(k).map_or(k, |e| *e as usize),
-    })
+    result.map_err(|Pivot(k)| not_positive(order, k))
 }
 
 impl<'s> Tree<'s> {

@@ -1,14 +1,10 @@
 //! One subdomain: its part of the matrix, factored in single precision.
 
-use crate::linear::cholesky::FactorError;
+use crate::linear::cholesky::{self, FactorError};
 use crate::linear::ordering;
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
-use faer::perm::PermRef;
+use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::cholesky as sparse;
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side};
 
 /// A subdomain and the structure of its factor.
 pub struct Local {
@@ -48,18 +44,9 @@ impl Local {
         }
         let (columns, rows) = structure(pattern, &equations);
         let order = ordering::of_part(pattern, vertices, &vertex_start);
-        let mut inverse = vec![0u32; order.len()];
-        for (k, e) in order.iter().enumerate() {
-            inverse[*e as usize] = k as u32;
-        }
         let n = equations.len();
-        let inner = sparse::factorize_symbolic_cholesky(
-            SymbolicSparseColMatRef::new_checked(n, n, &columns, None, &rows),
-            Side::Lower,
-            sparse::SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
-            Default::default(),
-        )
-        .map_err(|_| FactorError::Memory)?;
+        let triangle = SymbolicSparseColMatRef::new_checked(n, n, &columns, None, &rows);
+        let inner = cholesky::analyse(triangle, &order, Default::default())?;
         Ok(Self {
             equations,
             own,
@@ -138,46 +125,21 @@ impl Local {
         values: &mut [f32],
     ) -> Result<(), FactorError> {
         let n = self.equations.len();
-        let need = self
-            .inner
-            .factorize_numeric_llt_scratch::<f32>(Par::Seq, Default::default());
-        let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
-        let structure = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
-        let result = self.inner.factorize_numeric_llt(
-            values,
-            SparseColMatRef::new(structure, entries),
-            Side::Lower,
-            LltRegularization::default(),
-            Par::Seq,
-            MemStack::new(&mut memory),
-            Default::default(),
-        );
-        result
-            .map(|_| ())
-            .map_err(|LltError::NonPositivePivot { index }| {
-                let order = self.inner.perm().map(|p| p.arrays().0);
-                let local = order
-                    .and_then(|o| o.get(index))
-                    .map_or(index, |e| *e as usize);
-                FactorError::NotPositiveDefinite {
-                    equation: self.equations.get(local).map_or(0, |e| *e as usize),
-                }
-            })
+        let triangle = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
+        cholesky::numeric_alone(&self.inner, triangle, entries, values).map_err(|error| match error
+        {
+            FactorError::NotPositiveDefinite { equation } => FactorError::NotPositiveDefinite {
+                equation: self.equations.get(equation).map_or(0, |e| *e as usize),
+            },
+            FactorError::Memory => error,
+        })
     }
 
     /// The subdomain's correction for the residual `r` of all equations.
     pub fn solve(&self, factor: &LocalFactor, r: &[f64]) -> Vec<f32> {
         let entries = self.equations.iter().zip(&factor.scale);
         let mut x: Vec<f32> = entries.map(|(e, s)| s * r[*e as usize] as f32).collect();
-        let need = self.inner.solve_in_place_scratch::<f32>(1, Par::Seq);
-        let mut memory = MemBuffer::new(need);
-        let rows = x.len();
-        sparse::LltRef::new(&self.inner, &factor.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(&mut x, rows, 1),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
+        cholesky::solve(&self.inner, &factor.values, &mut x);
         x.iter_mut().zip(&factor.scale).for_each(|(x, s)| *x *= s);
         x
     }

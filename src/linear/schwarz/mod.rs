@@ -36,8 +36,8 @@ pub struct SchwarzFactor {
     diagonal: Vec<f64>,
 }
 
-/// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each and need more modes
-/// in the coarse system; between 150 and 700 the number of Krylov directions hardly changes.
+/// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each and
+/// need more modes in the coarse system.
 const SIZES: (usize, usize) = (200, 600);
 /// How many subdomains there are between these sizes.
 const SUBDOMAINS: usize = 100;

@@ -161,15 +161,9 @@ impl Graph<'_> {
 
     /// Norm of the block between two vertices.
     fn coupling(&self, v: u32, w: u32) -> f64 {
-        let starts = &self.pattern.vertex_start;
-        let of = |v: u32| starts[v as usize]..starts[v as usize + 1];
-        let (columns, rows) = (of(v.min(w)), of(v.max(w)));
-        let blocks = columns.map(|column| {
-            let start = self.pattern.position(rows.start, column);
-            let values = &self.guide.values[start..start + rows.len()];
-            values.iter().map(|v| v * v).sum::<f64>()
-        });
-        blocks.sum::<f64>().sqrt()
+        let block = self.pattern.block(self.guide, v.min(w), v.max(w));
+        let squares = block.map(|line| line.iter().map(|v| v * v).sum::<f64>());
+        squares.iter().sum::<f64>().sqrt()
     }
 }
 

@@ -281,8 +281,9 @@ impl<'a, 'o> Run<'a, 'o> {
         guess: Option<&Point>,
     ) -> Result<(), SolveError> {
         let (integrate, flow_only) = (unforeseen.is_approach(), unforeseen.is_flow_only());
+        let known = flow_only && self.model.keeps(&unforeseen.flow);
         self.expected.learn(unforeseen);
-        if flow_only && self.model.is_divided() {
+        if known {
             self.check_more_elements();
             self.guess = guess.cloned();
         } else {
@@ -299,9 +300,10 @@ impl<'a, 'o> Run<'a, 'o> {
         Ok(())
     }
 
-    /// Where nothing is condensed, an element that flows only has to be looked at.
+    /// An element that flows only has to be looked at, where its nodes were not condensed.
     fn check_more_elements(&mut self) {
-        let old = std::mem::replace(&mut self.model.yielding, self.expected.flow.clone());
+        let old = self.model.yielding.clone();
+        self.model.watch(&self.expected.flow);
         self.history.watch(&old, &self.model.yielding);
         self.counters.watched_elements = self.model.yielding.len();
     }

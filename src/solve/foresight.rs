@@ -31,7 +31,7 @@ pub struct Unforeseen {
     /// Contact closes at this initial gap over the least one, where it was left out.
     contact: Option<f64>,
     /// Elements that yield, or soon will, though the model takes them for elastic.
-    flow: Vec<u32>,
+    pub flow: Vec<u32>,
     /// Is the solution wrong for it?
     pub missed: bool,
 }

@@ -178,6 +178,22 @@ impl<'a> Model<'a> {
         matches!(self.preconditioner, Preconditioner::Schwarz(_))
     }
 
+    /// Was no node of these elements condensed?
+    pub fn keeps(&self, elements: &[u32]) -> bool {
+        elements.iter().all(|element| {
+            let all = self.all.of_element(&self.scene.mesh, *element as usize);
+            let kept = self.element_equations(*element);
+            (all.iter().zip(&kept)).all(|(all, kept)| *all == FIXED || *kept != FIXED)
+        })
+    }
+
+    /// Checks the yield condition of these elements, ascending, too.
+    pub fn watch(&mut self, elements: &[u32]) {
+        self.yielding.extend(elements);
+        self.yielding.sort_unstable();
+        self.yielding.dedup();
+    }
+
     /// Gives most memory back; what is left knows its rows and which elements may flow.
     pub fn release(&mut self) {
         self.bodies.forget();

@@ -12,6 +12,7 @@ use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SymbolicSupernodalCholesky};
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholesky, SymbolicCholeskyRaw};
 use faer::{Accum, Mat, Par};
+use std::sync::OnceLock;
 
 /// Order and structure of the factor, before any number.
 pub struct Condensation {
@@ -108,7 +109,7 @@ impl Condensation {
             .try_reserve_exact(self.inner.len_val())
             .map_err(|_| FactorError::Memory)?;
         values.resize(self.inner.len_val(), 0.0);
-        numeric(&self.inner, pattern, &matrix, &mut values)?;
+        numeric(&self.inner, &OnceLock::new(), pattern, &matrix, &mut values)?;
         let whole = Substructure {
             condensation: self,
             values,

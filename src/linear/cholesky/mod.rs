@@ -1,7 +1,9 @@
 //! Sparse Cholesky factor on a fixed pattern and order: faer's structure and kernels, and its
 //! numeric factor on one thread; on more `subtrees` shares the work out.
 
+mod entries;
 mod subtrees;
+mod tree;
 
 use super::ordering::{self, Block};
 use super::sparse::{Pattern, SymmetricMatrix};
@@ -12,10 +14,14 @@ use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::traits::RealField;
 use faer::{Conj, MatMut, Par, Side};
+use std::sync::OnceLock;
+use subtrees::{Pivot, Plan};
 
 /// Symbolic work that is done once a pattern: order and structure of the factor.
 pub struct Symbolic {
     inner: sparse::SymbolicCholesky<u32>,
+    /// Made at the first factorisation on several threads.
+    plan: OnceLock<Plan>,
 }
 
 /// A numeric factor.
@@ -39,7 +45,10 @@ impl Symbolic {
     pub fn new(pattern: &Pattern, blocks: &[Block]) -> Result<Self, FactorError> {
         let forward = ordering::blockwise(pattern, blocks);
         let inner = analyse(structure(pattern), &forward, Default::default())?;
-        Ok(Self { inner })
+        Ok(Self {
+            inner,
+            plan: OnceLock::new(),
+        })
     }
 
     /// Entries of the factor.
@@ -68,7 +77,7 @@ impl Symbolic {
                 values
             }
         };
-        numeric(&self.inner, pattern, matrix, &mut values)?;
+        numeric(&self.inner, &self.plan, pattern, matrix, &mut values)?;
         Ok(Factor { values })
     }
 
@@ -115,16 +124,19 @@ pub(super) fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
     SymbolicSparseColMatRef::new_checked(n, n, &pattern.columns, None, &pattern.rows)
 }
 
-/// Factors `matrix` into `values`, on all threads of the pool.
+/// Factors `matrix` into `values`, on all threads of the pool; the `plan` is made where it is missing.
 pub(super) fn numeric(
     symbolic: &sparse::SymbolicCholesky<u32>,
+    plan: &OnceLock<Plan>,
     pattern: &Pattern,
     matrix: &SymmetricMatrix,
     values: &mut [f64],
 ) -> Result<(), FactorError> {
     let threads = rayon::current_num_threads();
     if let (SymbolicCholeskyRaw::Supernodal(nodes), 2..) = (symbolic.raw(), threads) {
-        return subtrees::factorise(nodes, order(symbolic), pattern, matrix, values);
+        let order = order(symbolic);
+        let plan = plan.get_or_init(|| Plan::new(nodes, pattern, order));
+        return (plan.factorise(nodes, matrix, values)).map_err(|Pivot(k)| not_positive(order, k));
     }
     numeric_alone(symbolic, structure(pattern), &matrix.values, values)
 }

@@ -1,0 +1,105 @@
+//! The elimination tree of supernodes, and how threads share it.
+
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
+
+/// The elimination tree of supernodes.
+pub struct Tree {
+    /// First column of each supernode, and the number of columns.
+    pub begin: Vec<usize>,
+    /// First value of each supernode, and the number of values.
+    pub value: Vec<usize>,
+    /// Supernodes that update each supernode.
+    pub sources: Vec<Vec<u32>>,
+    children: Vec<Vec<usize>>,
+    roots: Vec<usize>,
+    /// First supernode of the subtree below each, the number of supernodes and the work in it.
+    pub first: Vec<usize>,
+    size: Vec<usize>,
+    pub work: Vec<f64>,
+}
+
+impl Tree {
+    pub fn new(symbolic: &SymbolicSupernodalCholesky<u32>) -> Self {
+        let count = symbolic.n_supernodes();
+        let mut begin: Vec<usize> = (symbolic.supernode_begin().iter().take(count))
+            .map(|b| *b as usize)
+            .collect();
+        begin.push(symbolic.nrows());
+        let mut owner = vec![0u32; symbolic.nrows()];
+        for (s, ends) in begin.windows(2).enumerate() {
+            owner[ends[0]..ends[1]].fill(s as u32);
+        }
+        let mut tree = Self {
+            value: symbolic
+                .col_ptr_for_val()
+                .iter()
+                .map(|v| *v as usize)
+                .collect(),
+            sources: vec![Vec::new(); count],
+            children: vec![Vec::new(); count],
+            roots: Vec::new(),
+            first: (0..count).collect(),
+            size: vec![1; count],
+            work: vec![0.0; count],
+            begin,
+        };
+        for s in 0..count {
+            let rows = symbolic.supernode(s).pattern();
+            let mut last = u32::MAX;
+            for above in rows.iter().map(|r| owner[*r as usize]) {
+                if above != last {
+                    tree.sources[above as usize].push(s as u32);
+                    last = above;
+                }
+            }
+            let columns = tree.begin[s + 1] - tree.begin[s];
+            let height = columns + rows.len();
+            let own: f64 = (0..columns).map(|c| ((height - c) as f64).powi(2)).sum();
+            tree.work[s] += own;
+            let Some(parent) = rows.first().map(|r| owner[*r as usize] as usize) else {
+                tree.roots.push(s);
+                continue;
+            };
+            tree.children[parent].push(s);
+            tree.work[parent] += tree.work[s];
+            tree.size[parent] += tree.size[s];
+            tree.first[parent] = tree.first[parent].min(tree.first[s]);
+        }
+        tree
+    }
+
+    /// Do the supernodes of the subtree follow each other?
+    fn is_run(&self, root: usize) -> bool {
+        self.first[root] + self.size[root] == root + 1
+    }
+
+    /// Roots of the subtrees that threads factor by themselves, and what is above them, both
+    /// ascending: the heaviest is opened until the threads have about the same to do.
+    pub fn split(&self, threads: usize) -> (Vec<usize>, Vec<usize>) {
+        const UNEVEN: f64 = 0.005;
+        let sum = |list: &[usize]| list.iter().map(|s| self.work[*s]).sum::<f64>();
+        let total = sum(&self.roots);
+        let (mut subtrees, mut top): (Vec<usize>, Vec<usize>) = (self.roots.clone(), Vec::new());
+        loop {
+            subtrees.sort_by(|a, b| self.work[*b].total_cmp(&self.work[*a]));
+            let mut loads = vec![0.0f64; threads];
+            for s in &subtrees {
+                let least = loads.iter_mut().min_by(|a, b| a.total_cmp(b));
+                least.into_iter().for_each(|load| *load += self.work[*s]);
+            }
+            let most = loads.into_iter().fold(0.0, f64::max);
+            let even = most - sum(&subtrees) / threads as f64 <= UNEVEN * total;
+            let opened = match subtrees.iter().position(|s| !self.is_run(*s)) {
+                Some(scattered) => scattered,
+                None if even => break,
+                None => 0,
+            };
+            let opened = subtrees.remove(opened);
+            subtrees.extend(&self.children[opened]);
+            top.push(opened);
+        }
+        subtrees.sort_unstable();
+        top.sort_unstable();
+        (subtrees, top)
+    }
+}

@@ -3,6 +3,7 @@
 pub mod cholesky;
 pub mod krylov;
 pub mod ordering;
+mod pages;
 pub mod preconditioner;
 pub mod schwarz;
 pub mod small;

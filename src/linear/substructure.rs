@@ -7,6 +7,7 @@
 
 use super::cholesky::{FactorError, analyse, numeric, structure};
 use super::ordering;
+use super::pages::Pages;
 use super::sparse::{Pattern, SymmetricMatrix};
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SymbolicSupernodalCholesky};
@@ -25,7 +26,7 @@ pub struct Condensation {
 /// A matrix with its inner unknowns eliminated.
 pub struct Substructure {
     condensation: Condensation,
-    values: Vec<f64>,
+    values: Pages,
 }
 
 impl Condensation {
@@ -104,11 +105,7 @@ impl Condensation {
             added.push(*diagonal);
             *diagonal *= 2.0;
         }
-        let mut values = Vec::new();
-        values
-            .try_reserve_exact(self.inner.len_val())
-            .map_err(|_| FactorError::Memory)?;
-        values.resize(self.inner.len_val(), 0.0);
+        let mut values = Pages::new(self.inner.len_val()).map_err(|_| FactorError::Memory)?;
         numeric(&self.inner, &OnceLock::new(), pattern, &matrix, &mut values)?;
         let whole = Substructure {
             condensation: self,

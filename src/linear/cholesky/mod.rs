@@ -6,6 +6,7 @@ mod subtrees;
 mod tree;
 
 use super::ordering::{self, Block};
+use super::pages::Pages;
 use super::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
@@ -26,7 +27,7 @@ pub struct Symbolic {
 
 /// A numeric factor.
 pub struct Factor {
-    values: Vec<f64>,
+    values: Pages,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -68,14 +69,7 @@ impl Symbolic {
     ) -> Result<Factor, FactorError> {
         let mut values = match old {
             Some(factor) => factor.values,
-            None => {
-                let mut values = Vec::new();
-                values
-                    .try_reserve_exact(self.inner.len_val())
-                    .map_err(|_| FactorError::Memory)?;
-                values.resize(self.inner.len_val(), 0.0);
-                values
-            }
+            None => Pages::new(self.inner.len_val()).map_err(|_| FactorError::Memory)?,
         };
         numeric(&self.inner, &self.plan, pattern, matrix, &mut values)?;
         Ok(Factor { values })
@@ -242,7 +236,7 @@ mod tests {
             let mut solved = b.clone();
             symbolic.solve(factor, &mut solved);
             assert!(solved.iter().zip(&x).all(|(s, x)| (s - x).abs() < 1e-11));
-            let pairs = factor.values.iter().zip(&factors[0].values);
+            let pairs = factor.values.iter().zip(factors[0].values.iter());
             assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
         }
     }

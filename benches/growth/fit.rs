@@ -88,7 +88,6 @@ pub fn phases(rows: &[Record]) -> Vec<Quantity> {
     list.push(Quantity::new("rest of the solution", None, |_, run| {
         run.solve_s - run.phases.values().sum::<f64>()
     }));
-    list.push(Quantity::new("elastic solution", None, |_, r| r.elastic_s));
     list.push(Quantity::new("reading the mesh", None, |_, r| r.mesh_s));
     list.push(Quantity::new("writing fields", None, |_, r| r.write_s));
     list.push(Quantity::new(

@@ -36,7 +36,8 @@ pub fn text(series: &Series, threads: usize) -> String {
          The initial bearing of Section 2.6.2, elastic-plastic, friction 0.15, from no load to 65 kip, on\n\
          the mesh `h025` with every element size scaled by one factor in every direction. Each size is\n\
          a process of its own, from case file to written results; memory is the largest that it had\n\
-         resident. Meshing by gmsh is apart. {threads} thread{}; {}.\n\n    {}\n\n\
+         resident. Meshing by gmsh is apart, and the case is solved once, without the second, elastic\n\
+         solution for the table's elastic peaks. {threads} thread{}; {}.\n\n    {}\n\n\
          ![Time and memory against unknowns](images/growth.svg)\n",
         if threads == 1 { "" } else { "s" },
         machine(),

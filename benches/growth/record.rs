@@ -42,8 +42,6 @@ pub struct Run {
     pub solve_s: f64,
     pub solve_cpu_s: f64,
     pub write_s: f64,
-    /// The second solution, without plasticity.
-    pub elastic_s: f64,
     /// Parts of `solve_s`.
     pub phases: BTreeMap<String, f64>,
 }

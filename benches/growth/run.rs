@@ -64,7 +64,10 @@ fn solve(
     limit: Duration,
 ) -> Result<Result<Run, String>, Failure> {
     let mut command = Command::new(BINARY);
-    command.arg("run").arg(case).arg("--quiet");
+    command
+        .arg("run")
+        .arg(case)
+        .args(["--quiet", "--no-elastic-peaks"]);
     command.arg("--threads").arg(threads.to_string());
     command.arg("--out").arg(folder);
     let (end, usage) = run_process(&mut command, &folder.join("run.log"), limit)?;
@@ -96,7 +99,6 @@ fn solve(
         solve_s: number("/timing/solve_s")?,
         solve_cpu_s: number("/timing/solve_cpu_s")?,
         write_s: number("/timing/write_s")?,
-        elastic_s: number("/timing/elastic_s")?,
         phases: phases
             .filter_map(|(name, v)| Some((name.clone(), v.as_f64()?)))
             .collect(),

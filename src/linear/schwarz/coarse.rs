@@ -144,34 +144,41 @@ impl Coarse {
         index: u32,
     ) -> Vec<(u32, Box<Coupling>)> {
         let mut list: Vec<(u32, Box<Coupling>)> = Vec::new();
+        // Of each piece near a vertex: its modes, times the matrix.
+        let mut forces: Vec<(u32, [[Mode; 3]; 3])> = Vec::new();
         let starts = &pattern.vertex_start;
+        let axes = |v: u32| {
+            let equations = starts[v as usize]..starts[v as usize + 1];
+            equations.map(|e| self.axis(e)).enumerate()
+        };
         let piece = &self.pieces[index as usize];
         for &v in &piece.vertices {
-            let own = self.mode(pattern, piece, v);
+            forces.clear();
             for &w in pattern.neighbours(v as usize).iter().chain([&v]) {
-                let near = &self.of_vertex[w as usize];
-                if near.iter().all(|other| *other > index) {
+                let near = self.of_vertex[w as usize].iter();
+                let mut near = near.filter(|other| **other <= index).peekable();
+                if near.peek().is_none() {
                     continue;
                 }
                 let block = pattern.block(matrix, v, w);
-                let axes = |v: u32| {
-                    let equations = starts[v as usize]..starts[v as usize + 1];
-                    equations.map(|e| self.axis(e)).enumerate()
-                };
-                for &other in near.iter().filter(|other| **other <= index) {
-                    let mode = self.mode(pattern, &self.pieces[other as usize], w);
-                    let at = list.iter().position(|(o, _)| *o == other);
-                    let at = at.unwrap_or_else(|| {
-                        list.push((other, Box::new([[0.0; MODES]; MODES])));
-                        list.len() - 1
-                    });
-                    let coupling = &mut list[at].1;
+                for &other in near {
+                    let mode = self.mode(&self.pieces[other as usize], w, starts);
+                    let target = entry(&mut forces, other, Default::default);
                     for ((i, a), (j, b)) in axes(v).flat_map(|a| axes(w).map(move |b| (a, b))) {
-                        for (p, own) in own.iter().enumerate() {
-                            let target = &mut coupling[FORMS * a + p][FORMS * b..FORMS * b + FORMS];
-                            for (t, m) in target.iter_mut().zip(&mode) {
-                                *t += block[i][j] * own * m;
-                            }
+                        for (t, m) in target[a][b].iter_mut().zip(mode) {
+                            *t += block[i][j] * m;
+                        }
+                    }
+                }
+            }
+            let own = self.mode(piece, v, starts);
+            for (other, forces) in &forces {
+                let coupling = entry(&mut list, *other, || Box::new([[0.0; MODES]; MODES]));
+                for (a, forces) in forces.iter().enumerate() {
+                    for (p, own) in own.iter().enumerate() {
+                        let row = &mut coupling[FORMS * a + p];
+                        for (t, f) in row.iter_mut().zip(forces.as_flattened()) {
+                            *t += own * f;
                         }
                     }
                 }
@@ -185,12 +192,13 @@ impl Coarse {
     }
 
     /// The forms of a piece at a vertex, times its share of the vertex.
-    fn mode(&self, pattern: &Pattern, piece: &Piece, v: u32) -> Mode {
+    fn mode(&self, piece: &Piece, v: u32, starts: &[u32]) -> Mode {
         let share = 1.0 / self.of_vertex[v as usize].len() as f64;
-        match self.places[pattern.vertex_start[v as usize] as usize] {
+        match self.places[starts[v as usize] as usize] {
             None => [share, 0.0, 0.0, 0.0],
             Some((point, _)) => {
-                let form = |k: usize| share * (point[k] - piece.centre[k]) / piece.radius;
+                let scale = share / piece.radius;
+                let form = |k: usize| scale * (point[k] - piece.centre[k]);
                 [share, form(0), form(1), form(2)]
             }
         }
@@ -203,7 +211,7 @@ impl Coarse {
             .flat_map_iter(|piece| {
                 let mut sum = [0.0; MODES];
                 for &v in &piece.vertices {
-                    let mode = self.mode(pattern, piece, v);
+                    let mode = self.mode(piece, v, starts);
                     for e in starts[v as usize]..starts[v as usize + 1] {
                         let first = FORMS * self.axis(e);
                         for (s, m) in sum[first..first + FORMS].iter_mut().zip(mode) {
@@ -218,7 +226,7 @@ impl Coarse {
         let values = (0..starts.len() - 1).into_par_iter().flat_map_iter(|v| {
             let pieces = &self.of_vertex[v];
             let modes: Vec<_> = (pieces.iter())
-                .map(|i| (*i, self.mode(pattern, &self.pieces[*i as usize], v as u32)))
+                .map(|i| (*i, self.mode(&self.pieces[*i as usize], v as u32, starts)))
                 .collect();
             let c = &c;
             (starts[v]..starts[v + 1]).map(move |e| {
@@ -232,6 +240,16 @@ impl Coarse {
         });
         values.collect()
     }
+}
+
+/// The entry of `key` in a short list, new where there is none.
+fn entry<T>(list: &mut Vec<(u32, T)>, key: u32, new: impl Fn() -> T) -> &mut T {
+    let at = list.iter().position(|(k, _)| *k == key);
+    let at = at.unwrap_or_else(|| {
+        list.push((key, new()));
+        list.len() - 1
+    });
+    &mut list[at].1
 }
 
 impl Piece {

@@ -32,8 +32,10 @@ pub struct Schwarz {
 pub struct SchwarzFactor {
     locals: Vec<LocalFactor>,
     coarse: CoarseFactor,
-    /// Diagonal of the matrix that each equation's factors were made for.
+    /// Diagonal of the matrix that each equation's subdomains were factored for,
     diagonal: Vec<f64>,
+    /// and of the one that the coarse system was made for.
+    coarse_diagonal: Vec<f64>,
 }
 
 /// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each and
@@ -85,6 +87,7 @@ impl Schwarz {
             return Ok(SchwarzFactor {
                 locals: self.locals.par_iter().map(make).collect::<Result<_, _>>()?,
                 coarse: self.coarse.factorise(pattern, matrix, None, |_| true)?,
+                coarse_diagonal: diagonal.clone(),
                 diagonal,
             });
         };
@@ -98,8 +101,13 @@ impl Schwarz {
                 *factor = local.factorise(pattern, matrix)?;
                 Ok(())
             })?;
-        if changed.iter().any(|c| *c) {
-            let is_changed = |e: u32| changed[e as usize];
+        // In the coarse system old and new must not mix: next to stiff contact what is little beside
+        // a diagonal is much beside the stiffness of a motion.
+        let renewed: Vec<bool> = (diagonal.iter().zip(&old.coarse_diagonal))
+            .map(|(now, then)| now != then)
+            .collect();
+        if renewed.iter().any(|r| *r) {
+            let is_changed = |e: u32| renewed[e as usize];
             old.coarse = (self.coarse).factorise(pattern, matrix, Some(old.coarse), is_changed)?;
         }
         for ((then, now), changed) in old.diagonal.iter_mut().zip(&diagonal).zip(&changed) {
@@ -107,6 +115,7 @@ impl Schwarz {
                 *then = *now;
             }
         }
+        old.coarse_diagonal = diagonal;
         Ok(old)
     }
 
@@ -203,5 +212,21 @@ mod tests {
             multiply(&x, &mut product);
             assert!(product.iter().zip(&b).all(|(p, b)| (p - b).abs() < 1e-6));
         }
+    }
+
+    #[test]
+    fn little_changes_reach_the_coarse_system() {
+        let (pattern, mut matrix, places) = cube(12);
+        let schwarz = Schwarz::new(&pattern, &matrix, &places).unwrap();
+        let factor = schwarz.factorise(&pattern, &matrix, None).unwrap();
+        // Two corners change, one by less than a subdomain is factored anew for.
+        for (equation, change) in [(0, 1.01), (pattern.len() - 1, 50.0)] {
+            matrix.values[pattern.columns[equation] as usize] *= change;
+        }
+        let kept = schwarz.factorise(&pattern, &matrix, Some(factor)).unwrap();
+        let fresh = schwarz.factorise(&pattern, &matrix, None).unwrap();
+        let r: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).cos()).collect();
+        let solve = |f: &SchwarzFactor| schwarz.coarse.solve(&pattern, &f.coarse, &r);
+        assert_eq!(solve(&kept), solve(&fresh));
     }
 }

@@ -24,6 +24,10 @@ use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, SolverKind, S
 /// enough that few updates are needed and soft enough that the factor stays accurate.
 const PENALTY: f64 = 1000.0;
 
+/// The same where the model is divided: corrections are then right to a hundredth of their energy,
+/// and beside stiffer contact next to none of that is left for the pressure's distribution.
+const DIVIDED_PENALTY: f64 = 50.0;
+
 /// How often the expensive parts ran.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Counters {
@@ -118,13 +122,16 @@ impl<'a> Model<'a> {
             return Err(SolveError::NothingFree);
         }
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
-        let (rows, spare) = expected.split(rows);
+        let (mut rows, spare) = expected.split(rows);
         let needed = needed(scene, &all, &rows, &expected.flow);
         let divided = match scene.controls.solver {
-            SolverKind::Auto => expected.divided || is_large(&all, &needed),
+            SolverKind::Auto => expected.divided || is_large(scene, &all, &needed),
             SolverKind::Direct => false,
             SolverKind::Divided => true,
         };
+        for r in &mut rows {
+            r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, divided);
+        }
         let plan = Plan {
             scene,
             dofs: &all,
@@ -324,15 +331,24 @@ impl<'a> Model<'a> {
     }
 }
 
-/// Is it cheaper to divide the model than to condense its bodies?
-///
-/// Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
-/// made about as often as Krylov directions number with a division.
-fn is_large(dofs: &DofMap, needed: &[bool]) -> bool {
+/// Is it better to divide the model than to condense its bodies?
+fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool]) -> bool {
+    // Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
+    // made about as often as Krylov directions number with a division.
     const DIVIDED: f64 = 3e6;
     let starts = dofs.vertex_start.windows(2).zip(needed);
     let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
-    f64::from(kept).powi(3) / 3.0 > DIVIDED * dofs.len() as f64
+    // Entries of the factors of whole bodies: 1 GB of them takes about as long as a division.
+    const ENTRIES: f64 = 1.2e8;
+    let bodies = scene.mesh.bodies.iter();
+    let entries: f64 = bodies.map(|b| factor_entries(b.elements.len())).sum();
+    f64::from(kept).powi(3) / 3.0 > DIVIDED * dofs.len() as f64 || entries > ENTRIES
+}
+
+/// About how many entries the factor of a compact body has, ordered by METIS (73 million for a cube
+/// of 30 elements a side, 241 million for one of 40).
+fn factor_entries(elements: usize) -> f64 {
+    73e6 * (elements as f64 / 27e3).powf(1.4)
 }
 
 /// Where each equation acts.
@@ -394,7 +410,7 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
         all.extend(rows.into_iter().map(|row| ContactRow {
             law: Law {
                 friction: pair.friction,
-                penalty: PENALTY * pair.penalty_factor * row.stiffness,
+                penalty: penalty(pair, row.stiffness, false),
                 stiffness: row.stiffness,
             },
             pair: index,
@@ -402,6 +418,12 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
         }));
     }
     all
+}
+
+/// The penalty of a row beside which the bodies have the given stiffness.
+fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
+    let times = if divided { DIVIDED_PENALTY } else { PENALTY };
+    times * pair.penalty_factor * stiffness
 }
 
 /// Rows of one pair.

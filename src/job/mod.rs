@@ -15,6 +15,7 @@ use crate::output::summary::{Checks, Counters, Named, Timing};
 use crate::output::{Summary, SummaryInputs, UnitLabels};
 use crate::results::State;
 use crate::results::bore::Bore;
+use crate::results::load::applied;
 use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::recover;
 use crate::scene::Scene;
@@ -67,6 +68,15 @@ impl Outcome {
 /// The end of the first step, where the full load is on.
 fn reported(solution: &Solution) -> &State {
     solution.states.first().unwrap_or(&solution.last)
+}
+
+/// The end of the last step, where that is not the reported one and next to no load is left.
+fn unloaded<'s>(scene: &Scene, solution: &'s Solution) -> Option<&'s State> {
+    const LITTLE: f64 = 0.05;
+    let states = &solution.states;
+    let last = states.last().filter(|_| states.len() > 1)?;
+    let (full, left) = (applied(scene, reported(solution)), applied(scene, last));
+    (left <= LITTLE * full).then_some(last)
 }
 
 /// Runs `case` on its mesh, telling `observer` of every iteration.
@@ -206,6 +216,7 @@ fn summarise(
         units: UnitLabels::new(units.length(), units.force(), units.stress()),
         scene,
         state,
+        unloaded: unloaded(scene, solution),
         recovered: &recovered,
         elastic,
         converged: solution.complete,

@@ -3,7 +3,9 @@
 //! Everything here reads a [`Scene`](crate::scene::Scene) and a converged [`State`]; nothing here
 //! knows how the state was found or where the figures go.
 
+pub mod balance;
 pub mod bore;
+pub mod contact_lines;
 pub mod dent;
 pub mod edges;
 pub mod hex;
@@ -58,6 +60,9 @@ pub struct ContactField {
     pub area: Vec<f64>,
     /// Contact force of each node on the lower body.
     pub force: Vec<[f64; 3]>,
+    /// Where that force acts on the undeformed carrier surface and on the one opposite: the centre of
+    /// what the node stands for. At the rim that is not the node.
+    pub acts_at: Vec<[[f64; 3]; 2]>,
 }
 
 /// A rigid plane in a converged state.
@@ -82,6 +87,7 @@ impl ContactField {
             status: vec![0; count],
             area: vec![0.0; count],
             force: vec![[0.0; 3]; count],
+            acts_at: vec![[[0.0; 3]; 2]; count],
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::evaluate::{Evaluation, History};
 use super::model::Model;
 use super::newton::Point;
+use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
 use crate::results::{ContactField, PlaneField, State};
 use crate::scene::{Partner, PlaneMotion, Side};
@@ -97,8 +98,30 @@ fn contact_fields(model: &Model, history: &History, evaluation: &Evaluation) -> 
         field.force[at] = row
             .global(&answer.traction)
             .map(|v| sign * v * row.row.area);
+        field.acts_at[at] = acts_at(&scene.mesh.points, &row.row, &field.nodes);
     }
     fields
+}
+
+/// Where the force of a row acts: the mean of the positions that its closure is the difference of,
+/// on the carrier, whose nodes are `nodes`, and opposite. The force on either surface is the row's
+/// times the same coefficients, so that moments balance as forces do.
+fn acts_at(points: &[[f64; 3]], row: &Row, nodes: &[u32]) -> [[f64; 3]; 2] {
+    let mut sides = [[0.0; 3]; 2];
+    let mut faces_something = false;
+    for (node, coefficients) in &row.terms {
+        let opposite = nodes.binary_search(node).is_err();
+        faces_something |= opposite;
+        let (side, sign) = if opposite { (1, -1.0) } else { (0, 1.0) };
+        for (axis, c) in coefficients.iter().enumerate() {
+            sides[side][axis] += sign * c * points[*node as usize][axis];
+        }
+    }
+    // A rigid plane has no nodes.
+    if !faces_something {
+        sides[1] = sides[0];
+    }
+    sides
 }
 
 fn plane_fields(

@@ -162,7 +162,9 @@ pub fn pressed(scene: &Scene) -> State {
         .iter()
         .map(|a| [0.0, 0.1 * pressure * a, -pressure * a])
         .collect();
+    let at = |node: &u32| [scene.mesh.points[*node as usize]; 2];
     let field = ContactField {
+        acts_at: nodes.iter().map(at).collect(),
         nodes,
         pressure: vec![pressure; n],
         gap: vec![-1e-6; n],

@@ -1,7 +1,9 @@
 //! Recovered fields and scalars, the summary and the table, on states with known answers.
 
+mod balance;
 mod block;
 mod bore;
+mod contact_lines;
 mod deck;
 mod dent;
 mod interface;

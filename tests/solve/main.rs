@@ -7,4 +7,5 @@ mod divided;
 mod invariance;
 mod left_out;
 mod reaction;
+mod statics;
 mod symmetry;

@@ -1,0 +1,51 @@
+//! What a summary is made from.
+
+use super::checks::Checks;
+use super::values::{Comparison, Counters, Timing};
+use crate::output::left_out::LeftOut;
+use crate::output::units::UnitLabels;
+use crate::results::State;
+use crate::results::bore::Bore;
+use crate::results::line_load::Slices;
+use crate::results::peaks::BodyPeaks;
+use crate::results::recovery::Recovered;
+use crate::results::strip::Strip;
+use crate::scene::Scene;
+
+/// What a summary is made from. Figures are in the units of the scene, which `units` names.
+#[derive(Debug, Clone)]
+pub struct SummaryInputs<'a> {
+    pub case: &'a str,
+    pub units: UnitLabels,
+    pub scene: &'a Scene,
+    /// The state to report, commonly the one at full load.
+    pub state: &'a State,
+    /// The state after unloading, where there is one.
+    pub unloaded: Option<&'a State>,
+    pub recovered: &'a Recovered,
+    /// Peaks of the elastic solution at the same load, in the order of the bodies.
+    pub elastic: Option<&'a [BodyPeaks]>,
+    pub converged: bool,
+    pub counters: Counters,
+    pub timing: Timing,
+    pub peak_memory_bytes: Option<u64>,
+    /// What to measure at each interface, in the order of the pairs; line load in ten equal
+    /// slices where the list is shorter.
+    pub measures: &'a [Measure],
+    pub bores: &'a [Bore],
+    /// Checks made elsewhere; a force balance, penetration or Coulomb violation that is left out
+    /// is computed here.
+    pub checks: Checks,
+    pub comparison: &'a [Comparison],
+    pub assumptions: &'a [String],
+    pub left_out: &'a [LeftOut],
+}
+
+/// What to measure at an interface beyond its scalars.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Measure {
+    /// Slices of the line load.
+    pub slices: Option<Slices>,
+    /// The strip whose half-width is wanted.
+    pub strip: Option<Strip>,
+}

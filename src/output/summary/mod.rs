@@ -1,0 +1,140 @@
+//! Everything that is printed of a run, as plain data: `summary.json` and the table are made
+//! from it.
+
+mod body;
+mod checks;
+mod inputs;
+mod interface;
+mod unloaded;
+mod values;
+
+pub use body::{BodySummary, RollerSummary};
+pub use checks::{BalanceSummary, Checks};
+pub use inputs::{Measure, SummaryInputs};
+pub use interface::{InterfaceSummary, LineLoadSummary};
+pub use unloaded::{DentSummary, Unloaded};
+pub use values::{Comparison, Counters, Figure, Named, Three, Timing};
+
+use super::file::{OutputError, write_atomically};
+use super::left_out::LeftOut;
+use super::units::UnitLabels;
+use super::warnings::{Warning, warnings};
+use crate::results::interface::{Interface, interfaces};
+use crate::results::load;
+use crate::results::strain::largest_strain;
+use body::{bodies, roller};
+use checks::{balance, checks};
+use interface::interface_summary;
+use serde::Serialize;
+use std::path::Path;
+
+/// Everything that is said of a run. What is missing is null in JSON, never "not a number".
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    pub case: String,
+    pub units: UnitLabels,
+    pub brinell_version: String,
+    pub converged: bool,
+    /// Name of the step and share of it that is done.
+    pub step: String,
+    pub step_done: f64,
+    pub dofs: usize,
+    pub elements: usize,
+    pub iterations: usize,
+    pub factorisations: usize,
+    pub krylov_directions: usize,
+    pub kept_dofs: usize,
+    pub factor_entries: usize,
+    pub timing: Timing,
+    pub peak_memory_bytes: Option<u64>,
+    pub applied_load: f64,
+    pub descent: Option<f64>,
+    /// Largest principal strain by size.
+    pub max_strain: Option<f64>,
+    pub bodies: Named<BodySummary>,
+    pub interfaces: Named<InterfaceSummary>,
+    pub rollers: Named<RollerSummary>,
+    /// Bodies that nothing but contact holds.
+    pub balance: Named<BalanceSummary>,
+    /// Load over descent.
+    pub stiffness: Option<f64>,
+    pub unloaded: Option<Unloaded>,
+    pub checks: Checks,
+    pub comparison: Vec<Comparison>,
+    pub assumptions: Vec<String>,
+    pub left_out: Vec<LeftOut>,
+    pub warnings: Vec<Warning>,
+}
+
+impl Summary {
+    /// Gathers the summary.
+    ///
+    /// # Errors
+    /// [`OutputError::Misfit`] where the state is not one of the scene.
+    pub fn new(inputs: &SummaryInputs) -> Result<Self, OutputError> {
+        let (scene, state) = (inputs.scene, inputs.state);
+        state.check(scene)?;
+        inputs.unloaded.map_or(Ok(()), |state| state.check(scene))?;
+        let measured = interfaces(scene, state);
+        let applied_load = load::applied(scene, state);
+        let descent = load::descent(scene, state);
+        let strain = largest_strain(&scene.mesh, &state.displacement).map(|(value, _)| value);
+        let bores = inputs
+            .bores
+            .iter()
+            .map(|bore| (bore.body.clone(), roller(inputs, bore)));
+        let interface = |(pair, measured): (usize, &Interface)| {
+            (
+                measured.name.clone(),
+                interface_summary(inputs, pair, measured),
+            )
+        };
+        let mut summary = Self {
+            case: inputs.case.to_string(),
+            units: inputs.units.clone(),
+            brinell_version: env!("CARGO_PKG_VERSION").to_string(),
+            converged: inputs.converged,
+            step: scene
+                .steps
+                .get(state.step)
+                .map_or_else(String::new, |s| s.name.clone()),
+            step_done: state.time,
+            dofs: inputs.counters.dofs,
+            elements: scene.mesh.hexes.len(),
+            iterations: inputs.counters.iterations,
+            factorisations: inputs.counters.factorisations,
+            krylov_directions: inputs.counters.krylov_directions,
+            kept_dofs: inputs.counters.kept_dofs,
+            factor_entries: inputs.counters.factor_entries,
+            timing: inputs.timing.clone(),
+            peak_memory_bytes: inputs.peak_memory_bytes,
+            applied_load,
+            descent,
+            max_strain: strain,
+            bodies: bodies(inputs),
+            interfaces: Named(measured.iter().enumerate().map(interface).collect()),
+            rollers: Named(bores.collect()),
+            balance: balance(scene, state),
+            stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
+            unloaded: inputs.unloaded.map(|state| Unloaded::new(scene, state)),
+            checks: checks(&inputs.checks, &measured, applied_load, descent),
+            comparison: inputs.comparison.to_vec(),
+            assumptions: inputs.assumptions.to_vec(),
+            left_out: inputs.left_out.to_vec(),
+            warnings: Vec::new(),
+        };
+        summary.warnings = warnings(&summary);
+        Ok(summary)
+    }
+
+    /// Writes `summary.json`, indented, atomically.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`] names the path.
+    pub fn write(&self, path: &Path) -> Result<(), OutputError> {
+        write_atomically(path, |out| {
+            serde_json::to_writer_pretty(&mut *out, self)?;
+            writeln!(out)
+        })
+    }
+}

@@ -1,0 +1,29 @@
+//! What is left after unloading, in the table.
+
+use super::{DIGITS, number};
+use crate::output::summary::Summary;
+use crate::output::text::{Columns, place, significant};
+
+pub(super) fn unloaded(summary: &Summary) -> String {
+    let Some(unloaded) = &summary.unloaded else {
+        return String::new();
+    };
+    let units = &summary.units;
+    let mut dents = Columns::new(&["surface", "of", &format!("dent {}", units.length), "at"]);
+    for (name, dent) in &unloaded.dents.0 {
+        dents.row([
+            name.clone(),
+            dent.body.clone(),
+            significant(dent.depth, 3),
+            place(dent.at),
+        ]);
+    }
+    format!(
+        "Unloaded to {} {}, descent left {} {}\n{}",
+        significant(unloaded.applied_load, DIGITS),
+        units.force,
+        number(unloaded.descent),
+        units.length,
+        dents.render()
+    )
+}

@@ -1,0 +1,170 @@
+//! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
+
+use super::State;
+use super::edges::carrier;
+use crate::scene::Scene;
+
+/// One line of contact along a carrier surface whose nodes stand in rows across it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactLine {
+    /// Where it runs: the mean of the coordinate across, weighted by force.
+    pub across: f64,
+    /// Coordinates of the rows along the surface, ascending.
+    pub at: Vec<f64>,
+    /// Force normal to the surface per length at each row, of the whole line where a mirror plane
+    /// cuts it; zero where it has lifted off.
+    pub load: Vec<f64>,
+    /// Length over which it carries and length over which it does not, in the whole.
+    pub length: f64,
+    pub lifted_off: f64,
+    /// How many such lines there are in the whole: mirror planes that do not cut it double it.
+    pub images: usize,
+}
+
+impl ContactLine {
+    /// The largest load per length and where it is; `None` where nothing is carried.
+    pub fn peak(&self) -> Option<(f64, f64)> {
+        let rows = self.load.iter().copied().zip(self.at.iter().copied());
+        rows.filter(|(load, _)| *load > 0.0)
+            .reduce(|most, row| if row.0 > most.0 { row } else { most })
+    }
+}
+
+/// Adjacent nodes of a row that press.
+struct Run {
+    row: usize,
+    /// Mean coordinate across, and the width that the run stands for.
+    across: f64,
+    width: f64,
+    force: f64,
+    /// Does it reach a mirror plane?
+    mirrored: bool,
+}
+
+/// The lines of contact pair `pair` along `axis`, by their place across; empty where the carrier's
+/// nodes do not stand in rows (a row has three nodes or more) or nothing presses.
+pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> Vec<ContactLine> {
+    let Some(rows) = Rows::new(scene, state, pair, axis) else {
+        return Vec::new();
+    };
+    let mut runs = rows.runs(scene, state, pair);
+    runs.sort_by(|a, b| a.across.total_cmp(&b.across));
+    let mut lines: Vec<Vec<Run>> = Vec::new();
+    for run in runs {
+        let last = lines.last().and_then(|line| line.last());
+        let joins = last.is_some_and(|l| 2.0 * (run.across - l.across) <= run.width + l.width);
+        match lines.last_mut().filter(|_| joins) {
+            Some(line) => line.push(run),
+            None => lines.push(vec![run]),
+        }
+    }
+    lines.iter().map(|runs| rows.line(scene, runs)).collect()
+}
+
+/// The nodes of a carrier surface in rows.
+struct Rows {
+    axis: usize,
+    across: usize,
+    /// Coordinate along the axis of each row, and the length that it stands for.
+    at: Vec<f64>,
+    length: Vec<f64>,
+    /// Places in the contact field of the nodes of each row, by their coordinate across.
+    members: Vec<Vec<usize>>,
+}
+
+impl Rows {
+    fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
+        const FEWEST: usize = 3;
+        carrier(scene, pair)?;
+        let across = 1usize.checked_sub(axis)?;
+        let nodes = &state.contacts.get(pair)?.nodes;
+        let point = |i: usize| scene.mesh.points[nodes[i] as usize];
+        let mut order: Vec<usize> = (0..nodes.len()).collect();
+        order.sort_by(|a, b| point(*a)[axis].total_cmp(&point(*b)[axis]));
+        let (first, last) = (point(*order.first()?)[axis], point(*order.last()?)[axis]);
+        let same = 1e-6 * (last - first);
+        let (mut at, mut members): (Vec<f64>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());
+        for i in order {
+            let here = point(i)[axis];
+            match members.last_mut() {
+                Some(row) if at.last().is_some_and(|a| here - a <= same) => row.push(i),
+                _ => {
+                    at.push(here);
+                    members.push(vec![i]);
+                }
+            }
+        }
+        if at.len() < 2 || members.iter().any(|row| row.len() < FEWEST) {
+            return None;
+        }
+        for row in &mut members {
+            row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
+        }
+        let middle = |i: usize| 0.5 * (at[i] + at[i + 1]);
+        let end = at.len() - 1;
+        let length = (0..=end)
+            .map(|i| {
+                let low = if i == 0 { at[0] } else { middle(i - 1) };
+                let high = if i == end { at[end] } else { middle(i) };
+                high - low
+            })
+            .collect();
+        Some(Self {
+            axis,
+            across,
+            at,
+            length,
+            members,
+        })
+    }
+
+    fn runs(&self, scene: &Scene, state: &State, pair: usize) -> Vec<Run> {
+        let field = &state.contacts[pair];
+        let across = |i: usize| scene.mesh.points[field.nodes[i] as usize][self.across];
+        let mirrored = scene.mirrors.contains(&self.across);
+        let mut runs = Vec::new();
+        for (row, members) in self.members.iter().enumerate() {
+            let presses = |k: &usize| field.pressure[members[*k]] > 0.0;
+            let mut next = 0;
+            while let Some(first) = (next..members.len()).find(presses) {
+                let after = (first..members.len()).find(|k| !presses(k));
+                let after = after.unwrap_or(members.len());
+                let (low, high) = (first.saturating_sub(1), after.min(members.len() - 1));
+                let run = &members[first..after];
+                let force = |i: &usize| field.pressure[*i] * field.area[*i];
+                let total: f64 = run.iter().map(force).sum();
+                let moment: f64 = run.iter().map(|i| force(i) * across(*i)).sum();
+                let cut = mirrored && first == 0;
+                runs.push(Run {
+                    row,
+                    across: if cut { 0.0 } else { moment / total },
+                    width: across(members[high]) - across(members[low]),
+                    force: if cut { 2.0 * total } else { total },
+                    mirrored: cut,
+                });
+                next = after;
+            }
+        }
+        runs
+    }
+
+    fn line(&self, scene: &Scene, runs: &[Run]) -> ContactLine {
+        let mut load = vec![0.0; self.at.len()];
+        for run in runs {
+            load[run.row] += run.force / self.length[run.row];
+        }
+        let total: f64 = runs.iter().map(|r| r.force).sum();
+        let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
+        let length: f64 = carries.map(|(_, length)| length).sum();
+        let doubled = |axis: usize| if scene.mirrors.contains(&axis) { 2 } else { 1 };
+        let cut = runs.iter().any(|r| r.mirrored);
+        ContactLine {
+            across: runs.iter().map(|r| r.force * r.across).sum::<f64>() / total,
+            at: self.at.clone(),
+            load,
+            length: length * doubled(self.axis) as f64,
+            lifted_off: (self.length.iter().sum::<f64>() - length) * doubled(self.axis) as f64,
+            images: if cut { 1 } else { doubled(self.across) },
+        }
+    }
+}

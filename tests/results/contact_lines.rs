@@ -1,0 +1,62 @@
+use crate::block::{close, pressed, stack};
+use brinell::results::contact_lines::contact_lines;
+
+#[test]
+fn a_line_cut_by_a_mirror_is_one_and_whole() {
+    let scene = stack();
+    let [line] = contact_lines(&scene, &pressed(&scene), 0, 1)
+        .try_into()
+        .unwrap();
+    assert_eq!((line.across, line.images), (0.0, 1));
+    assert_eq!(line.at, [0.0, 0.2, 0.5, 1.0]);
+    // 32.5 over the whole width of 1.
+    line.load.iter().for_each(|load| close(*load, 32.5));
+    close(line.length, 2.0);
+    close(line.lifted_off, 0.0);
+}
+
+#[test]
+fn a_line_beside_the_mirror_is_two_and_may_lift_off() {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    let field = &mut state.contacts[0];
+    for (node, pressure) in field.nodes.iter().zip(&mut field.pressure) {
+        let [x, y, _] = scene.mesh.points[*node as usize];
+        if x < 0.4 || y > 0.9 {
+            *pressure = 0.0;
+        }
+    }
+    let [line] = contact_lines(&scene, &state, 0, 1).try_into().unwrap();
+    assert_eq!((line.across, line.images), (0.5, 2));
+    // The node at the rim stands for 0.125 of the width.
+    (line.load[..3].iter()).for_each(|load| close(*load, 0.125 * 32.5));
+    assert_eq!(line.load[3], 0.0);
+    close(line.length, 1.5);
+    close(line.lifted_off, 0.5);
+    let (peak, at) = line.peak().unwrap();
+    close(peak, 0.125 * 32.5);
+    assert!(at < 0.6);
+}
+
+#[test]
+fn two_lines_with_open_nodes_between_are_told_apart() {
+    let mut scene = stack();
+    scene.mirrors.clear();
+    let mut state = pressed(&scene);
+    let field = &mut state.contacts[0];
+    for (node, pressure) in field.nodes.iter().zip(&mut field.pressure) {
+        let [x, y, _] = scene.mesh.points[*node as usize];
+        // Along x: rows of four nodes, of which the second is open.
+        if (y - 0.2).abs() < 1e-9 {
+            *pressure = 0.0;
+        } else {
+            *pressure *= 1.0 + x;
+        }
+    }
+    let lines = contact_lines(&scene, &state, 0, 0);
+    let across: Vec<f64> = lines.iter().map(|l| l.across).collect();
+    assert_eq!(across.len(), 2);
+    assert!(across[0] == 0.0 && across[1] > 0.5);
+    assert_eq!(lines[0].peak().unwrap().1, 0.5);
+    assert!(contact_lines(&scene, &state, 0, 2).is_empty());
+}

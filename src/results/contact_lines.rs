@@ -68,8 +68,11 @@ struct Rows {
     /// Coordinate along the axis of each row, and the length that it stands for.
     at: Vec<f64>,
     length: Vec<f64>,
-    /// Places in the contact field of the nodes of each row, by their coordinate across.
+    /// Places in the contact field of the nodes of each row that face the other side, by their
+    /// coordinate across.
     members: Vec<Vec<usize>>,
+    /// Coordinates that differ by no more are the same.
+    same: f64,
 }
 
 impl Rows {
@@ -77,7 +80,8 @@ impl Rows {
         const FEWEST: usize = 3;
         carrier(scene, pair)?;
         let across = 1usize.checked_sub(axis)?;
-        let nodes = &state.contacts.get(pair)?.nodes;
+        let field = state.contacts.get(pair)?;
+        let nodes = &field.nodes;
         let point = |i: usize| scene.mesh.points[nodes[i] as usize];
         let mut order: Vec<usize> = (0..nodes.len()).collect();
         order.sort_by(|a, b| point(*a)[axis].total_cmp(&point(*b)[axis]));
@@ -98,6 +102,8 @@ impl Rows {
             return None;
         }
         for row in &mut members {
+            // A roller's surface goes all the way round.
+            row.retain(|i| field.gap[*i].is_finite());
             row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
         }
         let middle = |i: usize| 0.5 * (at[i] + at[i + 1]);
@@ -115,6 +121,7 @@ impl Rows {
             at,
             length,
             members,
+            same,
         })
     }
 
@@ -129,16 +136,16 @@ impl Rows {
             while let Some(first) = (next..members.len()).find(presses) {
                 let after = (first..members.len()).find(|k| !presses(k));
                 let after = after.unwrap_or(members.len());
-                let (low, high) = (first.saturating_sub(1), after.min(members.len() - 1));
                 let run = &members[first..after];
                 let force = |i: &usize| field.pressure[*i] * field.area[*i];
                 let total: f64 = run.iter().map(force).sum();
+                let area: f64 = run.iter().map(|i| field.area[*i]).sum();
                 let moment: f64 = run.iter().map(|i| force(i) * across(*i)).sum();
-                let cut = mirrored && first == 0;
+                let cut = mirrored && across(run[0]).abs() <= self.same;
                 runs.push(Run {
                     row,
                     across: if cut { 0.0 } else { moment / total },
-                    width: across(members[high]) - across(members[low]),
+                    width: area / self.length[row],
                     force: if cut { 2.0 * total } else { total },
                     mirrored: cut,
                 });

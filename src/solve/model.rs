@@ -24,8 +24,9 @@ use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, SolverKind, S
 /// enough that few updates are needed and soft enough that the factor stays accurate.
 const PENALTY: f64 = 1000.0;
 
-/// The same where the model is divided: corrections are then right to a hundredth of their energy,
-/// and beside stiffer contact next to none of that is left for the pressure's distribution.
+/// The same where the model is divided and there is friction, which follows the pressure: corrections
+/// are then right to a hundredth of their energy, and beside stiffer contact next to none of that is
+/// left for how the pressure is distributed.
 const DIVIDED_PENALTY: f64 = 50.0;
 
 /// How often the expensive parts ran.
@@ -422,7 +423,8 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
 
 /// The penalty of a row beside which the bodies have the given stiffness.
 fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
-    let times = if divided { DIVIDED_PENALTY } else { PENALTY };
+    let soft = divided && pair.friction > 0.0;
+    let times = if soft { DIVIDED_PENALTY } else { PENALTY };
     times * pair.penalty_factor * stiffness
 }
 

@@ -60,3 +60,19 @@ fn two_lines_with_open_nodes_between_are_told_apart() {
     assert_eq!(lines[0].peak().unwrap().1, 0.5);
     assert!(contact_lines(&scene, &state, 0, 2).is_empty());
 }
+
+#[test]
+fn nodes_on_the_far_side_of_a_roller_part_no_line() {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    // As if the middle row of nodes lay on the other side of a roller.
+    let field = &mut state.contacts[0];
+    for (i, node) in field.nodes.iter().enumerate() {
+        if (scene.mesh.points[*node as usize][0] - 0.25).abs() < 1e-9 {
+            (field.pressure[i], field.gap[i]) = (0.0, f64::INFINITY);
+        }
+    }
+    let [line] = contact_lines(&scene, &state, 0, 1).try_into().unwrap();
+    assert_eq!((line.across, line.images), (0.0, 1));
+    line.load.iter().for_each(|load| close(*load, 0.5 * 32.5));
+}

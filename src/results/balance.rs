@@ -86,22 +86,19 @@ fn held_bodies(scene: &Scene) -> Vec<usize> {
     let surfaces = supports.chain(planes).chain(tractions);
     // A symmetry plane holds as a mirror does: what it takes, the other half gives.
     let mirror = |surface: &&Surface| {
-        let points = || surface.nodes().into_iter();
-        scene.mirrors.iter().any(|axis| {
-            points().all(|n| scene.mesh.points[n as usize][*axis].abs() <= 1e-9 * size(scene))
-        })
+        let nodes = surface.nodes();
+        let on = |n: u32, axis: usize| {
+            let at = &scene.mesh.points[n as usize];
+            scene.mirrors_through(at).any(|through| through == axis)
+        };
+        let mut axes = scene.mirrors.iter();
+        axes.any(|axis| nodes.iter().all(|n| on(*n, *axis)))
     };
     (surfaces.filter_map(|name| scene.mesh.surface(name)))
         .filter(|surface| !mirror(surface))
         .flat_map(|surface| surface.faces.iter())
         .map(|face| scene.mesh.body_of(face.element as usize))
         .collect()
-}
-
-/// Largest coordinate of the mesh.
-fn size(scene: &Scene) -> f64 {
-    let all = scene.mesh.points.iter().flatten();
-    all.fold(0.0, |size, x| size.max(x.abs()))
 }
 
 /// The sign of the forces of a pair on body `index`, and whether it is the carrier; `None` where

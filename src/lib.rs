@@ -8,13 +8,14 @@
 //!                        |
 //!                      solve      increments > Newton > linear solve
 //!                        |
-//!                     Results --certify--> balance, penetration, Coulomb violation
+//!                     Results --certify--> error bars, balance, complementarity
 //!                        |
 //!                      output --> table, summary.json, .vtu/.pvd
 //! ```
 
 pub mod analytic;
 pub mod case;
+pub mod certify;
 pub mod cli;
 pub mod contact;
 pub mod converge;
@@ -28,5 +29,6 @@ pub mod output;
 pub mod results;
 pub mod scene;
 pub mod solve;
+pub mod target;
 pub mod units;
 pub mod verify;

@@ -3,9 +3,11 @@
 use super::console::{Console, LEGEND};
 use super::{CommandResult, Status, read_case, say};
 use crate::case::Case;
-use crate::job::{self, JobError, Options};
+use crate::converge::ConvergeError;
+use crate::job::{self, JobError, Options, Outcome};
 use crate::output::table;
 use crate::solve::{Counters, Phase};
+use crate::target::{self, Level, Limits, Target, Verdict};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -34,6 +36,10 @@ pub struct RunArgs {
     /// Say for each thing left out what that saved.
     #[arg(long)]
     pub explain: bool,
+    /// Refine the mesh until this figure is as good as asked for, such as mises=2%; each mesh
+    /// writes into a folder level-<n> of its own.
+    #[arg(long, value_name = "FIGURE=PERCENT")]
+    pub target: Option<String>,
     /// Print the tables only.
     #[arg(long, short)]
     pub quiet: bool,
@@ -52,20 +58,28 @@ pub fn run(args: &RunArgs) -> CommandResult {
         ),
         elastic_peaks: !args.no_elastic_peaks,
     };
+    let target = args.target.as_deref().map(str::parse::<Target>).transpose();
+    let target = target.map_err(|error| bad(error.into()))?;
     let mut console = Console::new(args.quiet);
     if !args.quiet {
         say(&format!("{LEGEND}\n"));
     }
-    let result = job::run(&case, &options, &mut console);
+    let result = match &target {
+        None => (job::run(&case, &options, &mut console))
+            .map(|outcome| (outcome, None))
+            .map_err(ConvergeError::from),
+        Some(target) => refined(&case, target, &options, &mut console),
+    };
     console.finish();
     match result {
-        Ok(outcome) => {
+        Ok((outcome, missed_target)) => {
             say(&table::render(&outcome.summary, args.explain));
             say(&timer_table(&outcome.solution.counters));
             if let Some(out) = &options.out {
                 say(&format!("written to {}", out.display()));
             }
-            let missed = outcome.missed_limits(&case);
+            let mut missed = outcome.missed_limits(&case);
+            missed.extend(missed_target);
             for limit in &missed {
                 say(&format!("FAILED: {limit}"));
             }
@@ -89,6 +103,24 @@ pub fn run(args: &RunArgs) -> CommandResult {
             Err((status, error.into()))
         }
     }
+}
+
+/// The finest mesh that the target took, and why the target is missed where it is.
+fn refined(
+    case: &Case,
+    target: &Target,
+    options: &Options,
+    console: &mut Console,
+) -> Result<(Outcome, Option<String>), ConvergeError> {
+    let told = |level: &Level| say(&target::table(std::slice::from_ref(level)));
+    let (levels, verdict, outcome) =
+        target::refine(case, target, &Limits::default(), options, console, told)?;
+    say(&target::table(&levels));
+    let missed = match verdict {
+        Verdict::NotMet(why) => Some(format!("{}: {why}", target.goal.name())),
+        Verdict::Met | Verdict::Interrupted => None,
+    };
+    Ok((outcome, missed))
 }
 
 /// Seconds by phase of the solution.

@@ -2,7 +2,9 @@
 
 use super::State;
 use super::edges::carrier;
+use super::load::direction;
 use crate::scene::Scene;
+use std::ops::Range;
 
 /// One line of contact along a carrier surface whose nodes stand in rows across it.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +21,11 @@ pub struct ContactLine {
     pub lifted_off: f64,
     /// How many such lines there are in the whole: mirror planes that do not cut it double it.
     pub images: usize,
+    /// Half-width 2 sqrt(∫ p x² / ∫ p) at the row that carries most, x from the centre of its
+    /// pressure and p straight between nodes.
+    pub half_width: f64,
+    /// Mean distance of the nodes that press in that row and of the open ones beside them.
+    pub spacing: f64,
 }
 
 impl ContactLine {
@@ -33,6 +40,8 @@ impl ContactLine {
 /// Adjacent nodes of a row that press.
 struct Run {
     row: usize,
+    /// Its nodes, among the members of the row.
+    nodes: Range<usize>,
     /// Mean coordinate across, and the width that the run stands for.
     across: f64,
     width: f64,
@@ -58,7 +67,17 @@ pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> 
             None => lines.push(vec![run]),
         }
     }
-    lines.iter().map(|runs| rows.line(scene, runs)).collect()
+    (lines.iter())
+        .map(|runs| rows.line(scene, state, pair, runs))
+        .collect()
+}
+
+/// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
+/// the load.
+fn across(scene: &Scene, axis: usize) -> Option<usize> {
+    let load = direction(scene).map(f64::abs);
+    let facing = (0..3).max_by(|a, b| load[*a].total_cmp(&load[*b]))?;
+    (0..3).find(|i| *i != axis && *i != facing && axis != facing)
 }
 
 /// The nodes of a carrier surface in rows.
@@ -79,7 +98,7 @@ impl Rows {
     fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
         const FEWEST: usize = 3;
         carrier(scene, pair)?;
-        let across = 1usize.checked_sub(axis)?;
+        let across = across(scene, axis)?;
         let field = state.contacts.get(pair)?;
         let nodes = &field.nodes;
         let point = |i: usize| scene.mesh.points[nodes[i] as usize];
@@ -144,6 +163,7 @@ impl Rows {
                 let cut = mirrored && across(run[0]).abs() <= self.same;
                 runs.push(Run {
                     row,
+                    nodes: first..after,
                     across: if cut { 0.0 } else { moment / total },
                     width: area / self.length[row],
                     force: if cut { 2.0 * total } else { total },
@@ -155,11 +175,53 @@ impl Rows {
         runs
     }
 
-    fn line(&self, scene: &Scene, runs: &[Run]) -> ContactLine {
+    /// Half-width of the pressure of a run, x from its centre, or from the mirror that cuts it, and
+    /// mean distance of the nodes.
+    fn width(&self, scene: &Scene, state: &State, pair: usize, run: &Run) -> (f64, f64) {
+        let field = &state.contacts[pair];
+        let members = &self.members[run.row];
+        // The pressure falls to zero at the open nodes on either side.
+        let from = run.nodes.start.saturating_sub(1);
+        let to = (run.nodes.end + 1).min(members.len());
+        let profile = members[from..to].iter().map(|i| {
+            let at = scene.mesh.points[field.nodes[*i] as usize][self.across];
+            (at - run.across, field.pressure[*i].max(0.0))
+        });
+        let profile: Vec<(f64, f64)> = profile.collect();
+        let mut moments = [0.0; 3];
+        for pair in profile.windows(2) {
+            let ((a, p), (b, q)) = (pair[0], pair[1]);
+            let (middle, mean) = (0.5 * (a + b), 0.5 * (p + q));
+            // Simpson's rule is exact up to the third power.
+            for (power, moment) in (0..).zip(&mut moments) {
+                let of = |p: f64, x: f64| p * f64::powi(x, power);
+                *moment += (b - a) / 6.0 * (of(p, a) + 4.0 * of(mean, middle) + of(q, b));
+            }
+        }
+        let [force, first, second] = moments;
+        let centre = if run.mirrored { 0.0 } else { first / force };
+        let half = 2.0 * (second / force - centre * centre).max(0.0).sqrt();
+        let ends = profile.first().zip(profile.last());
+        let extent = ends.map_or(0.0, |(first, last)| last.0 - first.0);
+        let intervals = profile.len().saturating_sub(1).max(1);
+        (half, extent / intervals as f64)
+    }
+
+    fn line(&self, scene: &Scene, state: &State, pair: usize, runs: &[Run]) -> ContactLine {
         let mut load = vec![0.0; self.at.len()];
         for run in runs {
             load[run.row] += run.force / self.length[run.row];
         }
+        let heaviest = runs.iter().reduce(|most, run| {
+            let per_length = |run: &Run| run.force / self.length[run.row];
+            if per_length(run) > per_length(most) {
+                run
+            } else {
+                most
+            }
+        });
+        let (half_width, spacing) =
+            heaviest.map_or((0.0, 0.0), |run| self.width(scene, state, pair, run));
         let total: f64 = runs.iter().map(|r| r.force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
@@ -172,6 +234,8 @@ impl Rows {
             length: length * doubled(self.axis) as f64,
             lifted_off: (self.length.iter().sum::<f64>() - length) * doubled(self.axis) as f64,
             images: if cut { 1 } else { doubled(self.across) },
+            half_width,
+            spacing,
         }
     }
 }

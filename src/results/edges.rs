@@ -32,14 +32,15 @@ pub fn carrier(scene: &Scene, pair: usize) -> Option<&Surface> {
 }
 
 impl LoadedEdges {
-    /// Finds the loaded edges of every contact pair; edges on mirror planes are none.
+    /// Finds the loaded edges of every contact pair; edges on mirror planes, and on flat ends that
+    /// are held as by a mirror, are none.
     pub fn find(scene: &Scene, state: &State) -> Self {
         let mut positions = Vec::new();
         for (pair, field) in state.contacts.iter().enumerate() {
             let Some(surface) = carrier(scene, pair) else {
                 continue;
             };
-            let boundary = boundary_nodes(&scene.mesh, surface, &scene.mirrors);
+            let boundary = boundary_nodes(scene, surface);
             for (node, pressure) in field.nodes.iter().zip(&field.pressure) {
                 if *pressure > 0.0 && boundary.binary_search(node).is_ok() {
                     positions.push(moved(&scene.mesh, state, *node as usize));
@@ -88,7 +89,7 @@ fn mean_displacement(mesh: &Mesh, state: &State, element: usize) -> [f64; 3] {
 }
 
 /// Nodes on edges that only one face of the surface has, ascending; without mirror planes.
-fn boundary_nodes(mesh: &Mesh, surface: &Surface, mirrors: &[usize]) -> Vec<u32> {
+fn boundary_nodes(scene: &Scene, surface: &Surface) -> Vec<u32> {
     let mut uses: BTreeMap<(u32, u32), u32> = BTreeMap::new();
     for face in &surface.faces {
         for i in 0..4 {
@@ -97,17 +98,42 @@ fn boundary_nodes(mesh: &Mesh, surface: &Surface, mirrors: &[usize]) -> Vec<u32>
         }
     }
     let once = uses.iter().filter(|(_, n)| **n == 1).map(|(edge, _)| *edge);
-    let mirrored = |a: u32, b: u32| {
-        let (a, b) = (mesh.points[a as usize], mesh.points[b as usize]);
+    let mirrors = mirror_planes(scene);
+    let mirrored = |(a, b): &(u32, u32)| {
+        let [a, b] = [a, b].map(|n| scene.mesh.points[*n as usize]);
         let tolerance = 1e-6 * distance(a, b);
-        let on_plane = |axis: usize| a[axis].abs() <= tolerance && b[axis].abs() <= tolerance;
-        mirrors.iter().any(|axis| *axis < 3 && on_plane(*axis))
+        let on = |(axis, at): &(usize, f64)| {
+            (a[*axis] - at).abs() <= tolerance && (b[*axis] - at).abs() <= tolerance
+        };
+        mirrors.iter().any(on)
     };
     let mut nodes: Vec<u32> = once
-        .filter(|(a, b)| !mirrored(*a, *b))
+        .filter(|edge| !mirrored(edge))
         .flat_map(|(a, b)| [a, b])
         .collect();
     nodes.sort_unstable();
     nodes.dedup();
     nodes
+}
+
+/// Axis and place of the mirror planes, and of flat surfaces across an axis that a support holds
+/// along it.
+fn mirror_planes(scene: &Scene) -> Vec<(usize, f64)> {
+    let axes = scene.mirrors.iter().filter(|axis| **axis < 3);
+    let mut planes: Vec<(usize, f64)> = axes.map(|axis| (*axis, 0.0)).collect();
+    for support in &scene.supports {
+        let Some(surface) = scene.mesh.surface(&support.surface) else {
+            continue;
+        };
+        for axis in (0..3).filter(|axis| support.components[*axis] == Some(0.0)) {
+            let nodes = surface.nodes();
+            let mut at = nodes.iter().map(|n| scene.mesh.points[*n as usize][axis]);
+            let Some(first) = at.next() else { continue };
+            let size = first.abs();
+            if support.gradient[axis] == [0.0; 3] && at.all(|x| (x - first).abs() <= 1e-9 * size) {
+                planes.push((axis, first));
+            }
+        }
+    }
+    planes
 }

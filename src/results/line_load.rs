@@ -7,7 +7,8 @@ use super::edges::carrier;
 use super::load::{copies, direction};
 use super::quad::dot;
 use crate::mesh::Surface;
-use crate::scene::Scene;
+use crate::mesh::shape::{Shape, fit};
+use crate::scene::{Partner, Scene};
 
 /// Where a line load is cut into slices.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,8 +33,9 @@ pub struct LineLoad {
 }
 
 impl Slices {
-    /// `count` equal slices over the extent of the carrier surface of pair `pair`, along its
-    /// longer horizontal side. `None` without such a surface or without extent.
+    /// `count` equal slices over the extent of the carrier surface of pair `pair`, along the roller,
+    /// or along the longer horizontal side where none of the two surfaces is a cylinder along an
+    /// axis. `None` without such a surface or without extent.
     pub fn equal(scene: &Scene, pair: usize, count: usize) -> Option<Self> {
         let surface = carrier(scene, pair)?;
         let extent = |axis: usize| {
@@ -56,7 +58,8 @@ impl Slices {
                     1.0
                 }
         };
-        let axis = if length(1) > length(0) { 1 } else { 0 };
+        let longer = if length(1) > length(0) { 1 } else { 0 };
+        let axis = roller_axis(scene, pair).unwrap_or(longer);
         let (low, high) = extent(axis);
         let step = (high - low) / count.max(1) as f64;
         let whole = step.is_finite() && step > 0.0;
@@ -65,6 +68,22 @@ impl Slices {
             edges: (0..=count.max(1)).map(|i| low + step * i as f64).collect(),
         })
     }
+}
+
+/// The axis along which one of the surfaces of a pair is a cylinder.
+fn roller_axis(scene: &Scene, pair: usize) -> Option<usize> {
+    let contact = &scene.contacts[pair];
+    [&contact.upper, &contact.lower]
+        .into_iter()
+        .find_map(|side| {
+            let Partner::Surface(name) = side else {
+                return None;
+            };
+            let Shape::Cylinder { axis, .. } = fit(&scene.mesh, scene.mesh.surface(name)?) else {
+                return None;
+            };
+            (0..3).find(|i| axis[*i].abs() > 1.0 - 1e-6)
+        })
 }
 
 /// Line load of contact pair `pair`, of the whole bearing.

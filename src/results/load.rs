@@ -1,6 +1,6 @@
 //! The applied load of a scene, and what a force on the modelled part is for the whole.
 
-use super::quad::{area, area_vector, dot, norm};
+use super::quad::{area, area_vector, dot, integrate, norm};
 use super::{PlaneField, State};
 use crate::mesh::Mesh;
 use crate::scene::{PlaneMotion, Scene, TractionValue};
@@ -51,11 +51,10 @@ fn driven(scene: &Scene, factor: impl Fn(&str) -> f64) -> [f64; 3] {
         };
         for face in &surface.faces {
             let corners = face_corners(&scene.mesh, face.nodes);
-            let force = match traction.value {
-                TractionValue::Pressure(p) => area_vector(&corners).map(|a| -p * a),
-                TractionValue::Vector(t) => t.map(|t| t * area(&corners)),
-            };
-            add(force, factor(&traction.name));
+            add(
+                face_force(&traction.value, &corners),
+                factor(&traction.name),
+            );
         }
     }
     whole(scene, total)
@@ -122,8 +121,9 @@ pub fn applied(scene: &Scene, state: &State) -> f64 {
     dot(whole(scene, force), along)
 }
 
-/// Travel along [`direction`] of the plane that loads the scene: the first that is driven, else
-/// the first that is moved. `None` where no plane is.
+/// Travel along [`direction`] of what loads the scene: of the first rigid plane that is driven,
+/// else of the first that is moved, else of the surfaces under traction, weighted by their
+/// tractions: the work of the load over the load. `None` where nothing loads it.
 pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
     let along = direction(scene);
     let find = |loads: fn(&PlaneMotion) -> bool| -> Option<&PlaneField> {
@@ -136,6 +136,37 @@ pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
     find(|m| matches!(m, PlaneMotion::Driven(f) if *f != 0.0))
         .or_else(|| find(|m| matches!(m, PlaneMotion::Held(u) if *u != 0.0)))
         .map(|plane| dot(plane.travel, along))
+        .or_else(|| travel_of_tractions(scene, state, along))
+}
+
+/// Displacement along `along`, averaged over the surfaces under traction with its component along
+/// it as weight.
+fn travel_of_tractions(scene: &Scene, state: &State, along: [f64; 3]) -> Option<f64> {
+    let (mut work, mut load) = (0.0, 0.0);
+    for traction in &scene.tractions {
+        let surface = scene.mesh.surface(&traction.surface)?;
+        for face in &surface.faces {
+            let corners = face_corners(&scene.mesh, face.nodes);
+            let moved = face
+                .nodes
+                .map(|n| dot(state.displacement[n as usize], along));
+            let force = dot(face_force(&traction.value, &corners), along);
+            integrate(&corners, |shape, weight| {
+                let travel: f64 = shape.iter().zip(moved).map(|(n, u)| n * u).sum();
+                work += force / area(&corners) * travel * weight;
+            });
+            load += force;
+        }
+    }
+    (load > 0.0).then(|| work / load)
+}
+
+/// Force of a traction on a face.
+fn face_force(traction: &TractionValue, corners: &[[f64; 3]; 4]) -> [f64; 3] {
+    match traction {
+        TractionValue::Pressure(p) => area_vector(corners).map(|a| -p * a),
+        TractionValue::Vector(t) => t.map(|t| t * area(corners)),
+    }
 }
 
 /// Corner coordinates of a face.

@@ -39,6 +39,8 @@ pub struct BodyPeaks {
     pub nodal: Option<Peak>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
+    /// Mean of the equivalent plastic strain in the element that holds the largest.
+    pub peeq_mean: f64,
     /// Volume of the integration points that have yielded, in the whole body.
     pub yielded_volume: f64,
     /// Volume of the whole body.
@@ -80,6 +82,7 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
                 at,
             })
         });
+        let peeq = over(&recovered.peeq);
         let (mut yielded, mut volume) = (0.0, 0.0);
         for e in elements.clone() {
             for (peeq, v) in state.peeq_of(e).iter().zip(recovered.volumes[e]) {
@@ -94,7 +97,8 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
             centroid,
             integration_point,
             nodal,
-            peeq_max: over(&recovered.peeq).map_or(0.0, |(_, peeq)| peeq),
+            peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
+            peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),
             yielded_volume: copies * yielded,
             volume: copies * volume,
         }

@@ -13,6 +13,7 @@ pub mod problem_h;
 mod bending;
 mod bumps;
 mod cattaneo_mindlin;
+mod certificate;
 mod crossed_cylinders;
 mod equal_steels;
 mod full_sliding;
@@ -48,7 +49,7 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 16] = [
+pub const SUITES: [Suite; 17] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
@@ -63,6 +64,7 @@ pub const SUITES: [Suite; 16] = [
     suite("equal-steels", equal_steels::claims),
     suite("cattaneo-mindlin", cattaneo_mindlin::claims),
     suite("full-sliding", full_sliding::claims),
+    suite("certificate", certificate::claims),
     suite("penalty", penalty::claims),
     suite("penalty-bearing", penalty::claims_of_bearing),
 ];

@@ -67,3 +67,9 @@ fn punch() {
 fn sphere_plastic() {
     assert!(holds("sphere-plastic").is_empty());
 }
+
+/// Estimated errors are of the size of the true ones.
+#[test]
+fn certificate() {
+    explains(&holds("certificate"));
+}

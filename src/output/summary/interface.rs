@@ -60,6 +60,8 @@ pub struct LineSummary {
     pub load: Vec<f64>,
     pub peak: f64,
     pub peak_at: f64,
+    /// Of the strip of pressure where the load is largest.
+    pub half_width: f64,
     /// Length in contact, in the whole, and of the carrier that has lifted off.
     pub length: f64,
     pub lifted_off: f64,
@@ -117,6 +119,7 @@ fn line_summary(line: ContactLine) -> Option<LineSummary> {
         load: line.load,
         peak,
         peak_at,
+        half_width: line.half_width,
         length: line.length,
         lifted_off: line.lifted_off,
     })

@@ -19,6 +19,7 @@ use super::file::{OutputError, write_atomically};
 use super::left_out::LeftOut;
 use super::units::UnitLabels;
 use super::warnings::{Warning, warnings};
+use crate::certify::{Claim, Evidence, certify};
 use crate::results::interface::{Interface, interfaces};
 use crate::results::load;
 use crate::results::strain::largest_strain;
@@ -60,6 +61,8 @@ pub struct Summary {
     pub stiffness: Option<f64>,
     pub unloaded: Option<Unloaded>,
     pub checks: Checks,
+    /// What the figures are worth.
+    pub certificate: Vec<Claim>,
     pub comparison: Vec<Comparison>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
@@ -118,6 +121,12 @@ impl Summary {
             stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
             unloaded: inputs.unloaded.map(|state| Unloaded::new(scene, state)),
             checks: checks(&inputs.checks, &measured, applied_load, descent),
+            certificate: certify(&Evidence {
+                scene,
+                state,
+                recovered: inputs.recovered,
+                elastic: inputs.elastic,
+            }),
             comparison: inputs.comparison.to_vec(),
             assumptions: inputs.assumptions.to_vec(),
             left_out: inputs.left_out.to_vec(),

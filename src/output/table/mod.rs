@@ -1,6 +1,7 @@
 //! The table on the terminal.
 
 mod bodies;
+mod certificate;
 mod contact;
 mod unloaded;
 
@@ -8,6 +9,7 @@ use super::left_out::{LeftOut, Saving};
 use super::summary::{Checks, Figure, Summary};
 use super::text::{Columns, percent, significant};
 use bodies::{bodies, rollers};
+use certificate::certificate;
 use contact::{contact_lines, interfaces, line_loads, statics};
 use std::fmt::Write;
 use unloaded::unloaded;
@@ -30,6 +32,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         statics(summary),
         unloaded(summary),
         checks(&summary.checks),
+        certificate(summary),
         list("Assumed", summary.assumptions.iter()),
         left_out(&summary.left_out, explain),
         list("Warnings", summary.warnings.iter().map(|w| &w.0)),

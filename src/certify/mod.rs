@@ -1,0 +1,155 @@
+//! What an answer is worth: figures with their estimated errors.
+//!
+//! A [`Claim`] is a figure of a run and how far it may be off, by cause. The estimates come from
+//! the one mesh that was solved: from the stress that a smoother field would have
+//! ([`energy`]), from readings that tend to the same value ([`mises`]), and from how well the nodes
+//! resolve the pressure ([`profile`]). They are of the right size, not bounds.
+
+pub mod energy;
+mod mises;
+mod profile;
+
+use crate::results::State;
+use crate::results::interface::{Interface, interfaces};
+use crate::results::load::{applied, copies, descent};
+use crate::results::peaks::{BodyPeaks, peaks};
+use crate::results::recovery::Recovered;
+use crate::scene::{PlaneMotion, Scene};
+use serde::Serialize;
+
+/// A figure and what it is worth.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Claim {
+    /// Such as "peak Mises, nodal".
+    pub what: Quantity,
+    /// Body or interface; "overall" for the scene.
+    #[serde(rename = "where")]
+    pub place: String,
+    pub value: f64,
+    pub error: Errors,
+    /// Why the figure or its error should be read with care.
+    pub note: Option<&'static str>,
+}
+
+/// What a claim is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    Descent,
+    /// Largest nodal Mises stress of a body.
+    PeakMises,
+    /// The same of the elastic solution, where the body has yielded.
+    ElasticPeakMises,
+    /// Largest equivalent plastic strain at an integration point.
+    PeakPlasticStrain,
+    PeakPressure,
+    /// Half-width of the strip, or of the most heavily loaded line of contact.
+    HalfWidth,
+    ContactArea,
+}
+
+/// Estimated errors of a figure, in its unit and without sign; `None` where nothing is known.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Errors {
+    /// Of the mesh.
+    pub discretisation: Option<f64>,
+    /// Of the penetration that is left.
+    pub penetration: Option<f64>,
+    /// Of the size of the increments: zero where nothing depends on the path.
+    pub increment: Option<f64>,
+}
+
+impl Errors {
+    /// Their sum, as far as they are known; `None` where the error of the mesh is not.
+    pub fn total(&self) -> Option<f64> {
+        let rest = self.penetration.unwrap_or(0.0) + self.increment.unwrap_or(0.0);
+        self.discretisation.map(|mesh| mesh + rest)
+    }
+}
+
+impl Quantity {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Descent => "descent",
+            Self::PeakMises => "peak Mises, nodal",
+            Self::ElasticPeakMises => "peak Mises, elastic, nodal",
+            Self::PeakPlasticStrain => "peak plastic strain",
+            Self::PeakPressure => "peak pressure",
+            Self::HalfWidth => "half-width",
+            Self::ContactArea => "contact area",
+        }
+    }
+}
+
+/// What is certified.
+#[derive(Debug, Clone, Copy)]
+pub struct Evidence<'a> {
+    pub scene: &'a Scene,
+    pub state: &'a State,
+    pub recovered: &'a Recovered,
+    /// Peaks of the elastic solution at the same load, in the order of the bodies.
+    pub elastic: Option<&'a [BodyPeaks]>,
+}
+
+/// The claims of a state: descent, bodies, interfaces.
+pub fn certify(evidence: &Evidence) -> Vec<Claim> {
+    let Evidence { scene, state, .. } = *evidence;
+    let measured = interfaces(scene, state);
+    let own = peaks(scene, state, evidence.recovered);
+    let mut claims: Vec<Claim> = descent_claim(evidence).into_iter().collect();
+    claims.extend(mises::claims(evidence, &own));
+    for (pair, interface) in measured.iter().enumerate() {
+        claims.extend(profile::claims(scene, state, pair, interface));
+    }
+    // Plastic flow and friction are integrated along the path.
+    let remembers = own.iter().any(|body| body.peeq_max > 0.0)
+        || scene.contacts.iter().any(|c| c.friction > 0.0);
+    for claim in &mut claims {
+        claim.error.increment = (!remembers).then_some(0.0);
+        claim.error.penetration = penetration(claim, scene, &measured);
+    }
+    claims
+}
+
+/// Travel of the loaded plane. A displacement method finds too little of it: the work of the load
+/// on what is missing is the energy of the error.
+fn descent_claim(evidence: &Evidence) -> Option<Claim> {
+    let Evidence { scene, state, .. } = *evidence;
+    let value = descent(scene, state)?;
+    let load = applied(scene, state);
+    let driven = |m: &PlaneMotion| matches!(m, PlaneMotion::Driven(_));
+    let by_force = !scene.tractions.is_empty()
+        || (scene.rigid_planes.iter()).any(|plane| plane.motion.iter().any(driven));
+    let energy = energy::of_error(scene, state, evidence.recovered) * copies(scene);
+    Some(Claim {
+        what: Quantity::Descent,
+        place: "overall".to_owned(),
+        value,
+        error: Errors {
+            discretisation: (by_force && load > 0.0).then(|| energy / load),
+            ..Errors::default()
+        },
+        note: (!by_force).then_some("prescribed"),
+    })
+}
+
+/// What penetration does to a figure: all of it to the descent, and to stresses and pressures the
+/// stress of a strain of penetration over element size.
+fn penetration(claim: &Claim, scene: &Scene, measured: &[Interface]) -> Option<f64> {
+    let strains = measured
+        .iter()
+        .filter_map(|i| Some(i.max_penetration / i.face_side?));
+    let strain = strains.fold(0.0, f64::max);
+    let stiffest = scene.materials.iter().map(|s| s.youngs_modulus);
+    let stress = stiffest.fold(0.0, f64::max) * strain;
+    let peak = measured.iter().map(|i| i.max_pressure).fold(0.0, f64::max);
+    match claim.what {
+        Quantity::Descent => Some(measured.iter().map(|i| i.max_penetration).sum()),
+        Quantity::PeakMises | Quantity::ElasticPeakMises | Quantity::PeakPressure => Some(stress),
+        Quantity::HalfWidth | Quantity::ContactArea => {
+            (peak > 0.0).then(|| claim.value * stress / peak)
+        }
+        Quantity::PeakPlasticStrain => Some(strain),
+    }
+}

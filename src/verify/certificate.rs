@@ -1,0 +1,127 @@
+//! Estimated errors beside true ones, on problem H and on a sphere.
+//!
+//! An estimate is right where the true error is at most three times as large, and, wherever that
+//! exceeds 0.2 %, no less than a third of it.
+
+use super::kit::{self, Run};
+use super::problem_h::{self, Sizes};
+use super::{Claim, Extent, VerifyError, hertz_sphere};
+use crate::certify::{self, Evidence, Quantity, certify};
+use crate::results::recovery::recover;
+use std::f64::consts::PI;
+
+/// Below this share of the value an estimate may be too large by any factor.
+const NEGLIGIBLE: f64 = 2e-3;
+/// How far off an estimate may be.
+const FACTOR: f64 = 3.0;
+
+/// A figure of which the truth is known: what, where, and the truth.
+type Known<'a> = (Quantity, &'a str, f64);
+
+pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+    let mut claims = plane()?;
+    claims.extend(sphere()?);
+    Ok(claims)
+}
+
+/// Problem H on nested meshes.
+fn plane() -> Result<Vec<Claim>, VerifyError> {
+    let mut claims = Vec::new();
+    for (kind, name) in kit::KINDS {
+        let mut levels = Vec::new();
+        for level in 0..4 {
+            let mut scene = problem_h::scene(&Sizes::nested(level))?;
+            scene.controls.element = kind;
+            let run = kit::run(scene)?;
+            let certificate = certified(&run);
+            levels.push((2 << level, run, certificate));
+        }
+        // Energies converge with the square of the element size.
+        let descents = levels.iter().map(|(_, _, claims)| {
+            let descent = claims.iter().find(|c| c.what == Quantity::Descent);
+            descent.map_or(f64::NAN, |claim| claim.value)
+        });
+        let descents: Vec<f64> = descents.collect();
+        let descent = descents[3] + (descents[3] - descents[2]) / 3.0;
+        let thickness = kit::extent(&levels[0].1.scene.mesh, 2);
+        let area = 2.0 * problem_h::HALF_WIDTH * thickness;
+        let known = [
+            (Quantity::Descent, "overall", descent),
+            (Quantity::PeakMises, "block", problem_h::MISES_BLOCK),
+            (Quantity::PeakMises, "cylinder", problem_h::MISES_CYLINDER),
+            (
+                Quantity::PeakPressure,
+                "cylinder-block",
+                problem_h::PRESSURE,
+            ),
+            (Quantity::HalfWidth, "cylinder-block", problem_h::HALF_WIDTH),
+            (Quantity::ContactArea, "cylinder-block", area),
+        ];
+        for (across, run, certificate) in &levels {
+            let problem = format!("problem H, {name}, h/a = 1/{across}");
+            claims.extend(judged(&problem, run, certificate, &known));
+        }
+    }
+    Ok(claims)
+}
+
+/// A sphere on a rigid flat.
+fn sphere() -> Result<Vec<Claim>, VerifyError> {
+    let hertz = hertz_sphere::hertz()?;
+    let area = PI * hertz.contact_radius.powi(2);
+    let known = [
+        (
+            Quantity::PeakMises,
+            "sphere",
+            hertz_sphere::peak_mises(&hertz)?,
+        ),
+        (Quantity::PeakPressure, "body-flat", hertz.peak_pressure),
+        (Quantity::HalfWidth, "body-flat", hertz.contact_radius),
+        (Quantity::ContactArea, "body-flat", area),
+    ];
+    let mut claims = Vec::new();
+    for across in [3, 4, 6, 8] {
+        let run = hertz_sphere::pressed(&hertz, f64::from(across))?;
+        let certificate = certified(&run);
+        let problem = format!("sphere, h/a = 1/{across}");
+        claims.extend(judged(&problem, &run, &certificate, &known));
+    }
+    Ok(claims)
+}
+
+fn certified(run: &Run) -> Vec<certify::Claim> {
+    let recovered = recover(&run.scene, run.state());
+    certify(&Evidence {
+        scene: &run.scene,
+        state: run.state(),
+        recovered: &recovered,
+        elastic: None,
+    })
+}
+
+/// How far off the estimates of a certificate are.
+fn judged(problem: &str, run: &Run, certificate: &[certify::Claim], known: &[Known]) -> Vec<Claim> {
+    let judge = |(what, place, truth): &Known| {
+        let claim = certificate
+            .iter()
+            .find(|c| c.what == *what && c.place == *place)?;
+        let error = (claim.value - truth).abs();
+        let estimate = claim.error.total()?;
+        let short = error / estimate;
+        let off = match error > NEGLIGIBLE * truth.abs() {
+            true => short.max(1.0 / short),
+            false => short,
+        };
+        let text = format!(
+            "{problem}: {} of {place}, {:.2} % off, estimated {:.2} %: factor",
+            what.name(),
+            100.0 * error / truth.abs(),
+            100.0 * estimate / truth.abs(),
+        );
+        let claim = Claim::small(text, off, FACTOR)
+            .from("Hertz; limits of problem H; the series in h")
+            .because("an estimate from one mesh is of the right size, and no bound");
+        Some(run.claim(claim))
+    };
+    known.iter().filter_map(judge).collect()
+}

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod contact;
+mod load_line;
 mod unloaded;
 
 use super::left_out::{LeftOut, Saving};
@@ -9,6 +10,7 @@ use super::summary::{Checks, Figure, Summary};
 use super::text::{Columns, percent, significant};
 use bodies::{bodies, rollers};
 use contact::{contact_lines, interfaces, line_loads, statics};
+use load_line::load_line;
 use std::fmt::Write;
 use unloaded::unloaded;
 
@@ -28,6 +30,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         line_loads(summary),
         contact_lines(summary),
         statics(summary),
+        load_line(summary),
         unloaded(summary),
         checks(&summary.checks),
         list("Assumed", summary.assumptions.iter()),

@@ -92,6 +92,11 @@ fn the_wall_sweep_is_the_initial_design_with_other_walls() {
         assert_eq!(bearing.friction, initial.friction);
         assert_eq!(bearing.mesh, initial.mesh);
         let steel = |b: &BearingCase| b.steels.of("lower_roller").unwrap();
-        assert_eq!(steel(bearing), steel(initial));
+        if ratio == 0.05 {
+            // Its wall would yield through.
+            assert!(steel(bearing).yield_stress.is_infinite());
+        } else {
+            assert_eq!(steel(bearing), steel(initial));
+        }
     }
 }

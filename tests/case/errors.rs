@@ -422,7 +422,7 @@ fn impossible_stages_of_a_load() {
         (r#"["3 in"]"#, ["bearing.stages#1", "3 in", "a force"]),
         (
             r#""20 kip""#,
-            ["bearing.stages", "array", "cases/test.toml:6"],
+            ["bearing.stages", "array", "cases/test.toml:5"],
         ),
     ] {
         let load = format!("stages = {stages}\nload =");

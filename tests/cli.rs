@@ -469,6 +469,27 @@ fn a_case_finds_its_shipped_mesh_from_its_own_folder() {
     run.code(0);
 }
 
+#[test]
+fn a_load_in_stages_prints_its_slopes() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(shipped("initial-centre.toml")).unwrap();
+    let text = text.replace("friction =", "stages = [\"26 kip\"]\nfriction =");
+    // Nothing can yield, whatever is said of yielding.
+    let text = text.replace("yield_stress =", "elastic = true #");
+    let text = text.replace("hardening =", "#");
+    std::fs::write(folder.path().join("staged.toml"), text).unwrap();
+    let run = brinell(folder.path(), "run staged.toml --mesh report-like").code(0);
+    let table = words(&run.get_output().stdout);
+    assert!(table.contains("slope kip/in stage 1 26.00"), "{table}");
+    let summary = summary(&folder.path().join("results/staged/summary.json"));
+    assert_eq!(summary["step"], "load");
+    let line = &summary["load_line"];
+    close(&line[0]["load"], 26.0, 1e-9);
+    close(&line[1]["load"], 65.0, 1e-9);
+    assert_eq!(line[1]["descent"], summary["descent"]);
+    assert!(line[0]["descent"].as_f64() < line[1]["descent"].as_f64());
+}
+
 /// A run of the default mesh of the main case, to be stopped, and its output.
 struct Running {
     child: Child,

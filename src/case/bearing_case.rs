@@ -20,6 +20,8 @@ pub struct BearingCase {
     pub load: f64,
     /// Coulomb's coefficient, on all four interfaces.
     pub friction: f64,
+    /// Shares of the load at which its descent is read on the way up, ascending, below one.
+    pub stages: Vec<f64>,
     /// The share of the load that is left after unloading; `None` where it stays on.
     pub unload_to: Option<f64>,
     pub steels: Steels,
@@ -40,6 +42,7 @@ impl BearingCase {
         geometry.check().map_err(|error| misfit("bearing", error))?;
         check_grip(&friction, &geometry)?;
         let full = reader.full(&geometry)?;
+        let stages = reader.stages(load)?;
         let unload_to = reader.unload()?;
         let mesh = mesh_choice::request(root, full, assumptions)?;
         mesh.check(&geometry)
@@ -54,6 +57,7 @@ impl BearingCase {
             mesh,
             load,
             friction: friction.value,
+            stages,
             unload_to,
             steels,
         })

@@ -83,12 +83,14 @@ impl BearingCase {
                 PlaneMotion::Driven(force),
             ],
         };
-        let step = |name: &str, factor| Step {
+        let step = |name: &str, factor: f64| Step {
             name: name.to_string(),
             factor,
             factors: vec![],
         };
-        let mut steps = vec![step("load", 1.0)];
+        let stage = |(share, count): (&f64, i32)| step(&format!("stage {count}"), *share);
+        let mut steps: Vec<Step> = self.stages.iter().zip(1..).map(stage).collect();
+        steps.push(step("load", 1.0));
         steps.extend(self.unload_to.map(|share| step("unload", share)));
         let planes = vec![Located {
             value: plane,

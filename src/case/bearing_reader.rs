@@ -24,6 +24,7 @@ const KEYS: &[&str] = &[
     "full",
     "unload",
     "unload_to",
+    "stages",
 ];
 
 /// The table `[bearing]`.
@@ -191,6 +192,26 @@ impl<'a, 'b> Reader<'a, 'b> {
         };
         self.note("full", text, why);
         Ok(full)
+    }
+
+    /// Shares of the load at which it pauses on its way up, ascending, each less than one.
+    pub fn stages(&self, load: f64) -> Result<Vec<f64>, CaseError> {
+        let Some(field) = self.table.get("stages") else {
+            return Ok(Vec::new());
+        };
+        let mut stages: Vec<f64> = Vec::new();
+        for field in field.list()? {
+            let stage = field.quantity(Dimension::FORCE)?.positive()?;
+            let before = stages.last().copied().unwrap_or(0.0);
+            let share = stage
+                .require(|stage| *stage < load, "must be less than `bearing.load`")?
+                .require(
+                    |stage| *stage / load > before,
+                    "must be more than the stage before",
+                )?;
+            stages.push(share.value / load);
+        }
+        Ok(stages)
     }
 
     /// The share of the load that is left in the end, where there is unloading.

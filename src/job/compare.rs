@@ -109,7 +109,8 @@ fn even_load(bearing: &BearingCase, scene: &Scene) -> Result<HandbookAnswer, Job
         Metal {
             youngs_modulus: steel.youngs_modulus,
             poissons_ratio: steel.poissons_ratio,
-            yield_stress: steel.yield_stress,
+            // Of an elastic body any will do: nothing that is taken from here depends on it.
+            yield_stress: steel.yield_stress.min(steel.youngs_modulus),
         }
     };
     let g = &bearing.geometry;

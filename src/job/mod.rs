@@ -47,7 +47,7 @@ pub struct Outcome {
     /// The scene as solved, its bodies in touch.
     pub scene: Scene,
     pub solution: Solution,
-    /// At full load: the end of the first step.
+    /// At full load: the end of [`Scene::full_step`].
     pub summary: Summary,
     /// Was the observer's wish to stop met, before or while the elastic peaks were sought?
     pub interrupted: bool,
@@ -61,21 +61,22 @@ impl Outcome {
 
     /// The state that the summary describes.
     pub fn state(&self) -> &State {
-        reported(&self.solution)
+        reported(&self.scene, &self.solution)
     }
 }
 
-/// The end of the first step, where the full load is on.
-fn reported(solution: &Solution) -> &State {
-    solution.states.first().unwrap_or(&solution.last)
+/// The state at full load.
+fn reported<'s>(scene: &Scene, solution: &'s Solution) -> &'s State {
+    let full = solution.states.get(scene.full_step());
+    full.unwrap_or(&solution.last)
 }
 
 /// The end of the last step, where that is not the reported one and next to no load is left.
 fn unloaded<'s>(scene: &Scene, solution: &'s Solution) -> Option<&'s State> {
     const LITTLE: f64 = 0.05;
-    let states = &solution.states;
-    let last = states.last().filter(|_| states.len() > 1)?;
-    let (full, left) = (applied(scene, reported(solution)), applied(scene, last));
+    let last = solution.states.get(scene.full_step() + 1..)?.last()?;
+    let full = applied(scene, reported(scene, solution));
+    let left = applied(scene, last);
     (left <= LITTLE * full).then_some(last)
 }
 
@@ -167,7 +168,11 @@ fn elastic_peaks(
     solution: &Solution,
     observer: &mut dyn Observer,
 ) -> Option<Vec<BodyPeaks>> {
-    let yielded = reported(solution).peeq.iter().flatten().any(|p| *p > 0.0);
+    let yielded = reported(scene, solution)
+        .peeq
+        .iter()
+        .flatten()
+        .any(|p| *p > 0.0);
     if !yielded || !solution.complete {
         return None;
     }
@@ -175,7 +180,7 @@ fn elastic_peaks(
         .message("something yielded: solving once more without plasticity, for the elastic peaks");
     let mut elastic = scene.clone();
     elastic.controls.plasticity = false;
-    elastic.steps.truncate(1);
+    elastic.steps.truncate(scene.full_step() + 1);
     let solution = match solve::solve(&mut elastic, &mut Stoppable(observer)) {
         Ok(solution) => solution,
         Err(error) => {
@@ -186,7 +191,7 @@ fn elastic_peaks(
     if !solution.complete {
         return None;
     }
-    let state = reported(&solution);
+    let state = reported(&elastic, &solution);
     let recovered = recover(&elastic, state);
     Some(peaks(&elastic, state, &recovered))
 }
@@ -208,7 +213,7 @@ fn summarise(
     timing: Timing,
     options: &Options,
 ) -> Result<Summary, JobError> {
-    let state = reported(solution);
+    let state = reported(scene, solution);
     let recovered = recover(scene, state);
     let units = case.units;
     let mut inputs = SummaryInputs {
@@ -217,6 +222,7 @@ fn summarise(
         scene,
         state,
         unloaded: unloaded(scene, solution),
+        steps: &solution.states,
         recovered: &recovered,
         elastic,
         converged: solution.complete,

@@ -29,6 +29,13 @@ impl Scene {
     pub fn mirrors_through(&self, at: &[f64; 3]) -> impl Iterator<Item = usize> {
         planes_through(&self.mirrors, at)
     }
+
+    /// The first step that ends at a factor of one or more, where the full load is on; the first
+    /// of all where there is none.
+    pub fn full_step(&self) -> usize {
+        let full = self.steps.iter().position(|step| step.factor >= 1.0);
+        full.unwrap_or(0)
+    }
 }
 
 /// Two surfaces, or a surface and a rigid plane, that may touch.

@@ -405,6 +405,32 @@ fn an_impossible_bearing() {
 }
 
 #[test]
+fn impossible_stages_of_a_load() {
+    for (stages, parts) in [
+        (
+            r#"["20 kip", "10 kip"]"#,
+            ["bearing.stages#2", "10 kip", "more than the stage before"],
+        ),
+        (
+            r#"["20 kip", "65 kip"]"#,
+            ["bearing.stages#2", "65 kip", "less than `bearing.load`"],
+        ),
+        (
+            r#"["0 kip"]"#,
+            ["bearing.stages#1", "0 kip", "must be positive"],
+        ),
+        (r#"["3 in"]"#, ["bearing.stages#1", "3 in", "a force"]),
+        (
+            r#""20 kip""#,
+            ["bearing.stages", "array", "cases/test.toml:5"],
+        ),
+    ] {
+        let load = format!("stages = {stages}\nload =");
+        refused(&with(BEARING, "load =", &load), &parts);
+    }
+}
+
+#[test]
 fn a_displaced_bearing_needs_grip_and_has_no_symmetry() {
     let displaced = with(BEARING, "\"0 in\"", "\"2.5 in\"");
     refused(

@@ -3,4 +3,5 @@
 mod errors;
 mod kit;
 mod scene;
+mod shipped;
 mod units;

@@ -24,6 +24,11 @@ fn summarise(scene: &Scene, state: &State) -> Summary {
         error: Some(1.25),
         hertz: Some(f64::NAN),
     }];
+    let mut steps = [state.clone(), state.clone()];
+    steps[0].time = 0.4;
+    for plane in &mut steps[0].planes {
+        plane.travel = plane.travel.map(|travel| 0.5 * travel);
+    }
     let slices = Slices {
         axis: 1,
         edges: vec![0.0, 0.24, 1.0],
@@ -34,6 +39,7 @@ fn summarise(scene: &Scene, state: &State) -> Summary {
         scene,
         state,
         unloaded: Some(state),
+        steps: &steps,
         recovered: &recovered,
         elastic: Some(&elastic),
         converged: true,
@@ -149,6 +155,9 @@ fn the_summary_has_every_key_and_no_nan() {
         "/interfaces/block-plate/lines/0/load/3",
         "/interfaces/block-plate/lines/0/lifted_off",
         "/stiffness",
+        "/load_line/0/step",
+        "/load_line/0/load",
+        "/load_line/1/descent",
         "/unloaded/applied_load",
         "/unloaded/dents/plate_w+/depth",
         "/unloaded/peeq_max/plate",
@@ -224,6 +233,25 @@ fn the_table_shows_the_figures_and_what_to_beware_of() {
         .filter(|n| *n < 150)
         .max();
     assert!(widest.is_some_and(|n| n <= 132), "{text}");
+}
+
+#[test]
+fn the_slopes_of_a_load_in_stages() {
+    let (scene, state) = loaded();
+    let summary = summarise(&scene, &state);
+    let text = table::render(&summary, false);
+    // 26 at 0.005, then 65 at 0.01.
+    for slope in ["5200", "7800"] {
+        let row = |line: &str| line.trim_end().ends_with(slope);
+        assert!(text.lines().any(row), "{slope} is missing in\n{text}");
+    }
+    let mut once = summary.clone();
+    once.load_line.remove(0);
+    assert!(!table::render(&once, false).contains("slope"));
+    // Unloading alone is no load line.
+    let mut unloaded = summary;
+    unloaded.load_line.swap(0, 1);
+    assert!(!table::render(&unloaded, false).contains("slope"));
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub struct SummaryInputs<'a> {
     pub state: &'a State,
     /// The state after unloading, where there is one.
     pub unloaded: Option<&'a State>,
+    /// The states at the ends of the steps, as far as they are done.
+    pub steps: &'a [State],
     pub recovered: &'a Recovered,
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,

@@ -5,6 +5,7 @@ mod body;
 mod checks;
 mod inputs;
 mod interface;
+mod load_line;
 mod unloaded;
 mod values;
 
@@ -12,6 +13,7 @@ pub use body::{BodySummary, RollerSummary};
 pub use checks::{BalanceSummary, Checks};
 pub use inputs::{Measure, SummaryInputs};
 pub use interface::{InterfaceSummary, LineLoadSummary};
+pub use load_line::LoadPoint;
 pub use unloaded::{DentSummary, Unloaded};
 pub use values::{Comparison, Counters, Figure, Named, Three, Timing};
 
@@ -59,6 +61,8 @@ pub struct Summary {
     pub balance: Named<BalanceSummary>,
     /// Load over descent.
     pub stiffness: Option<f64>,
+    /// Load and descent at the end of each step.
+    pub load_line: Vec<LoadPoint>,
     pub unloaded: Option<Unloaded>,
     pub checks: Checks,
     /// What the figures are worth.
@@ -78,6 +82,7 @@ impl Summary {
         let (scene, state) = (inputs.scene, inputs.state);
         state.check(scene)?;
         inputs.unloaded.map_or(Ok(()), |state| state.check(scene))?;
+        inputs.steps.iter().try_for_each(|step| step.check(scene))?;
         let measured = interfaces(scene, state);
         let applied_load = load::applied(scene, state);
         let descent = load::descent(scene, state);
@@ -119,6 +124,7 @@ impl Summary {
             rollers: Named(bores.collect()),
             balance: balance(scene, state),
             stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
+            load_line: load_line::points(scene, inputs.steps),
             unloaded: inputs.unloaded.map(|state| Unloaded::new(scene, state)),
             checks: checks(&inputs.checks, &measured, applied_load, descent),
             certificate: certify(&Evidence {

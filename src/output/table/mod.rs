@@ -3,6 +3,7 @@
 mod bodies;
 mod certificate;
 mod contact;
+mod load_line;
 mod unloaded;
 
 use super::left_out::{LeftOut, Saving};
@@ -11,6 +12,7 @@ use super::text::{Columns, percent, significant};
 use bodies::{bodies, rollers};
 use certificate::certificate;
 use contact::{contact_lines, interfaces, line_loads, statics};
+use load_line::load_line;
 use std::fmt::Write;
 use unloaded::unloaded;
 
@@ -30,6 +32,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         line_loads(summary),
         contact_lines(summary),
         statics(summary),
+        load_line(summary),
         unloaded(summary),
         checks(&summary.checks),
         certificate(summary),

@@ -124,7 +124,7 @@ fn cases(scale: f64, plain: &Path, full: &Path) -> Result<Case, String> {
     case.set_preset("h0125").map_err(|e| e.to_string())?;
     let mut table = "preset = \"h0125\"".to_string();
     if scale != 1.0 {
-        case.scale_mesh(scale).map_err(|e| e.to_string())?;
+        case.scale_mesh(scale, 1.0).map_err(|e| e.to_string())?;
         table += &format!("\nscale = {scale}");
     }
     let text = case.source.text().replace("preset = \"h025\"", &table);

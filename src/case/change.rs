@@ -71,14 +71,15 @@ impl Case {
         }
     }
 
-    /// Multiplies every element size of a bearing's mesh by `scale`, the grading kept; see
-    /// [`Sizes::scaled`](super::bearing::Sizes::scaled).
+    /// Multiplies every element size of a bearing's mesh by `scale`, the grading kept (see
+    /// [`Sizes::scaled`](super::bearing::Sizes::scaled)), and those at the contact by `contact` once
+    /// more.
     ///
     /// # Errors
     /// Where the sizes come out of their range, or the case is a general scene.
-    pub fn scale_mesh(&mut self, scale: f64) -> Result<(), CaseError> {
+    pub fn scale_mesh(&mut self, scale: f64, contact: f64) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a scaled template")?;
-        let request = bearing.mesh.scaled(scale);
+        let request = bearing.mesh.scaled(scale).sharpened(contact);
         request
             .check(&bearing.geometry)
             .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;

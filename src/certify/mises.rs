@@ -1,7 +1,6 @@
 //! Peak stress and strain of bodies.
 
-use super::{Claim, Errors, Evidence, Quantity};
-use crate::results::edges::LoadedEdges;
+use super::{Claim, Errors, Quantity};
 use crate::results::peaks::{BodyPeaks, Peak};
 
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
@@ -15,23 +14,17 @@ const SINGULAR: &str = "at a loaded edge: singular in elasticity, grows with eve
 ///
 /// The nodal peak is claimed. It and that of element centres tend to the same value from different
 /// sides of the error: extrapolation to nodes overshoots by the curvature of the stress over an
-/// element, while a centre lies close to it (problem H, h/a = 1/4 to 1/32: nodal 3 to 0.03 % high,
-/// centroid within 0.5 to 0.02 %). Their difference is the estimate.
-pub(super) fn claims(evidence: &Evidence, own: &[BodyPeaks]) -> Vec<Claim> {
-    let Evidence {
-        scene,
-        state,
-        elastic,
-        ..
-    } = *evidence;
-    let edges = LoadedEdges::find(scene, state);
-    let singular = |peak: &Peak| edges.touches(&scene.mesh, state, peak);
+/// element, while a centre lies close to it. Their difference is the estimate. Beside a loaded edge
+/// there is none, and the peak away from such edges is claimed, too.
+pub(super) fn claims(own: &[BodyPeaks], elastic: Option<&[BodyPeaks]>) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
         let yielded = body.peeq_max > 0.0;
-        let mut mises = peak(Quantity::PeakMises, body, singular);
-        if let Some(claim) = mises.as_mut().filter(|_| yielded) {
-            claim.note = Some(YIELDED);
+        let mut mises = mises(body, [Quantity::PeakMises, Quantity::MisesAway]);
+        if yielded {
+            mises
+                .iter_mut()
+                .for_each(|claim| claim.note = Some(YIELDED));
         }
         claims.extend(mises);
         if !yielded {
@@ -47,25 +40,34 @@ pub(super) fn claims(evidence: &Evidence, own: &[BodyPeaks]) -> Vec<Claim> {
             },
             note: None,
         });
-        let elastic = elastic.and_then(|bodies| bodies.get(index));
-        claims.extend(elastic.and_then(|body| peak(Quantity::ElasticPeakMises, body, singular)));
+        if let Some(elastic) = elastic.and_then(|bodies| bodies.get(index)) {
+            let names = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
+            claims.extend(self::mises(elastic, names));
+        }
     }
     claims
 }
 
-/// The nodal peak of a body. Beside a loaded edge no error can be given.
-fn peak(what: Quantity, body: &BodyPeaks, singular: impl Fn(&Peak) -> bool) -> Option<Claim> {
-    let (nodal, centroid) = (body.nodal?, body.centroid?);
-    let singular = singular(&nodal);
-    let spread = (nodal.value - centroid.value).abs();
-    Some(Claim {
+/// The nodal peak of a body, and that away from loaded edges where it lies at one.
+fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2]) -> Vec<Claim> {
+    let claim = |what: Quantity, [nodal, centroid]: [Peak; 2]| Claim {
         what,
         place: body.name.clone(),
         value: nodal.value,
         error: Errors {
-            discretisation: (!singular).then_some(spread),
+            discretisation: Some((nodal.value - centroid.value).abs()),
             ..Errors::default()
         },
-        note: singular.then_some(SINGULAR),
-    })
+        note: None,
+    };
+    let Some(pair) = body.nodal.zip(body.centroid) else {
+        return Vec::new();
+    };
+    let mut claims = vec![claim(peak, pair.into())];
+    if let Some(regular) = body.away {
+        claims[0].error.discretisation = None;
+        claims[0].note = Some(SINGULAR);
+        claims.push(claim(away, regular));
+    }
+    claims
 }

@@ -38,8 +38,11 @@ pub enum Quantity {
     Descent,
     /// Largest nodal Mises stress of a body.
     PeakMises,
-    /// The same of the elastic solution, where the body has yielded.
+    /// Where that lies at a loaded edge: the largest away from such edges.
+    MisesAway,
+    /// The same two of the elastic solution, where the body has yielded.
     ElasticPeakMises,
+    ElasticMisesAway,
     /// Largest equivalent plastic strain at an integration point.
     PeakPlasticStrain,
     PeakPressure,
@@ -73,7 +76,9 @@ impl Quantity {
         match self {
             Self::Descent => "descent",
             Self::PeakMises => "peak Mises, nodal",
+            Self::MisesAway => "Mises away from edges, nodal",
             Self::ElasticPeakMises => "peak Mises, elastic, nodal",
+            Self::ElasticMisesAway => "Mises away from edges, elastic, nodal",
             Self::PeakPlasticStrain => "peak plastic strain",
             Self::PeakPressure => "peak pressure",
             Self::HalfWidth => "half-width",
@@ -98,7 +103,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Claim> {
     let measured = interfaces(scene, state);
     let own = peaks(scene, state, evidence.recovered);
     let mut claims: Vec<Claim> = descent_claim(evidence).into_iter().collect();
-    claims.extend(mises::claims(evidence, &own));
+    claims.extend(mises::claims(&own, evidence.elastic));
     for (pair, interface) in measured.iter().enumerate() {
         claims.extend(profile::claims(scene, state, pair, interface));
     }
@@ -146,7 +151,11 @@ fn penetration(claim: &Claim, scene: &Scene, measured: &[Interface]) -> Option<f
     let peak = measured.iter().map(|i| i.max_pressure).fold(0.0, f64::max);
     match claim.what {
         Quantity::Descent => Some(measured.iter().map(|i| i.max_penetration).sum()),
-        Quantity::PeakMises | Quantity::ElasticPeakMises | Quantity::PeakPressure => Some(stress),
+        Quantity::PeakMises
+        | Quantity::MisesAway
+        | Quantity::ElasticPeakMises
+        | Quantity::ElasticMisesAway
+        | Quantity::PeakPressure => Some(stress),
         Quantity::HalfWidth | Quantity::ContactArea => {
             (peak > 0.0).then(|| claim.value * stress / peak)
         }

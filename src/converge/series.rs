@@ -13,8 +13,9 @@ pub enum Series {
     /// Levels of a built-in family: every element is split into four (or eight) from one to the
     /// next, so that each mesh holds the one before.
     Family,
-    /// The bearing template with every size divided by this factor from level to level.
-    Template { factor: f64 },
+    /// The bearing template with every size divided by this factor from level to level, and those at
+    /// the contact by `contact` once more.
+    Template { factor: f64, contact: f64 },
     /// The mesh file of the case, every hexahedron split into eight from level to level. New nodes
     /// on a surface that fits a cylinder or sphere are put on it.
     Split,
@@ -32,7 +33,10 @@ impl Series {
             return Err(ConvergeError::Factor { factor });
         }
         match &case.kind {
-            Kind::Bearing(_) if files.is_empty() => Ok(Self::Template { factor }),
+            Kind::Bearing(_) if files.is_empty() => Ok(Self::Template {
+                factor,
+                contact: 1.0,
+            }),
             Kind::Bearing(_) => Err(ConvergeError::Choice {
                 what: "mesh files",
                 why: format!("`{}` is a bearing, meshed by its template", case.title),
@@ -60,7 +64,7 @@ impl Series {
     pub fn words(&self) -> String {
         match self {
             Self::Family => "nested: every element side halved from level to level".into(),
-            Self::Template { factor } => {
+            Self::Template { factor, .. } => {
                 format!("template: every element size divided by {factor} from level to level")
             }
             Self::Split => "split: every hexahedron into eight from level to level".into(),
@@ -74,7 +78,7 @@ impl Series {
     pub fn size(&self, level: usize, elements: usize) -> f64 {
         match self {
             Self::Family | Self::Split => 0.5f64.powi(level as i32),
-            Self::Template { factor } => factor.powi(-(level as i32)),
+            Self::Template { factor, .. } => factor.powi(-(level as i32)),
             Self::Files(_) => (elements.max(1) as f64).powf(-1.0 / 3.0),
         }
     }
@@ -99,8 +103,8 @@ impl Series {
                 case.set_level(level as u32);
                 find(&case, None)?
             }
-            Self::Template { .. } => {
-                case.scale_mesh(self.size(level, 0))?;
+            Self::Template { contact, .. } => {
+                case.scale_mesh(self.size(level, 0), contact.powi(-(level as i32)))?;
                 let kept = out.join(format!("level-{level}"));
                 std::fs::create_dir_all(&kept).map_err(|error| {
                     crate::output::OutputError::Write {

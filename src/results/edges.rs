@@ -16,7 +16,12 @@ use crate::scene::{Partner, Scene, Side};
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LoadedEdges {
     positions: Vec<[f64; 3]>,
+    /// The stress of an edge reaches so far: a fiftieth of the contact surface, some half-widths.
+    reach: f64,
 }
+
+/// Of the size of a contact surface.
+const REACH: f64 = 0.02;
 
 /// The surface whose nodes carry the pressure of a pair; `None` where the mesh has none.
 pub fn carrier(scene: &Scene, pair: usize) -> Option<&Surface> {
@@ -35,19 +40,25 @@ impl LoadedEdges {
     /// Finds the loaded edges of every contact pair; edges on mirror planes, and on flat ends that
     /// are held as by a mirror, are none.
     pub fn find(scene: &Scene, state: &State) -> Self {
-        let mut positions = Vec::new();
+        let (mut positions, mut reach) = (Vec::new(), 0.0f64);
         for (pair, field) in state.contacts.iter().enumerate() {
             let Some(surface) = carrier(scene, pair) else {
                 continue;
             };
             let boundary = boundary_nodes(scene, surface);
+            reach = reach.max(REACH * extent(&scene.mesh, surface));
             for (node, pressure) in field.nodes.iter().zip(&field.pressure) {
                 if *pressure > 0.0 && boundary.binary_search(node).is_ok() {
                     positions.push(moved(&scene.mesh, state, *node as usize));
                 }
             }
         }
-        Self { positions }
+        Self { positions, reach }
+    }
+
+    /// Is a point so near to a loaded edge that its stress belongs to the edge?
+    pub fn are_near(&self, at: &[f64; 3]) -> bool {
+        (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)
     }
 
     /// Does `peak` sit within an element's size of a loaded edge?
@@ -72,6 +83,18 @@ impl LoadedEdges {
             .iter()
             .any(|edge| distance(*edge, at) <= reach)
     }
+}
+
+/// Diagonal of the box about a surface.
+fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for node in surface.faces.iter().flat_map(|face| face.nodes) {
+        for (axis, x) in mesh.points[node as usize].iter().enumerate() {
+            low[axis] = low[axis].min(*x);
+            high[axis] = high[axis].max(*x);
+        }
+    }
+    distance(low, high)
 }
 
 fn moved(mesh: &Mesh, state: &State, node: usize) -> [f64; 3] {

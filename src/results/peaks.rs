@@ -1,10 +1,12 @@
 //! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
 
 use super::State;
+use super::edges::LoadedEdges;
 use super::hex::{GaussRule, centre};
 use super::load::copies;
 use super::recovery::Recovered;
 use super::tensor::mises;
+use crate::mesh::Body;
 use crate::scene::Scene;
 
 /// What a peak was read from.
@@ -37,6 +39,9 @@ pub struct BodyPeaks {
     pub integration_point: Option<Peak>,
     /// Mises stress of the nodal average.
     pub nodal: Option<Peak>,
+    /// Where the nodal peak lies beside a loaded edge: that and the centroid peak of what is farther
+    /// than a fiftieth of the contact surface from such edges.
+    pub away: Option<[Peak; 2]>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
     /// Mean of the equivalent plastic strain in the element that holds the largest.
@@ -63,15 +68,32 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
     let mesh = &scene.mesh;
     let rule = GaussRule::new();
     let copies = copies(scene);
-    let nodal = nodal_peaks(scene, recovered);
-    let body_peaks = |(body, nodal): (&crate::mesh::Body, Option<Peak>)| {
+    let edges = LoadedEdges::find(scene, state);
+    let nodal = nodal_peaks(scene, recovered, |_| true);
+    let far = |at: &[f64; 3]| !edges.are_near(at);
+    // Few scenes have a peak at an edge, and then it is worth a second look.
+    let touched = |peak: &Option<Peak>| peak.is_some_and(|p| edges.touches(mesh, state, &p));
+    let away = match nodal.iter().any(touched) {
+        true => nodal_peaks(scene, recovered, far),
+        false => vec![None; nodal.len()],
+    };
+    let centroid_peak = |body: &Body, counts: &dyn Fn(&[f64; 3]) -> bool| {
         let elements = body.elements.clone();
-        let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
-        let centroid = over(&recovered.mises_mean).map(|(element, value)| Peak {
+        let counted = elements.filter(|e| counts(&centre(&mesh.corners(*e))));
+        let values = counted.map(|e| (e, recovered.mises_mean[e]));
+        first_largest(values).map(|(element, value)| Peak {
             value,
             place: Place::Element(element),
             at: centre(&mesh.corners(element)),
-        });
+        })
+    };
+    let body_peaks = |((body, nodal), away): ((&Body, Option<Peak>), Option<Peak>)| {
+        let elements = body.elements.clone();
+        let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
+        let centroid = centroid_peak(body, &|_| true);
+        let away = away
+            .filter(|_| touched(&nodal))
+            .and_then(|nodal| Some([nodal, centroid_peak(body, &far)?]));
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
             let values = state.stress[element].iter().map(mises).enumerate();
             let (point, value) = first_largest(values)?;
@@ -97,17 +119,24 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
             centroid,
             integration_point,
             nodal,
+            away,
             peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
             peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),
             yielded_volume: copies * yielded,
             volume: copies * volume,
         }
     };
-    mesh.bodies.iter().zip(nodal).map(body_peaks).collect()
+    (mesh.bodies.iter().zip(nodal).zip(away))
+        .map(body_peaks)
+        .collect()
 }
 
-/// The nodal peak of every body.
-fn nodal_peaks(scene: &Scene, recovered: &Recovered) -> Vec<Option<Peak>> {
+/// The nodal peak of every body, of the nodes that count.
+fn nodal_peaks(
+    scene: &Scene,
+    recovered: &Recovered,
+    counts: impl Fn(&[f64; 3]) -> bool,
+) -> Vec<Option<Peak>> {
     let mut best: Vec<Option<Peak>> = vec![None; scene.mesh.bodies.len()];
     for (point, &value) in recovered.mises_nodal.iter().enumerate() {
         let Some(body) = recovered.points.body_of(point) else {
@@ -116,11 +145,13 @@ fn nodal_peaks(scene: &Scene, recovered: &Recovered) -> Vec<Option<Peak>> {
         if !value.is_nan() && best[body].is_none_or(|peak| value > peak.value) {
             let node = recovered.points.node[point] as usize;
             let at = scene.mesh.points[node];
-            best[body] = Some(Peak {
-                value,
-                place: Place::Node(node),
-                at,
-            });
+            if counts(&at) {
+                best[body] = Some(Peak {
+                    value,
+                    place: Place::Node(node),
+                    at,
+                });
+            }
         }
     }
     best

@@ -77,7 +77,8 @@ impl Level {
 
     /// The same figure on this mesh; its place may be another one.
     pub fn value_of(&self, figure: &Figure) -> Option<f64> {
-        let same = self.figures.iter().find(|f| f.what == figure.what);
+        let kind = |f: &Figure| f.what == Quantity::PeakPlasticStrain;
+        let same = self.figures.iter().find(|f| kind(f) == kind(figure));
         same.map(|f| f.value)
     }
 }
@@ -88,13 +89,24 @@ fn figures(goal: Goal, certificate: &[Claim]) -> Vec<&Claim> {
         let claims = certificate.iter().filter(|c| c.what == what);
         claims.max_by(|a, b| a.value.total_cmp(&b.value))
     };
+    // The largest of those with an error bar; one at a loaded edge where there is no other.
+    let regular = |names: [Quantity; 2]| {
+        let claims = certificate.iter().filter(|c| names.contains(&c.what));
+        let (sure, unsure): (Vec<_>, Vec<_>) =
+            claims.partition(|claim| claim.error.discretisation.is_some());
+        let claims = if sure.is_empty() { unsure } else { sure };
+        (claims.into_iter()).max_by(|a, b| a.value.total_cmp(&b.value))
+    };
     let one = |what: Quantity| largest(what).into_iter().collect();
     match goal {
         Goal::Mises => match largest(Quantity::PeakPlasticStrain) {
-            Some(strain) => (largest(Quantity::ElasticPeakMises).into_iter())
+            Some(strain) => regular([Quantity::ElasticPeakMises, Quantity::ElasticMisesAway])
+                .into_iter()
                 .chain([strain])
                 .collect(),
-            None => one(Quantity::PeakMises),
+            None => regular([Quantity::PeakMises, Quantity::MisesAway])
+                .into_iter()
+                .collect(),
         },
         Goal::PlasticStrain => one(Quantity::PeakPlasticStrain),
         Goal::Pressure => one(Quantity::PeakPressure),

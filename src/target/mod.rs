@@ -15,6 +15,7 @@ use crate::converge::cost::Meter;
 use crate::converge::{ConvergeError, Series};
 use crate::job::{self, Options, Outcome};
 use crate::solve::Observer;
+use std::f64::consts::SQRT_2;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -48,7 +49,11 @@ pub enum Verdict {
 /// Levels whose peak has no estimate before that is believed.
 const SINGULAR_LEVELS: usize = 3;
 
-/// Solves `case` level by level, each in a folder `level-<n>` of its own below that of `options`;
+/// Solves `case` level by level, the elements of a bearing's contact half as large from one to the
+/// next and the others by √2: the contact is where the error is. Others as in
+/// [`Series`].
+///
+/// Each is solved in a folder `level-<n>` of its own below that of `options`;
 /// `told` hears of every level. The outcome is that of the last one.
 ///
 /// # Errors
@@ -61,7 +66,10 @@ pub fn refine(
     observer: &mut dyn Observer,
     mut told: impl FnMut(&Level),
 ) -> Result<(Vec<Level>, Verdict, Outcome), ConvergeError> {
-    let series = Series::of(case, &[], std::f64::consts::SQRT_2)?;
+    let mut series = Series::of(case, &[], SQRT_2)?;
+    if let Series::Template { contact, .. } = &mut series {
+        *contact = SQRT_2;
+    }
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let number = levels.len();

@@ -17,6 +17,9 @@ pub struct MeshRequest {
     /// Every element this many times as large as those say, in every direction, the grading kept;
     /// see [`Sizes::scaled`].
     pub scale: f64,
+    /// Beyond that, elements across the contact lines and below them this many times as large, the
+    /// region of fine elements staying as wide and deep as it is.
+    pub contact_scale: f64,
     /// All four quarters of a centred bearing; a displaced one is always whole.
     pub full: bool,
 }
@@ -27,6 +30,7 @@ impl Default for MeshRequest {
             preset: Preset::default(),
             overrides: Vec::new(),
             scale: 1.0,
+            contact_scale: 1.0,
             full: false,
         }
     }
@@ -39,7 +43,13 @@ impl MeshRequest {
     /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
     /// are not in [`MESH_KEYS`] are passed over.
     pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
-        self.unscaled(geometry).scaled(self.scale)
+        let mut sizes = self.unscaled(geometry).scaled(self.scale);
+        sizes.roller_size *= self.contact_scale;
+        sizes.plate_size *= self.contact_scale;
+        for count in [&mut sizes.fine_elements, &mut sizes.fine_layers] {
+            *count = (*count / self.contact_scale).round().max(1.0);
+        }
+        sizes
     }
 
     fn unscaled(&self, geometry: &BearingGeometry) -> Sizes {
@@ -60,6 +70,14 @@ impl MeshRequest {
     pub fn scaled(&self, scale: f64) -> Self {
         Self {
             scale: self.scale * scale,
+            ..self.clone()
+        }
+    }
+
+    /// The same mesh with elements at the contact `scale` times as large.
+    pub fn sharpened(&self, scale: f64) -> Self {
+        Self {
+            contact_scale: self.contact_scale * scale,
             ..self.clone()
         }
     }
@@ -137,6 +155,18 @@ mod tests {
             let error = base.scaled(scale).check(&initial()).expect_err("a scale");
             assert_eq!(error.key, "scale");
         }
+    }
+
+    #[test]
+    fn a_sharper_contact_leaves_the_rest() {
+        let base = MeshRequest::default();
+        let (before, after) = (
+            base.sizes(&initial()),
+            base.sharpened(0.5).sizes(&initial()),
+        );
+        assert_eq!(after.roller_size, 0.5 * before.roller_size);
+        assert_eq!(after.fine_elements, 2.0 * before.fine_elements);
+        assert_eq!(after.crossing_size, before.crossing_size);
     }
 
     #[test]

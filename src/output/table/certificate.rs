@@ -18,9 +18,11 @@ pub(super) fn certificate(summary: &Summary) -> String {
     for claim in &summary.certificate {
         let unit = match claim.what {
             Quantity::Descent | Quantity::HalfWidth => format!(", {}", units.length),
-            Quantity::PeakMises | Quantity::ElasticPeakMises | Quantity::PeakPressure => {
-                format!(", {}", units.stress)
-            }
+            Quantity::PeakMises
+            | Quantity::MisesAway
+            | Quantity::ElasticPeakMises
+            | Quantity::ElasticMisesAway
+            | Quantity::PeakPressure => format!(", {}", units.stress),
             Quantity::ContactArea => format!(", {}", units.area()),
             Quantity::PeakPlasticStrain => String::new(),
         };

@@ -11,7 +11,7 @@ mod values;
 pub use body::{BodySummary, RollerSummary};
 pub use checks::{BalanceSummary, Checks};
 pub use inputs::{Measure, SummaryInputs};
-pub use interface::{InterfaceSummary, LineLoadSummary};
+pub use interface::{InterfaceSummary, LineLoadSummary, LineSummary};
 pub use unloaded::{DentSummary, Unloaded};
 pub use values::{Comparison, Counters, Figure, Named, Three, Timing};
 

@@ -5,6 +5,7 @@ mod body;
 mod checks;
 mod inputs;
 mod interface;
+mod sizing;
 mod unloaded;
 mod values;
 
@@ -12,6 +13,7 @@ pub use body::{BodySummary, RollerSummary};
 pub use checks::{BalanceSummary, Checks};
 pub use inputs::{Measure, SummaryInputs};
 pub use interface::{InterfaceSummary, LineLoadSummary, LineSummary};
+pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
 pub use unloaded::{DentSummary, Unloaded};
 pub use values::{Comparison, Counters, Figure, Named, Three, Timing};
 
@@ -61,6 +63,8 @@ pub struct Summary {
     pub unloaded: Option<Unloaded>,
     pub checks: Checks,
     pub comparison: Vec<Comparison>,
+    /// The sizing rules, for bearings.
+    pub sizing: Option<Sizing>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,
@@ -119,6 +123,7 @@ impl Summary {
             unloaded: inputs.unloaded.map(|state| Unloaded::new(scene, state)),
             checks: checks(&inputs.checks, &measured, applied_load, descent),
             comparison: inputs.comparison.to_vec(),
+            sizing: None,
             assumptions: inputs.assumptions.to_vec(),
             left_out: inputs.left_out.to_vec(),
             warnings: Vec::new(),

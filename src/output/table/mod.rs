@@ -2,6 +2,7 @@
 
 mod bodies;
 mod contact;
+mod sizing;
 mod unloaded;
 
 use super::left_out::{LeftOut, Saving};
@@ -9,6 +10,7 @@ use super::summary::{Checks, Figure, Summary};
 use super::text::{Columns, percent, significant};
 use bodies::{bodies, rollers};
 use contact::{contact_lines, interfaces, line_loads, statics};
+use sizing::sizing;
 use std::fmt::Write;
 use unloaded::unloaded;
 
@@ -27,6 +29,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         interfaces(summary),
         line_loads(summary),
         contact_lines(summary),
+        sizing(summary),
         statics(summary),
         unloaded(summary),
         checks(&summary.checks),

@@ -153,3 +153,97 @@ impl Pair {
         }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+    use std::path::Path;
+
+    const STEEL: Steel = Steel {
+        youngs_modulus: 29500.0,
+        poissons_ratio: 0.3,
+        yield_stress: 100.0,
+        hardening_modulus: 249.471,
+    };
+
+    fn shipped(name: &str) -> BearingCase {
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2");
+        let case = crate::case::read(&cases.join(name)).expect("the shipped case reads");
+        let Kind::Bearing(bearing) = case.kind else {
+            panic!("{name} is a bearing")
+        };
+        bearing
+    }
+
+    /// By hand for 65 kip on 8 in, D = 3 in: p0 = √(8.125 · 29500 / (2π · 0.91 · 1.5)).
+    #[test]
+    fn an_even_load_presses_as_the_report_has_it() {
+        let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
+        let even = pair.pressed(65.0 / 8.0).unwrap();
+        let p0 = (8.125 * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
+        assert!((even.hertz_pressure / p0 - 1.0).abs() < 1e-12);
+        assert!((even.hertz_pressure - 167.17).abs() < 0.005);
+        assert!((even.utilisation.unwrap() - 1.0132).abs() < 5e-5);
+        assert_eq!(even.met, Some(false));
+    }
+
+    #[test]
+    fn unlike_steels_share_the_compliance_and_the_softer_sets_the_limit() {
+        let iron = Steel {
+            youngs_modulus: 15000.0,
+            poissons_ratio: 0.25,
+            yield_stress: 40.0,
+            ..STEEL
+        };
+        let pair = Pair::new(1.5, [&STEEL, &iron]).unwrap();
+        let compliance = 0.91 / 29500.0 + 0.9375 / 15000.0;
+        let p0 = (5.0 / (PI * 1.5 * compliance)).sqrt();
+        let pressed = pair.pressed(5.0).unwrap();
+        assert!((pressed.hertz_pressure / p0 - 1.0).abs() < 1e-12);
+        assert!((pressed.utilisation.unwrap() / (p0 / 66.0) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_cannot_yield_has_no_limit() {
+        let elastic = Steel::elastic(29500.0, 0.3);
+        let pair = Pair::new(1.5, [&elastic, &elastic]).unwrap();
+        let pressed = pair.pressed(8.0).unwrap();
+        assert_eq!((pressed.utilisation, pressed.met), (None, None));
+        let bearing = shipped("initial-centre.toml");
+        assert_eq!(pair.rule("a-b", &bearing), Ok(None));
+        // Beside steel that yields, that one sets the limit.
+        let pair = Pair::new(1.5, [&elastic, &STEEL]).unwrap();
+        assert_eq!(pair.limit(), Some(165.0));
+    }
+
+    /// Table 1.2 of the references: 23.969 in² with the printed constant, 24.636 with the exact one.
+    #[test]
+    fn the_initial_design_meets_the_rule_as_printed_only() {
+        let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
+        let rule = pair.rule("a-b", &shipped("initial-centre.toml"));
+        let rule = rule.unwrap().unwrap();
+        let demands = [rule.printed, rule.exact];
+        for (demand, required) in demands.iter().zip([23.969, 24.636]) {
+            assert!((demand.required_diameter_times_length - required).abs() < 5e-4);
+            assert_eq!(demand.provided, 24.0);
+            assert!((demand.required_length - required / 3.0).abs() < 2e-4);
+        }
+        assert_eq!(demands.map(|d| d.met), [true, false]);
+    }
+
+    /// (2-51): 10.5 in are just enough at D_r = 1.25 in, and far too short at 2.5 in.
+    #[test]
+    fn a_displaced_roller_bears_on_less() {
+        let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
+        for (name, provided, met) in [
+            ("revised-offset-1.25.toml", 24.0, true),
+            ("revised-offset-2.5.toml", 16.5, false),
+        ] {
+            let rule = pair.rule("a-b", &shipped(name)).unwrap().unwrap();
+            assert_eq!((rule.printed.provided, rule.printed.met), (provided, met));
+            let asked = rule.printed.required_diameter_times_length / 3.0 + 2.0 * rule.displacement;
+            assert!((rule.printed.required_length - asked).abs() < 1e-12);
+        }
+    }
+}

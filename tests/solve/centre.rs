@@ -6,8 +6,10 @@
 use brinell::case;
 use brinell::job::{self, Options, Outcome};
 use brinell::output::Summary;
+use brinell::output::line_load::{WholeLine, whole_lines};
 use brinell::results::line_load::{Slices, line_load};
 use brinell::solve::Silent;
+use std::f64::consts::PI;
 use std::path::Path;
 
 fn run(preset: &str) -> Outcome {
@@ -81,5 +83,65 @@ fn check_line_load(outcome: &Outcome) {
 /// The coarse comparison mesh balances too.
 #[test]
 fn report_like_balances() {
-    check_forces(&run("report-like").summary);
+    let summary = run("report-like").summary;
+    check_forces(&summary);
+    check_lines(&summary);
+    check_sizing(&summary);
+}
+
+/// Lines sum to the pressure of their interface; a V line carries half of the load over the cosine
+/// of the slope (4 deg), less what friction (0.15) carries: at most 1.1 %.
+fn check_lines(summary: &Summary) {
+    let slope = 4f64.to_radians();
+    let half = 0.5 * 65.0 / slope.cos();
+    let lines = whole_lines(summary);
+    assert_eq!(lines.len(), 6);
+    for (name, interface) in &summary.interfaces.0 {
+        let lines: Vec<&WholeLine> = lines.iter().filter(|l| l.interface == name).collect();
+        let of = |line: &WholeLine| -> f64 {
+            let steps = line.rows.windows(2);
+            steps
+                .map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0))
+                .sum()
+        };
+        let total: f64 = lines.iter().map(|line| of(line)).sum();
+        assert!((total / interface.pressure_integral - 1.0).abs() < 1e-9);
+        if name.contains("intermediate") {
+            assert_eq!(lines.len(), 2);
+            assert_eq!(lines[0].across, -lines[1].across);
+            for line in lines {
+                let share = of(line) / half;
+                assert!((0.989..1.001).contains(&share), "{name}: {share}");
+            }
+        } else {
+            assert_eq!(lines.len(), 1);
+        }
+    }
+}
+
+/// Hertz's pressure under the largest and the even load of each line, by hand:
+/// p0 = √(q E / (2π (1 - ν²) R)), at most 165 ksi.
+fn check_sizing(summary: &Summary) {
+    let sizing = summary.sizing.as_ref().expect("it is a bearing");
+    let p0 = |q: f64| (q * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
+    assert_eq!(sizing.lines.len(), 4);
+    for line in &sizing.lines {
+        let interface = summary.interfaces.get(&line.interface).expect("known");
+        assert_eq!(line.peak_line_load, interface.lines[0].peak);
+        for (q, found) in [
+            (line.peak_line_load, line.hertz_pressure),
+            (line.even.line_load, line.even.hertz_pressure),
+        ] {
+            assert!((found / p0(q) - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(line.limit, Some(165.0));
+        assert_eq!(line.met, Some(line.hertz_pressure <= 165.0));
+        assert!((line.from_end + line.at.abs() - 4.0).abs() < 1e-12);
+        let whole = line.even.line_load * 8.0 * line.images as f64;
+        assert!((whole / interface.pressure_integral - 1.0).abs() < 1e-9);
+    }
+    let flat = &sizing.lines[0].even;
+    assert!((flat.hertz_pressure - 167.17).abs() < 0.05 && flat.met == Some(false));
+    let rule = sizing.rule.as_ref().expect("it can yield");
+    assert!(rule.printed.met && !rule.exact.met);
 }

@@ -11,6 +11,7 @@ use crate::analytic::sizing::{
     within_limit,
 };
 use crate::analytic::{DomainError, Elastic, contact_compliance};
+use crate::case::bearing::BearingGeometry;
 use crate::case::{BearingCase, Case, Kind};
 use crate::material::Steel;
 use crate::output::Summary;
@@ -38,7 +39,10 @@ fn sized(bearing: &BearingCase, scene: &Scene, summary: &Summary) -> Result<Sizi
         };
         let pair = Pair::new(bearing.geometry.radius(), steels)?;
         for line in &interface.lines {
-            lines.push(pair.line(name, line, bearing.geometry.length)?);
+            lines.push(SizedLine {
+                merged: is_merged(name, line, &bearing.geometry),
+                ..pair.line(name, line, bearing.geometry.length)?
+            });
         }
         let demanded = |rule: &SizingRule| rule.exact.required_diameter_times_length;
         if let Some(asked) = pair.rule(name, bearing)?
@@ -55,6 +59,12 @@ fn steels<'s>(scene: &'s Scene, interface: &str) -> Option<[&'s Steel; 2]> {
     let (upper, lower) = interface.split_once('-')?;
     let steel = |body: &str| scene.materials.get(scene.mesh.body(body)?);
     Some([steel(upper)?, steel(lower)?])
+}
+
+/// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
+fn is_merged(interface: &str, line: &LineSummary, geometry: &BearingGeometry) -> bool {
+    let in_valley = geometry.is_centred() && interface.contains("intermediate_plate");
+    in_valley && line.across.abs() < 0.5 * geometry.v_line()
 }
 
 /// A roller and what it presses on.
@@ -106,6 +116,7 @@ impl Pair {
             interface: interface.to_owned(),
             across: line.across,
             images: line.images,
+            merged: false,
             peak_line_load: line.peak,
             at: line.peak_at,
             from_end: (0.5 * roller - line.peak_at.abs()).max(0.0),

@@ -50,6 +50,9 @@ pub struct SizedLine {
     /// Mean coordinate across, and how many such lines the whole bearing has.
     pub across: f64,
     pub images: usize,
+    /// Is this both lines of a V, which the mesh is too coarse to tell apart? Then it carries the
+    /// load of two.
+    pub merged: bool,
     /// Largest force normal to the surface per length, and the coordinate along where it is.
     pub peak_line_load: f64,
     pub at: f64,

@@ -76,7 +76,7 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Option<String> {
     for line in &sizing.lines {
         table.row([
             line.interface.clone(),
-            significant(line.across, 3),
+            format!("{}{}", significant(line.across, 3), star(line.merged)),
             significant(line.peak_line_load, DIGITS),
             significant(line.from_end, 3),
             significant(line.hertz_pressure, DIGITS),
@@ -88,5 +88,14 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Option<String> {
             line.even.utilisation.map_or_else(dash, percent),
         ]);
     }
-    (!table.is_empty()).then(|| table.render())
+    let merged = sizing.lines.iter().any(|line| line.merged);
+    let note = match merged {
+        true => "  * both lines of the V in one: the mesh is too coarse to tell them apart\n",
+        false => "",
+    };
+    (!table.is_empty()).then(|| table.render() + note)
+}
+
+fn star(marked: bool) -> &'static str {
+    if marked { "*" } else { "" }
 }

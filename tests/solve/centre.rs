@@ -156,3 +156,41 @@ fn check_sizing(summary: &Summary, in_valley: usize) {
     let rule = sizing.rule.as_ref().expect("it can yield");
     assert!(rule.printed.met && !rule.exact.met);
 }
+
+/// Where neither side of an interface can yield, its pressure has no limit; the run goes through.
+#[test]
+fn steel_that_cannot_yield_has_no_limit() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let [case, mesh] = [
+        "cases/section-2.6.2/initial-centre.toml",
+        "meshes/section-2.6.2/initial-centre-report-like.msh.gz",
+    ];
+    for file in [case, mesh] {
+        let parent = folder.path().join(file);
+        let parent = parent.parent().expect("a parent");
+        std::fs::create_dir_all(parent).expect("a folder");
+    }
+    std::fs::copy(root.join(mesh), folder.path().join(mesh)).expect("the shipped mesh");
+    let text = std::fs::read_to_string(root.join(case)).expect("the shipped case");
+    let elastic = ["upper_roller", "intermediate_plate"]
+        .map(|body| format!("[steel.{body}]\nelastic = true\n\n"))
+        .concat();
+    let text = text.replacen("[mesh]", &format!("{elastic}[mesh]"), 1);
+    std::fs::write(folder.path().join(case), text).expect("a case");
+    let mut case = case::read(&folder.path().join(case)).expect("the case reads");
+    case.set_preset("report-like").expect("a preset");
+    let options = Options {
+        out: None,
+        elastic_peaks: false,
+    };
+    let outcome = job::run(&case, &options, &mut Silent).expect("it runs");
+    let sizing = outcome.summary.sizing.expect("it is a bearing");
+    let limits: Vec<Option<f64>> = sizing.lines.iter().map(|line| line.limit).collect();
+    assert_eq!(limits, [Some(165.0), None, Some(165.0), Some(165.0)]);
+    assert_eq!(
+        (sizing.lines[1].utilisation, sizing.lines[1].met),
+        (None, None)
+    );
+    assert!(sizing.lines[1].hertz_pressure > 0.0 && sizing.rule.is_some());
+}

@@ -65,7 +65,7 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Option<String> {
         &format!("largest {}", units.line_load()),
         "from end",
         &pressure,
-        &format!("limit {}", units.stress),
+        "limit",
         "of limit",
         "met",
         &format!("even {}", units.line_load()),

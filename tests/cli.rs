@@ -369,9 +369,12 @@ fn a_body_that_nothing_can_hold_is_named() {
 fn a_run_that_fails_leaves_no_older_answer() {
     let folder = folder(SCENE, &blocks(0.0, 0.0));
     brinell(folder.path(), "run scene.toml --out out").code(0);
+    let files = ["summary.json", "line-load.csv", "line-load.svg"];
+    let left = |name: &&str| folder.path().join("out").join(name).exists();
+    assert!(files.iter().all(left));
     std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
     brinell(folder.path(), "run scene.toml --out out").code(2);
-    assert!(!folder.path().join("out/summary.json").exists());
+    assert!(!files.iter().any(left));
 }
 
 #[test]
@@ -454,6 +457,14 @@ fn the_main_case_runs_from_any_folder_on_its_shipped_mesh() {
         assert!(row.get(key).is_some(), "`{key}` is missing in {row}");
     }
     assert!(!collected(&out, "initial-centre.pvd").is_empty());
+    assert!(summary["sizing"]["lines"][0]["hertz_pressure"].is_f64());
+    assert!(summary["sizing"]["rule"]["exact"]["required_diameter_times_length"].is_f64());
+    assert!(text.contains("Sizing rules (2-49) to (2-51)"), "{text}");
+    let data = std::fs::read_to_string(out.join("line-load.csv")).unwrap();
+    assert!(data.starts_with("interface,axis,line across at [in],along [in],line load [kip/in]"));
+    assert!(INTERFACES.iter().all(|name| data.contains(name)));
+    let picture = std::fs::read_to_string(out.join("line-load.svg")).unwrap();
+    assert!(INTERFACES.iter().all(|name| picture.contains(name)));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::fit::{self, Quantity};
 use crate::kit::{Failure, machine};
 use crate::record::Record;
 use crate::sizes::Model;
-use brinell::converge::plot::{Figure, Line, Panel, write};
+use brinell::output::plot::{Figure, Line, Panel, Scale, write};
 use brinell::output::text::significant;
 use std::path::Path;
 
@@ -159,13 +159,19 @@ pub fn picture(series: &Series, path: &Path) -> Result<(), Failure> {
         });
         panels.push(Panel {
             title: format!("longest phases ({}), wall s", model.name()),
-            x: "unknowns",
+            axes: ["unknowns".to_string(), String::new()],
+            scale: Scale::Decades,
             lines: lines.collect(),
-            floor: None,
+            dashed: Vec::new(),
         });
         legend.extend(phases.into_iter().map(|phase| phase.name));
     }
-    Ok(write(&Figure { panels, legend }, path)?)
+    let figure = Figure {
+        panels,
+        legend,
+        dashed: String::new(),
+    };
+    Ok(write(&figure, path)?)
 }
 
 fn panel(quantity: &Quantity, series: &Series) -> Panel {
@@ -190,8 +196,9 @@ fn panel(quantity: &Quantity, series: &Series) -> Panel {
     }
     Panel {
         title: quantity.name.clone(),
-        x: "unknowns",
+        axes: ["unknowns".to_string(), String::new()],
+        scale: Scale::Decades,
         lines,
-        floor: None,
+        dashed: Vec::new(),
     }
 }

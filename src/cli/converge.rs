@@ -5,6 +5,7 @@ use super::{CommandResult, Status, say};
 use crate::case::{self, Case, Kind};
 use crate::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
 use crate::converge::{self, ConvergeError, Series, Study, json, page, peers, plot, table};
+use crate::output::plot::write;
 use crate::scene::ElementKind;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -182,7 +183,7 @@ impl Job {
                 json::write(study, &self.out.join(JSON))?;
                 let figure = plot::figure(study);
                 if !figure.panels.is_empty() {
-                    plot::write(&figure, &self.out.join(PLOT))?;
+                    write(&figure, &self.out.join(PLOT))?;
                 }
             }
         }

@@ -37,9 +37,6 @@ pub enum ConvergeError {
         why: String,
         help: &'static str,
     },
-    #[error("the plot cannot be drawn: {0}")]
-    #[diagnostic(code(brinell::converge::plot))]
-    Plot(String),
     #[error("the stored results of other programs cannot be read: {0}")]
     #[diagnostic(code(brinell::converge::peers))]
     Peers(String),

@@ -2,10 +2,11 @@
 
 use super::ConvergeError;
 use super::peers::{PeerErrors, Peers};
-use super::plot::{figure_with_peers, write};
+use super::plot::figure_with_peers;
 use super::study::{Curve, Study};
 use super::table::{memory, order, reference, signed_percent};
 use crate::output::file::write_atomically;
+use crate::output::plot::write;
 use crate::output::text::significant;
 use std::path::Path;
 

@@ -109,8 +109,11 @@ fn even_load(bearing: &BearingCase, scene: &Scene) -> Result<HandbookAnswer, Job
         Metal {
             youngs_modulus: steel.youngs_modulus,
             poissons_ratio: steel.poissons_ratio,
-            // Of an elastic body any will do: nothing that is taken from here depends on it.
-            yield_stress: steel.yield_stress.min(steel.youngs_modulus),
+            // No figure that is taken from here depends on it.
+            yield_stress: match steel.is_elastic() {
+                true => steel.youngs_modulus,
+                false => steel.yield_stress,
+            },
         }
     };
     let g = &bearing.geometry;

@@ -8,11 +8,12 @@ mod left_out;
 mod limits;
 mod mesh;
 mod record;
+mod sizing;
 
 use crate::case::{Case, Kind};
 use crate::mesh::Mesh;
 use crate::output::summary::{Checks, Counters, Named, Timing};
-use crate::output::{Summary, SummaryInputs, UnitLabels};
+use crate::output::{Summary, SummaryInputs, UnitLabels, line_load};
 use crate::results::State;
 use crate::results::bore::Bore;
 use crate::results::load::applied;
@@ -92,7 +93,9 @@ pub fn run(
     let start = Instant::now();
     if let Some(out) = &options.out {
         std::fs::create_dir_all(out).map_err(|error| JobError::folder(out, error))?;
-        forget(&out.join(SUMMARY))?;
+        for file in line_load::FILES.into_iter().chain([SUMMARY]) {
+            forget(&out.join(file))?;
+        }
     }
     let mesh = find_mesh(case, options.out.as_deref(), &mut |line| {
         observer.message(line)
@@ -144,6 +147,7 @@ pub fn run_on(
     let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing, options)?;
     if let Some(out) = &options.out {
         summary.write(&out.join(SUMMARY))?;
+        line_load::write(&summary, out)?;
     }
     Ok(Outcome {
         interrupted: !solution.complete || observer.cancelled(),
@@ -252,6 +256,7 @@ fn summarise(
     inputs.comparison = &comparison;
     Ok(Summary {
         comparison: comparison.clone(),
+        sizing: sizing::sizing(case, scene, &bare)?,
         ..bare
     })
 }

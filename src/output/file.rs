@@ -20,6 +20,8 @@ pub enum OutputError {
     Misfit(#[from] Misfit),
     #[error("the mesh has no surface that carries the pressure of contact pair {pair}")]
     NoCarrier { pair: String },
+    #[error("the plot {} cannot be drawn: {why}", path.display())]
+    Plot { path: PathBuf, why: String },
 }
 
 /// Writes a file under a temporary name in the same folder, makes it durable and renames it, so

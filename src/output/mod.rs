@@ -1,5 +1,5 @@
-//! What people and other programs read: the terminal table, `summary.json`, VTK files,
-//! and decks for other solvers.
+//! What people and other programs read: the terminal table, `summary.json`, line loads, plots, VTK
+//! files, and decks for other solvers.
 //!
 //! Nothing here knows how a scene is solved. Fields and scalars come from
 //! [`results`](crate::results); here they get names, units and a file format.
@@ -10,6 +10,8 @@ pub mod file;
 pub mod grid;
 pub mod inp;
 pub mod left_out;
+pub mod line_load;
+pub mod plot;
 pub mod pvd;
 pub mod series;
 pub mod summary;

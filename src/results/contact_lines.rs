@@ -35,6 +35,18 @@ impl ContactLine {
         rows.filter(|(load, _)| *load > 0.0)
             .reduce(|most, row| if row.0 > most.0 { row } else { most })
     }
+
+    /// Load per length, spread evenly over the whole length of the carrier.
+    pub fn mean(&self) -> f64 {
+        let rows = || self.at.windows(2).zip(self.load.windows(2));
+        let force: f64 = rows()
+            .map(|(at, q)| 0.5 * (q[0] + q[1]) * (at[1] - at[0]))
+            .sum();
+        match (self.at.first(), self.at.last()) {
+            (Some(first), Some(last)) if last > first => force / (last - first),
+            _ => 0.0,
+        }
+    }
 }
 
 /// Adjacent nodes of a row that press.

@@ -11,6 +11,7 @@ fn a_line_cut_by_a_mirror_is_one_and_whole() {
     assert_eq!(line.at, [0.0, 0.2, 0.5, 1.0]);
     // 32.5 over the whole width of 1.
     line.load.iter().for_each(|load| close(*load, 32.5));
+    close(line.mean(), 32.5);
     close(line.length, 2.0);
     close(line.lifted_off, 0.0);
 }
@@ -36,6 +37,7 @@ fn a_line_beside_the_mirror_is_two_and_may_lift_off() {
     let (peak, at) = line.peak().unwrap();
     close(peak, 0.125 * 32.5);
     assert!(at < 0.6);
+    close(line.mean(), 0.75 * peak);
 }
 
 #[test]

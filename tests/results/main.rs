@@ -7,6 +7,7 @@ mod contact_lines;
 mod deck;
 mod dent;
 mod interface;
+mod line_load;
 mod recovery;
 mod summary;
 mod vtk_readback;

@@ -12,7 +12,7 @@ use brinell::results::recovery::recover;
 use brinell::scene::Scene;
 use serde_json::Value;
 
-fn summarise(scene: &Scene, state: &State) -> Summary {
+pub fn summarise(scene: &Scene, state: &State) -> Summary {
     let recovered = recover(scene, state);
     let elastic = peaks(scene, state, &recovered);
     let comparison = [Comparison {
@@ -154,6 +154,7 @@ fn the_summary_has_every_key_and_no_nan() {
         "/interfaces/block-plate/centre_of_force/2",
         "/interfaces/block-plate/lines/0/load/3",
         "/interfaces/block-plate/lines/0/lifted_off",
+        "/interfaces/block-plate/lines/0/mean",
         "/stiffness",
         "/load_line/0/step",
         "/load_line/0/load",
@@ -177,6 +178,7 @@ fn the_summary_has_every_key_and_no_nan() {
         "/rollers/block/bore_mises",
         "/rollers/block/bore_mises_nodal",
         "/comparison/0/hertz",
+        "/sizing",
         "/bodies/plate/elastic_mises_max",
     ] {
         assert_eq!(json.pointer(pointer), Some(&Value::Null), "{pointer}");

@@ -6,8 +6,10 @@
 use brinell::case;
 use brinell::job::{self, Options, Outcome};
 use brinell::output::Summary;
+use brinell::output::line_load::{WholeLine, whole_lines};
 use brinell::results::line_load::{Slices, line_load};
 use brinell::solve::Silent;
+use std::f64::consts::PI;
 use std::path::Path;
 
 fn run(preset: &str) -> Outcome {
@@ -52,6 +54,8 @@ fn h025_balances_yields_and_descends_as_the_study_says() {
     let strain = bodies.map(|(_, b)| b.peeq_max).fold(0.0, f64::max);
     assert!((3e-4..=5e-3).contains(&strain), "{strain}");
     check_line_load(&outcome);
+    check_lines(summary, 2);
+    check_sizing(summary, 2);
 }
 
 /// Line load of the re-run by slices from the crossing, kip/in; within 10 % of the largest value of
@@ -81,5 +85,112 @@ fn check_line_load(outcome: &Outcome) {
 /// The coarse comparison mesh balances too.
 #[test]
 fn report_like_balances() {
-    check_forces(&run("report-like").summary);
+    let summary = run("report-like").summary;
+    check_forces(&summary);
+    // Its rows of nodes are too far apart for the two lines of a V.
+    check_lines(&summary, 1);
+    check_sizing(&summary, 1);
+}
+
+/// Lines sum to the pressure of their interface; the lines of a V, where there are two, carry half
+/// of the load over the cosine of the slope (4 deg) each, less what friction (0.15) carries: at
+/// most 1.1 %.
+fn check_lines(summary: &Summary, in_valley: usize) {
+    let half = 0.5 * 65.0 / 4f64.to_radians().cos();
+    let lines = whole_lines(summary);
+    assert_eq!(lines.len(), 2 + 2 * in_valley);
+    for (name, interface) in &summary.interfaces.0 {
+        let lines: Vec<&WholeLine> = lines.iter().filter(|l| l.interface == name).collect();
+        let of = |line: &WholeLine| -> f64 {
+            let steps = line.rows.windows(2);
+            steps
+                .map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0))
+                .sum()
+        };
+        let total: f64 = lines.iter().map(|line| of(line)).sum();
+        assert!((total / interface.pressure_integral - 1.0).abs() < 1e-9);
+        if !name.contains("intermediate") {
+            assert_eq!(lines.len(), 1);
+            continue;
+        }
+        assert_eq!(lines.len(), in_valley);
+        let line = lines[0];
+        if in_valley == 2 {
+            // At R sin 4 deg, to half the width of the contact.
+            assert_eq!(line.across, -lines[1].across);
+            assert!((line.across.abs() - 0.105).abs() < 0.03, "{}", line.across);
+            let share = of(line) / half;
+            assert!((0.989..1.001).contains(&share), "{name}: {share}");
+        } else {
+            assert_eq!(line.across, 0.0);
+        }
+    }
+}
+
+/// Hertz's pressure under the largest and the even load of each line, by hand:
+/// p0 = √(q E / (2π (1 - ν²) R)), at most 165 ksi.
+fn check_sizing(summary: &Summary, in_valley: usize) {
+    let sizing = summary.sizing.as_ref().expect("it is a bearing");
+    let p0 = |q: f64| (q * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
+    assert_eq!(sizing.lines.len(), 4);
+    for line in &sizing.lines {
+        let interface = summary.interfaces.get(&line.interface).expect("known");
+        assert_eq!(line.peak_line_load, interface.lines[0].peak);
+        for (q, found) in [
+            (line.peak_line_load, line.hertz_pressure),
+            (line.even.line_load, line.even.hertz_pressure),
+        ] {
+            assert!((found / p0(q) - 1.0).abs() < 1e-12);
+        }
+        let valley = line.interface.contains("intermediate");
+        assert_eq!(line.images, if valley { in_valley } else { 1 });
+        assert_eq!(line.merged, valley && in_valley == 1);
+        assert_eq!(line.limit, Some(165.0));
+        assert_eq!(line.met, Some(line.hertz_pressure <= 165.0));
+        assert!((line.from_end + line.at.abs() - 4.0).abs() < 1e-12);
+        let whole = line.even.line_load * 8.0 * line.images as f64;
+        assert!((whole / interface.pressure_integral - 1.0).abs() < 1e-9);
+    }
+    let flat = &sizing.lines[0].even;
+    assert!((flat.hertz_pressure - 167.17).abs() < 0.05 && flat.met == Some(false));
+    let rule = sizing.rule.as_ref().expect("it can yield");
+    assert!(rule.printed.met && !rule.exact.met);
+}
+
+/// Where neither side of an interface can yield, its pressure has no limit; the run goes through.
+#[test]
+fn steel_that_cannot_yield_has_no_limit() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let [case, mesh] = [
+        "cases/section-2.6.2/initial-centre.toml",
+        "meshes/section-2.6.2/initial-centre-report-like.msh.gz",
+    ];
+    for file in [case, mesh] {
+        let parent = folder.path().join(file);
+        let parent = parent.parent().expect("a parent");
+        std::fs::create_dir_all(parent).expect("a folder");
+    }
+    std::fs::copy(root.join(mesh), folder.path().join(mesh)).expect("the shipped mesh");
+    let text = std::fs::read_to_string(root.join(case)).expect("the shipped case");
+    let elastic = ["upper_roller", "intermediate_plate"]
+        .map(|body| format!("[steel.{body}]\nelastic = true\n\n"))
+        .concat();
+    let text = text.replacen("[mesh]", &format!("{elastic}[mesh]"), 1);
+    std::fs::write(folder.path().join(case), text).expect("a case");
+    let mut case = case::read(&folder.path().join(case)).expect("the case reads");
+    case.set_preset("report-like").expect("a preset");
+    let options = Options {
+        out: None,
+        elastic_peaks: false,
+    };
+    let outcome = job::run(&case, &options, &mut Silent).expect("it runs");
+    let sizing = outcome.summary.sizing.expect("it is a bearing");
+    let limits: Vec<Option<f64>> = sizing.lines.iter().map(|line| line.limit).collect();
+    assert_eq!(limits, [Some(165.0), None, Some(165.0), Some(165.0)]);
+    assert_eq!(
+        (sizing.lines[1].utilisation, sizing.lines[1].met),
+        (None, None)
+    );
+    assert!(sizing.lines[1].hertz_pressure > 0.0 && sizing.rule.is_some());
 }

@@ -7,6 +7,7 @@ use crate::results::edges::carrier;
 use crate::results::interface::{Interface, StatusCounts};
 use crate::results::line_load::{LineLoad, Slices, line_load};
 use crate::results::strip::half_width;
+use crate::scene::Scene;
 use serde::{Serialize, Serializer};
 
 /// Line load of an interface.
@@ -50,18 +51,25 @@ pub struct InterfaceSummary {
 /// A line of contact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LineSummary {
+    /// The axis along which it runs: x, y or z.
+    pub axis: &'static str,
     /// Mean coordinate across.
     pub across: f64,
     /// Lines like this one in the whole bearing.
     pub images: usize,
+    /// Do its rows stand for those at the opposite coordinates along, too?
+    pub mirrored: bool,
     /// Coordinates of the rows of nodes along the line.
     pub at: Vec<f64>,
-    /// Force normal to the surface per length, row by row.
+    /// Force normal to the surface per length, row by row; its integral by the trapezoidal rule is
+    /// the force.
     pub load: Vec<f64>,
     pub peak: f64,
     pub peak_at: f64,
     /// Of the strip of pressure where the load is largest.
     pub half_width: f64,
+    /// The force of the line, spread evenly over the whole length of the carrier.
+    pub mean: f64,
     /// Length in contact, in the whole, and of the carrier that has lifted off.
     pub length: f64,
     pub lifted_off: f64,
@@ -80,7 +88,10 @@ pub(super) fn interface_summary(
     };
     let strip = asked.and_then(|measure| measure.strip);
     let axis = slices.as_ref().map(|s| s.axis);
-    let lines = axis.map_or_else(Vec::new, |axis| contact_lines(scene, state, pair, axis));
+    let lines = axis.into_iter().flat_map(|axis| {
+        let lines = contact_lines(scene, state, pair, axis).into_iter();
+        lines.filter_map(move |line| line_summary(scene, line, axis))
+    });
     InterfaceSummary {
         force: measured.force,
         normal_force: measured.normal_force,
@@ -106,13 +117,20 @@ pub(super) fn interface_summary(
             .and_then(|s| line_load(scene, state, pair, &s))
             .map(LineLoadSummary::from),
         centre_of_force: centre_of_force(scene, state, pair),
-        lines: lines.into_iter().filter_map(line_summary).collect(),
+        lines: lines.collect(),
     }
 }
 
-fn line_summary(line: ContactLine) -> Option<LineSummary> {
+fn axis_name(axis: usize) -> &'static str {
+    ["x", "y", "z"].get(axis).copied().unwrap_or("?")
+}
+
+fn line_summary(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineSummary> {
     let (peak, peak_at) = line.peak()?;
     Some(LineSummary {
+        axis: axis_name(axis),
+        mean: line.mean(),
+        mirrored: scene.mirrors.contains(&axis),
         across: line.across,
         images: line.images,
         at: line.at,
@@ -128,10 +146,7 @@ fn line_summary(line: ContactLine) -> Option<LineSummary> {
 impl From<LineLoad> for LineLoadSummary {
     fn from(load: LineLoad) -> Self {
         Self {
-            axis: ["x", "y", "z"]
-                .get(load.slices.axis)
-                .copied()
-                .unwrap_or("?"),
+            axis: axis_name(load.slices.axis),
             edges: load.slices.edges,
             values: load.q,
             mirrored: load.mirrored,

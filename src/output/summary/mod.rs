@@ -6,14 +6,16 @@ mod checks;
 mod inputs;
 mod interface;
 mod load_line;
+mod sizing;
 mod unloaded;
 mod values;
 
 pub use body::{BodySummary, RollerSummary};
 pub use checks::{BalanceSummary, Checks};
 pub use inputs::{Measure, SummaryInputs};
-pub use interface::{InterfaceSummary, LineLoadSummary};
+pub use interface::{InterfaceSummary, LineLoadSummary, LineSummary};
 pub use load_line::LoadPoint;
+pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
 pub use unloaded::{DentSummary, Unloaded};
 pub use values::{Comparison, Counters, Figure, Named, Three, Timing};
 
@@ -68,6 +70,8 @@ pub struct Summary {
     /// What the figures are worth.
     pub certificate: Vec<Claim>,
     pub comparison: Vec<Comparison>,
+    /// The sizing rules, for bearings.
+    pub sizing: Option<Sizing>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,
@@ -134,6 +138,7 @@ impl Summary {
                 elastic: inputs.elastic,
             }),
             comparison: inputs.comparison.to_vec(),
+            sizing: None,
             assumptions: inputs.assumptions.to_vec(),
             left_out: inputs.left_out.to_vec(),
             warnings: Vec::new(),

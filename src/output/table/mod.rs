@@ -4,6 +4,7 @@ mod bodies;
 mod certificate;
 mod contact;
 mod load_line;
+mod sizing;
 mod unloaded;
 
 use super::left_out::{LeftOut, Saving};
@@ -13,6 +14,7 @@ use bodies::{bodies, rollers};
 use certificate::certificate;
 use contact::{contact_lines, interfaces, line_loads, statics};
 use load_line::load_line;
+use sizing::sizing;
 use std::fmt::Write;
 use unloaded::unloaded;
 
@@ -31,6 +33,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         interfaces(summary),
         line_loads(summary),
         contact_lines(summary),
+        sizing(summary),
         statics(summary),
         load_line(summary),
         unloaded(summary),

@@ -1,0 +1,80 @@
+//! The sizing rules (2-49) to (2-51) of the reference study, in the summary.
+
+use serde::Serialize;
+
+/// What the sizing rules say of a bearing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sizing {
+    /// (2-50) and (2-51); none where nothing can yield.
+    pub rule: Option<SizingRule>,
+    /// (2-49) under the actual load of each line of contact.
+    pub lines: Vec<SizedLine>,
+}
+
+/// The rule (2-50) with the effective length of (2-51).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SizingRule {
+    /// The interface whose steels ask for most.
+    pub interface: String,
+    /// P on the whole bearing.
+    pub load: f64,
+    pub diameter: f64,
+    /// L', of the roller.
+    pub length: f64,
+    /// D_r of this case, from the centre.
+    pub displacement: f64,
+    /// L = L' - 2 D_r, (2-51): what is taken to bear.
+    pub effective_length: f64,
+    /// With the constant as the study prints it, and with the exact one.
+    pub printed: Demand,
+    pub exact: Demand,
+}
+
+/// (2-50) with one constant: D L ≥ P E_s / (c σ_y²).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Demand {
+    /// c.
+    pub constant: f64,
+    /// D L that the load asks for, and the D L that there is; areas.
+    pub required_diameter_times_length: f64,
+    pub provided: f64,
+    /// L' = L + 2 D_r that the load asks for, (2-51).
+    pub required_length: f64,
+    pub met: bool,
+}
+
+/// The demand σ_c ≤ 1.65 σ_y, (2-49), on a line of contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SizedLine {
+    pub interface: String,
+    /// Mean coordinate across, and how many such lines the whole bearing has.
+    pub across: f64,
+    pub images: usize,
+    /// Is this both lines of a V, which the mesh is too coarse to tell apart? Then it carries the
+    /// load of two.
+    pub merged: bool,
+    /// Largest force normal to the surface per length, and the coordinate along where it is.
+    pub peak_line_load: f64,
+    pub at: f64,
+    /// From there to the nearer end of the roller. Near zero, the end makes the peak, which then
+    /// belongs to the mesh.
+    pub from_end: f64,
+    /// p0 under that load, as if it were the same all along.
+    pub hertz_pressure: f64,
+    /// 1.65 times the lower yield stress of the two sides; none where neither yields.
+    pub limit: Option<f64>,
+    /// p0 over the limit.
+    pub utilisation: Option<f64>,
+    pub met: Option<bool>,
+    /// The same for the force of the line spread evenly over the length of the roller.
+    pub even: EvenLoad,
+}
+
+/// A line of contact under an even load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct EvenLoad {
+    pub line_load: f64,
+    pub hertz_pressure: f64,
+    pub utilisation: Option<f64>,
+    pub met: Option<bool>,
+}

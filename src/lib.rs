@@ -29,6 +29,7 @@ pub mod output;
 pub mod results;
 pub mod scene;
 pub mod solve;
+pub mod study;
 pub mod target;
 pub mod units;
 pub mod verify;

@@ -8,6 +8,9 @@ use super::parse::{Field, Table};
 use super::source::Located;
 use crate::units::Dimension;
 
+/// Share of the load that is left after unloading, where the case does not say.
+pub(super) const UNLOAD_TO: f64 = 1e-3;
+
 const KEYS: &[&str] = &[
     "load",
     "friction",
@@ -218,7 +221,7 @@ impl<'a, 'b> Reader<'a, 'b> {
     pub fn unload(&mut self) -> Result<Option<f64>, CaseError> {
         let asked = self.flag("unload")?.is_some_and(|asked| asked.value);
         let share = match self.table.get("unload_to") {
-            None => 1e-3,
+            None => UNLOAD_TO,
             Some(field) => {
                 let within = |share: &f64| *share > 0.0 && *share < 1.0;
                 field

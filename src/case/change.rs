@@ -1,6 +1,7 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
 use super::bearing::{MeshRequest, Preset};
+use super::bearing_reader::UNLOAD_TO;
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};
@@ -43,6 +44,16 @@ impl Case {
     pub fn set_full(&mut self) -> Result<(), CaseError> {
         self.bearing_mut("a full model")?.mesh.full = true;
         self.note("bearing.full", "the whole bearing");
+        Ok(())
+    }
+
+    /// Unloads a bearing in the end, to 0.1 % of the load where the case does not say.
+    ///
+    /// # Errors
+    /// Where the case is a general scene, which has steps of its own.
+    pub fn set_unloading(&mut self) -> Result<(), CaseError> {
+        let bearing = self.bearing_mut("unloading")?;
+        bearing.unload_to.get_or_insert(UNLOAD_TO);
         Ok(())
     }
 

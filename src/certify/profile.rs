@@ -11,6 +11,9 @@ use crate::scene::Scene;
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
+const UNRESOLVED: &str = "the nodes are farther apart than the strip of contact is wide: the figure \
+                          belongs to the mesh";
+
 /// The strip of pressure that carries most.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Width {
@@ -50,6 +53,11 @@ impl Width {
         })
     }
 
+    /// Are there nodes within the strip?
+    fn is_resolved(&self) -> bool {
+        self.spacing < self.half
+    }
+
     /// Relative error of peak pressure and half-width: (h/a)²/4. Of the half-width it is what is
     /// measured on problem H (7.1, 1.64, 0.39 and 0.11 % at h/a = 1/2 to 1/16); the peak of a profile
     /// of straight pieces misses p'' h²/8, which is as much.
@@ -71,20 +79,24 @@ pub(super) fn claims(
     let Some(width) = strip.or_else(patch) else {
         return Vec::new();
     };
-    let claim = |what: Quantity, value: f64, error: f64| Claim {
+    let resolved = width.is_resolved();
+    let claim = |what: Quantity, value: f64, error: Option<f64>| Claim {
         what,
         place: interface.name.clone(),
         value,
         error: Errors {
-            discretisation: Some(error),
+            discretisation: error,
             ..Errors::default()
         },
-        note: None,
+        note: (!resolved).then_some(UNRESOLVED),
     };
-    let (peak, error) = (interface.max_pressure, width.error());
-    let mut claims = vec![claim(Quantity::PeakPressure, peak, error * peak)];
-    claims.extend(strip.map(|s| claim(Quantity::HalfWidth, s.half, error * s.half)));
+    let error = |value: f64| resolved.then(|| width.error() * value);
+    let peak = interface.max_pressure;
+    let mut claims = vec![claim(Quantity::PeakPressure, peak, error(peak))];
+    let strip = strip.filter(|_| resolved);
+    claims.extend(strip.map(|s| claim(Quantity::HalfWidth, s.half, error(s.half))));
     let band = 0.5 * copies(scene) * rim(scene, state, pair);
+    let band = resolved.then_some(band);
     claims.push(claim(Quantity::ContactArea, interface.area, band));
     claims
 }

@@ -6,6 +6,7 @@ pub mod export;
 pub mod hertz;
 pub mod mesh;
 pub mod run;
+pub mod study;
 pub mod verify;
 
 use crate::case::{self, Case};
@@ -35,6 +36,8 @@ enum Command {
     Hertz(hertz::HertzArgs),
     /// One case on a series of meshes: error against unknowns, run time and memory.
     Converge(converge::ConvergeArgs),
+    /// The published study, rerun: printed values, the coarse mesh, resolved meshes, Hertz.
+    Study(study::StudyArgs),
     /// The verification ladder: problems with known answers, and how far off the program is.
     Verify(verify::VerifyArgs),
 }
@@ -60,6 +63,7 @@ impl Cli {
             Command::Mesh(args) => mesh::run(&args),
             Command::Export(args) => export::run(&args),
             Command::Converge(args) => converge::run(&args),
+            Command::Study(args) => study::run(&args),
             Command::Verify(args) => verify::run(&args),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| Status::Done)

@@ -11,6 +11,7 @@ pub mod grid;
 pub mod inp;
 pub mod left_out;
 pub mod line_load;
+pub mod page;
 pub mod plot;
 pub mod pvd;
 pub mod series;

@@ -1,0 +1,109 @@
+//! `brinell study`: the published study, rerun.
+
+use super::console::Console;
+use super::{CommandResult, Status, say};
+use crate::converge::ConvergeError;
+use crate::study::{self, MEMBERS, Meshes, NAME, PAGE};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+
+/// A mesh of the study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Mesh {
+    ReportLike,
+    Resolved,
+}
+
+#[derive(Debug, Args)]
+pub struct StudyArgs {
+    /// The study: section-2.6.2.
+    pub study: String,
+    /// Only on this mesh; by default on both.
+    #[arg(long, value_enum)]
+    pub mesh: Option<Mesh>,
+    /// Folder of the results; by default results/ and the name of the study.
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Threads to use; by default one a core.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Compare docs/section-2.6.2.md with this run.
+    #[arg(long, conflicts_with = "write")]
+    pub check: bool,
+    /// Write the figures into docs/section-2.6.2.md.
+    #[arg(long)]
+    pub write: bool,
+}
+
+/// Carries out the command.
+pub fn run(args: &StudyArgs) -> CommandResult {
+    if args.study != NAME {
+        let message = format!("there is no study `{}`; there is: {NAME}", args.study);
+        return Err((Status::BadInput, miette::Report::msg(message)));
+    }
+    super::run::set_threads(args.threads);
+    let meshes = Meshes {
+        report_like: args.mesh != Some(Mesh::Resolved),
+        resolved: args.mesh != Some(Mesh::ReportLike),
+    };
+    let default = || Path::new("results").join(NAME);
+    let out = args.out.clone().unwrap_or_else(default);
+    let mut console = Console::new(true);
+    let mut solved = Vec::new();
+    for member in &MEMBERS {
+        say(&format!("{} ...", member.name));
+        let case = member.solve(meshes, &out, &mut console);
+        let case = case.map_err(|error| failed(&console, error))?;
+        match case {
+            Some(case) => solved.push(case),
+            None => {
+                console.finish();
+                return Ok(Status::Interrupted);
+            }
+        }
+    }
+    console.finish();
+    let parts = study::parts(&solved);
+    for part in &parts {
+        say(&format!("\n{}\n\n{}", part.name, part.text.trim_end()));
+    }
+    say(&format!("\nwritten to {}", out.display()));
+    let page = Path::new(PAGE);
+    let bad = |error: crate::output::page::PageError| {
+        (Status::BadInput, miette::Report::msg(error.to_string()))
+    };
+    if args.write {
+        study::write(page, &parts).map_err(bad)?;
+        say(&format!("written to {PAGE}"));
+    }
+    if !args.check {
+        return Ok(Status::Done);
+    }
+    let differences = study::check(page, &parts).map_err(bad)?;
+    for d in &differences {
+        say(&format!(
+            "FAILED: {PAGE}, {}, {}:\n  page  {}\n  fresh {}",
+            d.part, d.row, d.page, d.fresh
+        ));
+    }
+    Ok(match differences.is_empty() {
+        true => {
+            say(&format!("{PAGE} says what this run says"));
+            Status::Done
+        }
+        false => Status::Failed,
+    })
+}
+
+fn failed(console: &Console, error: ConvergeError) -> (Status, miette::Report) {
+    console.finish();
+    // Ctrl-C reaches gmsh too, whose end then looks like a failure.
+    let status = if console.interrupted() {
+        Status::Interrupted
+    } else if error.is_not_converged() {
+        Status::NotConverged
+    } else {
+        Status::BadInput
+    };
+    (status, error.into())
+}

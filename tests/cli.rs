@@ -712,3 +712,77 @@ fn a_deck_is_named_after_its_case() {
     );
     brinell(folder.path(), "export scene.toml --out decks").code(2);
 }
+
+#[test]
+fn a_target_is_met_by_finer_meshes() {
+    let folder = TempDir::new().unwrap();
+    let case = shipped("problem-h.toml");
+    let case = std::fs::read_to_string(case).unwrap();
+    let case = case.replace("level = 2", "level = 1");
+    std::fs::write(folder.path().join("case.toml"), case).unwrap();
+    let run = brinell(
+        folder.path(),
+        "run case.toml --out out --quiet --target half-width=0.5%",
+    );
+    let run = run.success();
+    says(&run, &["half-width", "cylinder-block"]);
+    let finest = (0..9)
+        .rev()
+        .map(|k| folder.path().join(format!("out/level-{k}/summary.json")))
+        .find(|path| path.exists())
+        .expect("a level");
+    let claims = summary(&finest)["certificate"].clone();
+    let claims = claims.as_array().unwrap();
+    let half_width = claims.iter().find(|c| c["what"] == "half_width").unwrap();
+    // Hertz, and 0.15 % for the finite bodies.
+    close(&half_width["value"], 0.030942, 0.0065);
+}
+
+#[test]
+fn a_target_that_no_mesh_meets_is_said_to_be_missed() {
+    let folder = TempDir::new().unwrap();
+    let run = brinell(
+        folder.path(),
+        &format!(
+            "run {} --out out --quiet --target plastic-strain=1%",
+            shipped("problem-h.toml").display()
+        ),
+    );
+    says(
+        &run.code(1),
+        &["FAILED", "the certificate has no plastic-strain"],
+    );
+}
+
+#[test]
+fn a_target_that_is_none_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let case = shipped("problem-h.toml");
+    let run = brinell(
+        folder.path(),
+        &format!("run {} --target mass=2%", case.display()),
+    );
+    says(&run.code(2), &["mass=2%", "mises, plastic-strain"]);
+}
+
+#[test]
+fn the_page_of_the_study_says_what_the_coarse_mesh_gives() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("out");
+    let line = format!(
+        "study section-2.6.2 --mesh report-like --check --out {}",
+        out.display()
+    );
+    says(
+        &brinell(root, &line).success(),
+        &["says what this run says"],
+    );
+}
+
+#[test]
+fn a_study_that_is_none_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let run = brinell(folder.path(), "study section-9.9");
+    says(&run.code(2), &["section-2.6.2"]);
+}

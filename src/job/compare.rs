@@ -3,6 +3,7 @@
 use super::JobError;
 use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
 use crate::case::{BearingCase, Case, Kind, Measure, MisesRead, Printed};
+use crate::certify::Quantity;
 use crate::output::Summary;
 use crate::output::summary::{Comparison, Figure, Three};
 use crate::scene::Scene;
@@ -78,8 +79,33 @@ fn printed_row(
         place: place.to_owned(),
         report: Some(Figure::Value(printed.value)),
         value,
+        error: error(printed.what, read, place, summary),
         hertz,
         ..Comparison::default()
+    }
+}
+
+/// The certificate's error of the largest figure that is compared; only the nodal Mises peak has one.
+fn error(what: Measure, read: MisesRead, place: &str, summary: &Summary) -> Option<f64> {
+    let what = match what {
+        Measure::Mises if read == MisesRead::Nodal => Quantity::PeakMises,
+        Measure::Mises => return None,
+        Measure::MaxPressure => Quantity::PeakPressure,
+        Measure::Descent => Quantity::Descent,
+    };
+    let claims = summary.certificate.iter();
+    let meant = claims.filter(|c| c.what == what && means(place, &c.place));
+    let largest = meant.max_by(|a, b| a.value.total_cmp(&b.value));
+    largest.and_then(|claim| claim.error.total())
+}
+
+/// Is the body or interface `name` among what `place` means?
+fn means(place: &str, name: &str) -> bool {
+    match place {
+        "overall" => true,
+        "rollers" => name.contains("roller"),
+        "plates" => name.contains("plate"),
+        _ => name == place,
     }
 }
 
@@ -89,13 +115,11 @@ fn mises(
     place: &str,
     read: impl Fn(&Three<Option<f64>>) -> Option<f64>,
 ) -> Option<f64> {
-    let means = |name: &str| match place {
-        "overall" => true,
-        "rollers" => name.contains("roller"),
-        "plates" => name.contains("plate"),
-        _ => name == place,
-    };
-    let bodies = summary.bodies.0.iter().filter(|(name, _)| means(name));
+    let bodies = summary
+        .bodies
+        .0
+        .iter()
+        .filter(|(name, _)| means(place, name));
     bodies
         .filter_map(|(_, body)| read(&body.mises_max))
         .reduce(f64::max)
@@ -150,7 +174,11 @@ fn hertz_rows(hertz: &HandbookAnswer, summary: &Summary) -> Vec<Comparison> {
             (Some(groove), true) => groove.peak_pressure,
             _ => hertz.peak_pressure,
         };
-        row("peak pressure", name, Some(interface.max_pressure), even)
+        let printed = row("peak pressure", name, Some(interface.max_pressure), even);
+        Comparison {
+            error: error(Measure::MaxPressure, MisesRead::Nodal, name, summary),
+            ..printed
+        }
     });
     let bores = summary.rollers.0.iter().filter_map(|(name, roller)| {
         let ring = hertz.bore.as_ref()?;

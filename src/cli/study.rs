@@ -74,6 +74,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
     };
     if args.write {
         study::write(page, &parts).map_err(bad)?;
+        study::write_pictures(page, &solved, &out).map_err(bad)?;
         say(&format!("written to {PAGE}"));
     }
     if !args.check {

@@ -4,7 +4,7 @@ mod compare;
 mod page;
 mod quantities;
 
-pub use page::{Difference, PAGE, Part, check, parts, write};
+pub use page::{Difference, PAGE, Part, check, parts, write, write_pictures};
 
 use crate::case::{self, Case};
 use crate::converge::ConvergeError;
@@ -12,7 +12,7 @@ use crate::job::{self, Options};
 use crate::output::Summary;
 use crate::solve::Observer;
 use crate::target::{self, Goal, Level, Limits, Target, Verdict};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Name of the study on the command line and in case files.
 pub const NAME: &str = "section-2.6.2";
@@ -55,7 +55,7 @@ const TARGET: Target = Target {
 };
 const LIMITS: Limits = Limits {
     levels: 3,
-    unknowns: 1.8e5,
+    unknowns: 1e5,
 };
 
 /// Which meshes a study is run on.
@@ -136,6 +136,13 @@ impl Member {
 }
 
 impl Solved {
+    /// Results of the finest resolved mesh, below `out`.
+    fn folder(&self, out: &Path) -> PathBuf {
+        let level = self.resolved.len().saturating_sub(1);
+        let case = out.join(self.name).join(RESOLVED);
+        target::folder(&case, level)
+    }
+
     /// The finest resolved mesh.
     pub fn finest(&self) -> Option<&Summary> {
         self.resolved.last().map(|level| &level.summary)

@@ -73,7 +73,7 @@ pub fn refine(
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let number = levels.len();
-        let out = folder(options, number);
+        let out = folder(options.out.as_deref().unwrap_or(Path::new(".")), number);
         let own = Options {
             out: Some(out.clone()),
             ..options.clone()
@@ -95,8 +95,7 @@ pub fn refine(
 }
 
 /// Where level `number` writes.
-fn folder(options: &Options, number: usize) -> PathBuf {
-    let below = options.out.as_deref().unwrap_or(Path::new("."));
+pub fn folder(below: &Path, number: usize) -> PathBuf {
     below.join(format!("level-{number}"))
 }
 
@@ -130,8 +129,7 @@ fn judge(levels: &[Level], target: &Target, limits: &Limits) -> Option<Verdict> 
     let next = last.unknowns as f64 * growth(levels);
     if levels.len() >= limits.levels || next > limits.unknowns {
         let why = format!(
-            "not within {:.3} % after {} meshes; the next one would have about {next:.0} unknowns",
-            100.0 * target.within,
+            "not met by the finest of {} meshes; the next one would have about {next:.0} unknowns",
             levels.len(),
         );
         return Some(Verdict::NotMet(why));

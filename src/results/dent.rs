@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::State;
 use super::hex::{GaussRule, centre};
 use super::load::face_corners;
 use super::quad::area_vector;
@@ -23,10 +22,15 @@ pub struct Dent {
 /// Depth of the dent in `surface` of `body` (an index of the mesh's bodies): the normal
 /// displacement of its nodes, with the body's best-fit rigid motion removed.
 ///
-/// Give the state after unloading. `None` for a surface without faces or a body that does not
-/// determine its rigid motion.
-pub fn dent(scene: &Scene, state: &State, body: usize, surface: &Surface) -> Option<Dent> {
-    let motion = RigidMotion::fit(scene, state, body)?;
+/// Give the `displacement` of every node that stays after unloading, the elastic part taken off.
+/// `None` for a surface without faces or a body that does not determine its rigid motion.
+pub fn dent(
+    scene: &Scene,
+    displacement: &[[f64; 3]],
+    body: usize,
+    surface: &Surface,
+) -> Option<Dent> {
+    let motion = RigidMotion::fit(scene, displacement, body)?;
     let mut normals: BTreeMap<u32, Vector3<f64>> = BTreeMap::new();
     for face in &surface.faces {
         let normal = Vector3::from(area_vector(&face_corners(&scene.mesh, face.nodes)));
@@ -44,7 +48,7 @@ pub fn dent(scene: &Scene, state: &State, body: usize, surface: &Surface) -> Opt
                 *n = 0.0;
             }
         }
-        let stays = Vector3::from(state.displacement[node as usize]) - motion.at(at);
+        let stays = Vector3::from(displacement[node as usize]) - motion.at(at);
         let depth = -stays.dot(&normal.normalize());
         if !depth.is_nan() && deepest.is_none_or(|dent| depth > dent.depth) {
             deepest = Some(Dent { depth, at });
@@ -62,8 +66,8 @@ struct RigidMotion {
 
 impl RigidMotion {
     /// Least squares over the volume of the whole body, mirrored parts included.
-    fn fit(scene: &Scene, state: &State, body: usize) -> Option<Self> {
-        let samples = samples(scene, state, body)?;
+    fn fit(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Self> {
+        let samples = samples(scene, displacement, body)?;
         let volume: f64 = samples.iter().map(|(w, _, _)| w).sum();
         let mean = |of: fn(&Sample) -> Vector3<f64>| {
             samples.iter().map(|s| s.0 * of(s)).sum::<Vector3<f64>>() / volume
@@ -93,12 +97,12 @@ impl RigidMotion {
 type Sample = (f64, Vector3<f64>, Vector3<f64>);
 
 /// The elements of the whole body.
-fn samples(scene: &Scene, state: &State, body: usize) -> Option<Vec<Sample>> {
+fn samples(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Vec<Sample>> {
     let rule = GaussRule::new();
     let elements = scene.mesh.bodies.get(body)?.elements.clone();
     let sample = |element: usize| -> Sample {
         let corners = scene.mesh.corners(element);
-        let moved = scene.mesh.hexes[element].map(|n| state.displacement[n as usize]);
+        let moved = scene.mesh.hexes[element].map(|n| displacement[n as usize]);
         let volume = rule.volumes(&corners).iter().sum();
         (volume, centre(&corners).into(), centre(&moved).into())
     };

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::hex::{GaussRule, centre};
+use super::hex::{GaussRule, interpolate};
 use super::load::face_corners;
 use super::quad::area_vector;
 use crate::mesh::Surface;
@@ -93,20 +93,25 @@ impl RigidMotion {
     }
 }
 
-/// Volume, position and displacement of an element.
+/// Volume, position and displacement of an integration point.
 type Sample = (f64, Vector3<f64>, Vector3<f64>);
 
-/// The elements of the whole body.
+/// The integration points of the whole body.
 fn samples(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Vec<Sample>> {
     let rule = GaussRule::new();
     let elements = scene.mesh.bodies.get(body)?.elements.clone();
-    let sample = |element: usize| -> Sample {
+    let samples = elements.flat_map(|element| {
         let corners = scene.mesh.corners(element);
         let moved = scene.mesh.hexes[element].map(|n| displacement[n as usize]);
-        let volume = rule.volumes(&corners).iter().sum();
-        (volume, centre(&corners).into(), centre(&moved).into())
-    };
-    let mut samples: Vec<Sample> = elements.map(sample).collect();
+        let volumes = rule.volumes(&corners);
+        let points = rule.shape.iter().zip(volumes);
+        let sample = |(shape, volume): (&[f64; 8], f64)| -> Sample {
+            let [x, u] = [&corners, &moved].map(|nodal| interpolate(shape, nodal).into());
+            (volume, x, u)
+        };
+        points.map(sample).collect::<Vec<Sample>>()
+    });
+    let mut samples: Vec<Sample> = samples.collect();
     for &axis in scene.mirrors.iter().filter(|axis| **axis < 3) {
         let mirrored: Vec<Sample> = samples
             .iter()

@@ -108,6 +108,8 @@ fn strain(elastic: &Elastic, stress: &[f64; 6]) -> [f64; 6] {
 fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, SolveError> {
     const TOLERANCE: f64 = 1e-9;
     const ENOUGH: f64 = 1e-6;
+    // Forces that are nothing but rounding are solved for too: what comes out is as small.
+    const LITTLE: f64 = 0.1;
     const DIRECTIONS: usize = 150;
     let (pattern, matrix) = (&model.pattern, &model.stiffness);
     let mut shifted = matrix.clone();
@@ -118,9 +120,9 @@ fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, Solve
     let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(matrix, x, y);
     let precondition = |x: &mut [f64]| (model.preconditioner).apply(pattern, &factor, multiply, x);
     let known = rounding / krylov::norm(forces).max(f64::MIN_POSITIVE);
-    let tolerance = known.max(TOLERANCE);
+    let tolerance = known.clamp(TOLERANCE, LITTLE);
     let (x, outcome) = krylov::solve(multiply, precondition, forces, tolerance, DIRECTIONS);
-    match outcome.residual <= tolerance.max(ENOUGH) {
+    match outcome.residual <= known.max(ENOUGH) {
         true => Ok(x),
         false => Err(SolveError::SpringBack {
             residual: outcome.residual,

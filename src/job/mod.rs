@@ -130,6 +130,7 @@ pub fn run_on(
     if !solution.complete && solution.last.displacement.is_empty() {
         return Err(JobError::Interrupted);
     }
+    let stays = stays(&scene, &solution, observer);
     let clock = Clock::start();
     let elastic = match options.elastic_peaks {
         true => elastic_peaks(&scene, &solution, observer),
@@ -144,7 +145,8 @@ pub fn run_on(
         total_s: start.elapsed().as_secs_f64(),
         phases: phases(&solution.counters.timers),
     };
-    let summary = summarise(case, &scene, &solution, elastic.as_deref(), timing, options)?;
+    let second = (elastic.as_deref(), stays.as_deref());
+    let summary = summarise(case, &scene, &solution, second, timing, options)?;
     if let Some(out) = &options.out {
         summary.write(&out.join(SUMMARY))?;
         line_load::write(&summary, out)?;
@@ -163,6 +165,14 @@ fn forget(path: &Path) -> Result<(), JobError> {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(path, error)),
         _ => Ok(()),
     }
+}
+
+/// The displacement that stays after unloading, where there is unloading. Dents can be told without
+/// it, so what goes wrong here is told and no error.
+fn stays(scene: &Scene, solution: &Solution, observer: &mut dyn Observer) -> Option<Vec<[f64; 3]>> {
+    let stays = solve::spring_back(scene, unloaded(scene, solution)?);
+    let told = |error| observer.message(&format!("dents keep an elastic part: {error}"));
+    stays.map_err(told).ok()
 }
 
 /// Peaks of the same scene without plasticity, where it has yielded. The answer stands without
@@ -213,7 +223,7 @@ fn summarise(
     case: &Case,
     scene: &Scene,
     solution: &Solution,
-    elastic: Option<&[BodyPeaks]>,
+    (elastic, stays): (Option<&[BodyPeaks]>, Option<&[[f64; 3]]>),
     timing: Timing,
     options: &Options,
 ) -> Result<Summary, JobError> {
@@ -226,6 +236,7 @@ fn summarise(
         scene,
         state,
         unloaded: unloaded(scene, solution),
+        stays,
         steps: &solution.states,
         recovered: &recovered,
         elastic,

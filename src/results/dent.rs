@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::State;
-use super::hex::{GaussRule, centre};
+use super::hex::{GaussRule, interpolate};
 use super::load::face_corners;
 use super::quad::area_vector;
 use crate::mesh::Surface;
@@ -23,10 +22,15 @@ pub struct Dent {
 /// Depth of the dent in `surface` of `body` (an index of the mesh's bodies): the normal
 /// displacement of its nodes, with the body's best-fit rigid motion removed.
 ///
-/// Give the state after unloading. `None` for a surface without faces or a body that does not
-/// determine its rigid motion.
-pub fn dent(scene: &Scene, state: &State, body: usize, surface: &Surface) -> Option<Dent> {
-    let motion = RigidMotion::fit(scene, state, body)?;
+/// Give the `displacement` of every node that stays after unloading, the elastic part taken off.
+/// `None` for a surface without faces or a body that does not determine its rigid motion.
+pub fn dent(
+    scene: &Scene,
+    displacement: &[[f64; 3]],
+    body: usize,
+    surface: &Surface,
+) -> Option<Dent> {
+    let motion = RigidMotion::fit(scene, displacement, body)?;
     let mut normals: BTreeMap<u32, Vector3<f64>> = BTreeMap::new();
     for face in &surface.faces {
         let normal = Vector3::from(area_vector(&face_corners(&scene.mesh, face.nodes)));
@@ -44,7 +48,7 @@ pub fn dent(scene: &Scene, state: &State, body: usize, surface: &Surface) -> Opt
                 *n = 0.0;
             }
         }
-        let stays = Vector3::from(state.displacement[node as usize]) - motion.at(at);
+        let stays = Vector3::from(displacement[node as usize]) - motion.at(at);
         let depth = -stays.dot(&normal.normalize());
         if !depth.is_nan() && deepest.is_none_or(|dent| depth > dent.depth) {
             deepest = Some(Dent { depth, at });
@@ -62,8 +66,8 @@ struct RigidMotion {
 
 impl RigidMotion {
     /// Least squares over the volume of the whole body, mirrored parts included.
-    fn fit(scene: &Scene, state: &State, body: usize) -> Option<Self> {
-        let samples = samples(scene, state, body)?;
+    fn fit(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Self> {
+        let samples = samples(scene, displacement, body)?;
         let volume: f64 = samples.iter().map(|(w, _, _)| w).sum();
         let mean = |of: fn(&Sample) -> Vector3<f64>| {
             samples.iter().map(|s| s.0 * of(s)).sum::<Vector3<f64>>() / volume
@@ -89,20 +93,25 @@ impl RigidMotion {
     }
 }
 
-/// Volume, position and displacement of an element.
+/// Volume, position and displacement of an integration point.
 type Sample = (f64, Vector3<f64>, Vector3<f64>);
 
-/// The elements of the whole body.
-fn samples(scene: &Scene, state: &State, body: usize) -> Option<Vec<Sample>> {
+/// The integration points of the whole body.
+fn samples(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Vec<Sample>> {
     let rule = GaussRule::new();
     let elements = scene.mesh.bodies.get(body)?.elements.clone();
-    let sample = |element: usize| -> Sample {
+    let samples = elements.flat_map(|element| {
         let corners = scene.mesh.corners(element);
-        let moved = scene.mesh.hexes[element].map(|n| state.displacement[n as usize]);
-        let volume = rule.volumes(&corners).iter().sum();
-        (volume, centre(&corners).into(), centre(&moved).into())
-    };
-    let mut samples: Vec<Sample> = elements.map(sample).collect();
+        let moved = scene.mesh.hexes[element].map(|n| displacement[n as usize]);
+        let volumes = rule.volumes(&corners);
+        let points = rule.shape.iter().zip(volumes);
+        let sample = |(shape, volume): (&[f64; 8], f64)| -> Sample {
+            let [x, u] = [&corners, &moved].map(|nodal| interpolate(shape, nodal).into());
+            (volume, x, u)
+        };
+        points.map(sample).collect::<Vec<Sample>>()
+    });
+    let mut samples: Vec<Sample> = samples.collect();
     for &axis in scene.mirrors.iter().filter(|axis| **axis < 3) {
         let mirrored: Vec<Sample> = samples
             .iter()

@@ -56,6 +56,11 @@ impl LoadedEdges {
         Self { positions, reach }
     }
 
+    /// Does no contact surface end while it carries pressure?
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
     /// Is a point so near to a loaded edge that its stress belongs to the edge?
     pub fn are_near(&self, at: &[f64; 3]) -> bool {
         (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)

@@ -43,6 +43,12 @@ pub enum SolveError {
         residual: f64,
         penetration: f64,
     },
+    #[error("what stays after unloading was not found: {residual:.1e} of the forces are left over")]
+    #[diagnostic(
+        code(brinell::solve::spring_back),
+        help("`solver = \"direct\"` under [controls] takes more memory and is more robust")
+    )]
+    SpringBack { residual: f64 },
     #[error("{0}")]
     Observer(Box<dyn std::error::Error + Send + Sync>),
 }

@@ -57,7 +57,7 @@ pub struct LinearSolver {
 /// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
 /// of a body that is free for a moment positive definite. The system that is solved does not
 /// contain it, so that no force ever passes through it.
-const SHIFT: f64 = 1e-10;
+pub const SHIFT: f64 = 1e-10;
 
 /// An aged factor is tried while no more than this many nodes (or eight times as many integration
 /// points) have changed, for this many directions: about what a new factor costs.

@@ -15,6 +15,7 @@ mod bumps;
 mod cattaneo_mindlin;
 mod certificate;
 mod crossed_cylinders;
+mod dents;
 mod equal_steels;
 mod full_sliding;
 mod hertz_line;
@@ -49,7 +50,7 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 17] = [
+pub const SUITES: [Suite; 18] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
@@ -61,6 +62,7 @@ pub const SUITES: [Suite; 17] = [
     suite("crossed-cylinders", crossed_cylinders::claims),
     suite("v-groove", v_groove::claims),
     suite("sphere-plastic", sphere_plastic::claims),
+    suite("dents", dents::claims),
     suite("equal-steels", equal_steels::claims),
     suite("cattaneo-mindlin", cattaneo_mindlin::claims),
     suite("full-sliding", full_sliding::claims),

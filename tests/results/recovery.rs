@@ -191,9 +191,9 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
         let [x, y, _] = scene.mesh.points[*node as usize];
         *p *= f64::from(u8::from(x < 0.4 && y < 0.9));
     }
-    assert_eq!(LoadedEdges::find(&scene, &state), LoadedEdges::default());
+    assert!(LoadedEdges::find(&scene, &state).is_empty());
     scene.mirrors.clear();
-    assert_ne!(LoadedEdges::find(&scene, &state), LoadedEdges::default());
+    assert!(!LoadedEdges::find(&scene, &state).is_empty());
     assert_eq!(all.mises_max.len(), scene.mesh.hexes.len());
 }
 

@@ -39,6 +39,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         scene,
         state,
         unloaded: Some(state),
+        stays: None,
         steps: &steps,
         recovered: &recovered,
         elastic: Some(&elastic),

@@ -3,6 +3,7 @@
 mod bearing;
 mod blocks;
 mod centre;
+mod dents;
 mod divided;
 mod invariance;
 mod left_out;

@@ -43,6 +43,11 @@ fn uniaxial() {
 }
 
 #[test]
+fn dents() {
+    explains(&holds("dents"));
+}
+
+#[test]
 fn bending() {
     explains(&holds("bending"));
 }

@@ -22,6 +22,9 @@ pub struct SummaryInputs<'a> {
     pub state: &'a State,
     /// The state after unloading, where there is one.
     pub unloaded: Option<&'a State>,
+    /// Displacement of every node that stays when what is left of the load is taken off
+    /// elastically; without it dents have the pressing of that load in them.
+    pub stays: Option<&'a [[f64; 3]]>,
     /// The states at the ends of the steps, as far as they are done.
     pub steps: &'a [State],
     pub recovered: &'a Recovered,

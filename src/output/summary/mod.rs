@@ -129,7 +129,7 @@ impl Summary {
             balance: balance(scene, state),
             stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
             load_line: load_line::points(scene, inputs.steps),
-            unloaded: inputs.unloaded.map(|state| Unloaded::new(scene, state)),
+            unloaded: (inputs.unloaded).map(|state| Unloaded::new(scene, state, inputs.stays)),
             checks: checks(&inputs.checks, &measured, applied_load, descent),
             certificate: certify(&Evidence {
                 scene,

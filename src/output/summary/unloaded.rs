@@ -16,6 +16,8 @@ pub struct Unloaded {
     pub descent: Option<f64>,
     /// Largest equivalent plastic strain of each body.
     pub peeq_max: Named<f64>,
+    /// Was what the load that is left presses elastically taken off the dents?
+    pub elastic_removed: bool,
     /// The dent in each contact surface, by the surface's name.
     pub dents: Named<DentSummary>,
 }
@@ -24,14 +26,15 @@ pub struct Unloaded {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DentSummary {
     pub body: String,
-    /// Inward displacement of the deepest point, the body's best-fit rigid motion removed.
+    /// Inward residual displacement of the deepest point, the body's best-fit rigid motion removed,
+    /// in the length unit of the summary.
     pub depth: f64,
     /// Undeformed position of that point.
     pub at: [f64; 3],
 }
 
 impl Unloaded {
-    pub(super) fn new(scene: &Scene, state: &State) -> Self {
+    pub(super) fn new(scene: &Scene, state: &State, stays: Option<&[[f64; 3]]>) -> Self {
         let mut names: Vec<&str> = Vec::new();
         for partner in scene.contacts.iter().flat_map(|c| [&c.upper, &c.lower]) {
             match partner {
@@ -39,10 +42,11 @@ impl Unloaded {
                 _ => {}
             }
         }
+        let displacement = stays.unwrap_or(&state.displacement);
         let dents = names.into_iter().filter_map(|name| {
             let surface = scene.mesh.surface(name)?;
             let body = scene.mesh.body_of(surface.faces.first()?.element as usize);
-            let dent = dent(scene, state, body, surface)?;
+            let dent = dent(scene, displacement, body, surface)?;
             let summary = DentSummary {
                 body: scene.mesh.bodies[body].name.clone(),
                 depth: dent.depth,
@@ -59,6 +63,7 @@ impl Unloaded {
             applied_load: load::applied(scene, state),
             descent: load::descent(scene, state),
             peeq_max: Named(strain.collect()),
+            elastic_removed: stays.is_some(),
             dents: Named(dents.collect()),
         }
     }

@@ -18,8 +18,12 @@ pub(super) fn unloaded(summary: &Summary) -> String {
             place(dent.at),
         ]);
     }
+    let pressed = match unloaded.elastic_removed {
+        true => "",
+        false => "; dents with the elastic pressing of that load in them",
+    };
     format!(
-        "Unloaded to {} {}, descent left {} {}\n{}",
+        "Unloaded to {} {}, descent left {} {}{pressed}\n{}",
         significant(unloaded.applied_load, DIGITS),
         units.force,
         number(unloaded.descent),

@@ -2,8 +2,8 @@
 //!
 //! A [`Claim`] is a figure of a run and how far it may be off, by cause. The estimates come from
 //! the one mesh that was solved: from the stress that a smoother field would have
-//! ([`energy`]), from readings that tend to the same value ([`mises`]), and from how well the nodes
-//! resolve the pressure ([`profile`]). They are of the right size, not bounds.
+//! ([`energy`]), from readings that tend to the same value (`mises`), and from how well the nodes
+//! resolve the pressure (`profile`). They are of the right size, not bounds.
 
 pub mod energy;
 mod mises;

@@ -37,7 +37,7 @@ pub struct RunArgs {
     #[arg(long)]
     pub explain: bool,
     /// Refine the mesh until this figure is as good as asked for, such as mises=2%; each mesh
-    /// writes into a folder level-<n> of its own.
+    /// writes into a folder of its own, level-0 and on.
     #[arg(long, value_name = "FIGURE=PERCENT")]
     pub target: Option<String>,
     /// Print the tables only.

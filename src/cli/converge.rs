@@ -1,7 +1,7 @@
 //! `brinell converge`: one case on a series of meshes, error against unknowns and run time.
 
 use super::console::Console;
-use super::{CommandResult, Status, say};
+use super::{CommandResult, Status, failure, say};
 use crate::case::{self, Case, Kind};
 use crate::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
 use crate::converge::{self, ConvergeError, Series, Study, json, page, peers, plot, table};
@@ -81,17 +81,7 @@ pub fn run(args: &ConvergeArgs) -> CommandResult {
             Ok(Status::Done)
         }
         Ok(status) => Ok(status),
-        Err(error) => {
-            // Ctrl-C reaches gmsh too, whose end then looks like a failure.
-            let status = if console.interrupted() {
-                Status::Interrupted
-            } else if error.is_not_converged() {
-                Status::NotConverged
-            } else {
-                Status::BadInput
-            };
-            Err((status, error.into()))
-        }
+        Err(error) => Err(failure(&console, error)),
     }
 }
 

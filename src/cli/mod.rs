@@ -10,8 +10,10 @@ pub mod study;
 pub mod verify;
 
 use crate::case::{self, Case};
+use crate::converge::ConvergeError;
 use crate::job::JobError;
 use clap::{Parser, Subcommand};
+use console::Console;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
@@ -85,6 +87,20 @@ fn say(text: &str) {
 
 /// What a command comes to: a status, or one with the reason.
 pub type CommandResult = Result<Status, (Status, miette::Report)>;
+
+/// What a solution that failed comes to, the progress bar being taken off the terminal.
+fn failure(console: &Console, error: ConvergeError) -> (Status, miette::Report) {
+    console.finish();
+    // Ctrl-C reaches gmsh too, whose end then looks like a failure.
+    let status = if console.interrupted() {
+        Status::Interrupted
+    } else if error.is_not_converged() {
+        Status::NotConverged
+    } else {
+        Status::BadInput
+    };
+    (status, error.into())
+}
 
 /// The case of a file with what the arguments change: mesh preset, whole model.
 fn read_case(path: &Path, preset: Option<&str>, full: bool) -> Result<Case, JobError> {

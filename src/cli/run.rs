@@ -1,7 +1,7 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
 use super::console::{Console, LEGEND};
-use super::{CommandResult, Status, read_case, say};
+use super::{CommandResult, Status, failure, read_case, say};
 use crate::case::Case;
 use crate::converge::ConvergeError;
 use crate::job::{self, JobError, Options, Outcome};
@@ -91,17 +91,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
                 Status::Failed
             })
         }
-        Err(error) => {
-            // Ctrl-C reaches gmsh too, whose end then looks like a failure.
-            let status = if console.interrupted() {
-                Status::Interrupted
-            } else if error.is_not_converged() {
-                Status::NotConverged
-            } else {
-                Status::BadInput
-            };
-            Err((status, error.into()))
-        }
+        Err(error) => Err(failure(&console, error)),
     }
 }
 

@@ -1,8 +1,7 @@
 //! `brinell study`: the published study, rerun.
 
 use super::console::Console;
-use super::{CommandResult, Status, say};
-use crate::converge::ConvergeError;
+use super::{CommandResult, Status, failure, say};
 use crate::study::{self, MEMBERS, Meshes, NAME, PAGE};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -53,7 +52,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
     for member in &MEMBERS {
         say(&format!("{} ...", member.name));
         let case = member.solve(meshes, &out, &mut console);
-        let case = case.map_err(|error| failed(&console, error))?;
+        let case = case.map_err(|error| failure(&console, error))?;
         match case {
             Some(case) => solved.push(case),
             None => {
@@ -94,17 +93,4 @@ pub fn run(args: &StudyArgs) -> CommandResult {
         }
         false => Status::Failed,
     })
-}
-
-fn failed(console: &Console, error: ConvergeError) -> (Status, miette::Report) {
-    console.finish();
-    // Ctrl-C reaches gmsh too, whose end then looks like a failure.
-    let status = if console.interrupted() {
-        Status::Interrupted
-    } else if error.is_not_converged() {
-        Status::NotConverged
-    } else {
-        Status::BadInput
-    };
-    (status, error.into())
 }

@@ -10,9 +10,9 @@ mod mises;
 mod profile;
 
 use crate::results::State;
-use crate::results::interface::{Interface, interfaces};
+use crate::results::interface::Interface;
 use crate::results::load::{applied, copies, descent};
-use crate::results::peaks::{BodyPeaks, peaks};
+use crate::results::peaks::BodyPeaks;
 use crate::results::recovery::Recovered;
 use crate::scene::{PlaneMotion, Scene};
 use serde::Serialize;
@@ -93,26 +93,33 @@ pub struct Evidence<'a> {
     pub scene: &'a Scene,
     pub state: &'a State,
     pub recovered: &'a Recovered,
+    /// Peaks of every body and scalars of every contact pair, in their orders.
+    pub peaks: &'a [BodyPeaks],
+    pub interfaces: &'a [Interface],
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,
 }
 
 /// The claims of a state: descent, bodies, interfaces.
 pub fn certify(evidence: &Evidence) -> Vec<Claim> {
-    let Evidence { scene, state, .. } = *evidence;
-    let measured = interfaces(scene, state);
-    let own = peaks(scene, state, evidence.recovered);
+    let Evidence {
+        scene,
+        state,
+        peaks,
+        interfaces,
+        ..
+    } = *evidence;
     let mut claims: Vec<Claim> = descent_claim(evidence).into_iter().collect();
-    claims.extend(mises::claims(&own, evidence.elastic));
-    for (pair, interface) in measured.iter().enumerate() {
+    claims.extend(mises::claims(peaks, evidence.elastic));
+    for (pair, interface) in interfaces.iter().enumerate() {
         claims.extend(profile::claims(scene, state, pair, interface));
     }
     // Plastic flow and friction are integrated along the path.
-    let remembers = own.iter().any(|body| body.peeq_max > 0.0)
+    let remembers = peaks.iter().any(|body| body.peeq_max > 0.0)
         || scene.contacts.iter().any(|c| c.friction > 0.0);
     for claim in &mut claims {
         claim.error.increment = (!remembers).then_some(0.0);
-        claim.error.penetration = penetration(claim, scene, &measured);
+        claim.error.penetration = penetration(claim, scene, interfaces);
     }
     claims
 }

@@ -46,12 +46,11 @@ pub fn parts(solved: &[Solved]) -> Vec<Part> {
     let part = |name, text: String, timed| Part { name, text, timed };
     let mut parts = Vec::new();
     if solved.iter().all(|case| case.report_like.is_some()) {
-        let of = |case: &Solved| case.report_like.clone();
-        parts.push(part("report-like", quantities(solved, of), false));
+        let table = cases(solved, |case| case.report_like.as_ref());
+        parts.push(part("report-like", table, false));
     }
     if solved.iter().all(|case| !case.resolved.is_empty()) {
-        let of = |case: &Solved| case.finest().cloned();
-        parts.push(part("resolved", quantities(solved, of), false));
+        parts.push(part("resolved", cases(solved, Solved::finest), false));
         parts.push(part("series", series(solved), false));
         parts.push(part("cost", cost(solved), true));
         if parts.iter().any(|p| p.name == "report-like") {
@@ -61,18 +60,9 @@ pub fn parts(solved: &[Solved]) -> Vec<Part> {
     parts
 }
 
-/// One line a quantity, one column a case.
-fn quantities(solved: &[Solved], of: impl Fn(&Solved) -> Option<Summary>) -> String {
-    let summaries: Vec<Option<Summary>> = solved.iter().map(of).collect();
-    let mut text = head(std::iter::once("").chain(solved.iter().map(|case| case.name)));
-    for quantity in &ROWS {
-        let readings = summaries.iter().map(|s| s.as_ref().and_then(quantity.read));
-        let cells: Vec<String> = readings.map(cell).collect();
-        if cells.iter().any(|c| c != "-") {
-            text.push_str(&format!("| {} | {} |\n", quantity.name, cells.join(" | ")));
-        }
-    }
-    text
+/// One column a case.
+fn cases<'s>(solved: &'s [Solved], of: impl Fn(&'s Solved) -> Option<&'s Summary>) -> String {
+    quantities(solved.iter().map(|case| (case.name.to_owned(), of(case))))
 }
 
 /// Every resolved mesh of every case.
@@ -80,23 +70,27 @@ fn series(solved: &[Solved]) -> String {
     let mut text = String::new();
     for case in solved {
         let meshes = case.resolved.iter();
-        let names: Vec<String> = meshes.map(|l| format!("{} unknowns", l.unknowns)).collect();
-        text.push_str(&format!("**{}**\n\n", case.name));
-        text.push_str(&head(
-            std::iter::once("").chain(names.iter().map(String::as_str)),
-        ));
-        for quantity in &ROWS {
-            let levels = case.resolved.iter();
-            let cells: Vec<String> = levels.map(|l| cell((quantity.read)(&l.summary))).collect();
-            if cells.iter().any(|c| c != "-") {
-                text.push_str(&format!("| {} | {} |\n", quantity.name, cells.join(" | ")));
-            }
-        }
+        let columns = meshes.map(|l| (format!("{} unknowns", l.unknowns), Some(&l.summary)));
         let verdict = match &case.missed {
             None => "The target is met.".to_owned(),
             Some(why) => format!("The target: {why}."),
         };
-        text.push_str(&format!("\n{verdict}\n\n"));
+        let table = quantities(columns);
+        text.push_str(&format!("**{}**\n\n{table}\n{verdict}\n\n", case.name));
+    }
+    text
+}
+
+/// One line a quantity, one column a run, under its heading.
+fn quantities<'s>(columns: impl Iterator<Item = (String, Option<&'s Summary>)>) -> String {
+    let (names, runs): (Vec<String>, Vec<Option<&Summary>>) = columns.unzip();
+    let mut text = head(std::iter::once("").chain(names.iter().map(String::as_str)));
+    for quantity in &ROWS {
+        let readings = runs.iter().map(|run| run.and_then(quantity.read));
+        let cells: Vec<String> = readings.map(cell).collect();
+        if cells.iter().any(|c| c != "-") {
+            text.push_str(&format!("| {} | {} |\n", quantity.name, cells.join(" | ")));
+        }
     }
     text
 }
@@ -115,10 +109,6 @@ fn cost(solved: &[Solved]) -> String {
         "memory, MB",
     ];
     let mut text = head(headings);
-    let percent = |error: Option<f64>, value: f64| match error {
-        Some(error) if value != 0.0 => format!("{} %", significant(100.0 * error / value, 2)),
-        _ => "-".to_owned(),
-    };
     for case in solved {
         for level in &case.resolved {
             for figure in &level.figures {
@@ -129,8 +119,8 @@ fn cost(solved: &[Solved]) -> String {
                     level.unknowns,
                     figure.what.name(),
                     significant(figure.value, DIGITS),
-                    percent(figure.estimate, figure.value),
-                    percent(figure.change, figure.value),
+                    figure.share(figure.estimate),
+                    figure.share(figure.change),
                     significant(level.cost.wall_s, 3),
                     significant(level.cost.cpu_s, 3),
                     memory.map_or_else(|| "-".into(), |b| format!("{:.0}", b as f64 / 1e6)),

@@ -33,6 +33,14 @@ pub struct Level {
 const STRAIN_TO_STRESS: f64 = 5.0;
 
 impl Figure {
+    /// An error relative to the value, as a percentage.
+    pub fn share(&self, error: Option<f64>) -> String {
+        match error.filter(|_| self.value != 0.0) {
+            Some(error) => format!("{} %", significant(100.0 * error / self.value, 2)),
+            None => "-".to_owned(),
+        }
+    }
+
     /// Are the estimated error and the change from the mesh before within the target?
     pub fn meets(&self, target: &Target) -> bool {
         let within = match (target.goal, self.what) {
@@ -129,10 +137,6 @@ pub fn table(levels: &[Level]) -> String {
         "wall s",
         "CPU s",
     ]);
-    let percent = |of: Option<f64>, value: f64| match of {
-        Some(error) if value != 0.0 => format!("{} %", significant(100.0 * error / value, 2)),
-        _ => "-".to_owned(),
-    };
     for level in levels {
         for figure in &level.figures {
             table.row([
@@ -141,8 +145,8 @@ pub fn table(levels: &[Level]) -> String {
                 figure.what.name().to_owned(),
                 figure.place.clone(),
                 significant(figure.value, 4),
-                percent(figure.estimate, figure.value),
-                percent(figure.change, figure.value),
+                figure.share(figure.estimate),
+                figure.share(figure.change),
                 significant(level.cost.wall_s, 3),
                 significant(level.cost.cpu_s, 3),
             ]);

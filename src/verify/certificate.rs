@@ -7,6 +7,8 @@ use super::kit::{self, Run};
 use super::problem_h::{self, Sizes};
 use super::{Claim, Extent, VerifyError, hertz_sphere};
 use crate::certify::{self, Evidence, Quantity, certify};
+use crate::results::interface::interfaces;
+use crate::results::peaks::peaks;
 use crate::results::recovery::recover;
 use std::f64::consts::PI;
 
@@ -90,11 +92,14 @@ fn sphere() -> Result<Vec<Claim>, VerifyError> {
 }
 
 fn certified(run: &Run) -> Vec<certify::Claim> {
-    let recovered = recover(&run.scene, run.state());
+    let (scene, state) = (&run.scene, run.state());
+    let recovered = recover(scene, state);
     certify(&Evidence {
-        scene: &run.scene,
-        state: run.state(),
+        scene,
+        state,
         recovered: &recovered,
+        peaks: &peaks(scene, state, &recovered),
+        interfaces: &interfaces(scene, state),
         elastic: None,
     })
 }

@@ -64,13 +64,7 @@ fn column(element: ElementKind, name: &str) -> Result<Claim, VerifyError> {
     scene.controls.element = element;
     (scene.controls.residual, scene.controls.penetration) = (1e-12, 1e-12);
     scene.contacts = vec![kit::pair("upper-lower", "upper_z_min", "lower_z_max")];
-    scene.supports = vec![
-        kit::held("lower_x_min", 0),
-        kit::held("lower_y_min", 1),
-        kit::held("upper_x_min", 0),
-        kit::held("upper_y_min", 1),
-        kit::held("lower_z_min", 2),
-    ];
+    scene.supports = kit::stack_supports();
     scene.tractions = vec![kit::pressure("upper_z_max", PRESSURE)];
     scene.steps = vec![kit::step("load", 1.0), kit::step("unload", LEFT)];
     let run = kit::run(scene)?;

@@ -173,6 +173,18 @@ pub fn quarter_supports() -> Vec<Support> {
     faces.map(|(face, axis)| held(face, axis)).into()
 }
 
+/// Supports of the block `upper` on the block `lower`, both free to widen, `lower` held below.
+pub fn stack_supports() -> Vec<Support> {
+    let faces = [
+        ("lower_x_min", 0),
+        ("lower_y_min", 1),
+        ("upper_x_min", 0),
+        ("upper_y_min", 1),
+        ("lower_z_min", 2),
+    ];
+    faces.map(|(face, axis)| held(face, axis)).into()
+}
+
 /// Both elements, and what claims call them.
 pub const KINDS: [(ElementKind, &str); 2] = [
     (ElementKind::Bbar, "B-bar"),

@@ -94,13 +94,7 @@ fn contact(name: &str, upper: Vec<f64>, lower: Vec<f64>) -> Result<Claim, Verify
     }
     scene.controls.residual = 1e-11;
     scene.controls.penetration = 1e-10;
-    scene.supports = vec![
-        kit::held("lower_x_min", 0),
-        kit::held("lower_y_min", 1),
-        kit::held("upper_x_min", 0),
-        kit::held("upper_y_min", 1),
-        kit::held("lower_z_min", 2),
-    ];
+    scene.supports = kit::stack_supports();
     scene.tractions = vec![kit::pressure("upper_z_max", PRESSURE)];
     if wide {
         scene.tractions.push(kit::pressure("exposed", PRESSURE));

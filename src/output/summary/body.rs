@@ -4,7 +4,7 @@ use super::inputs::SummaryInputs;
 use super::values::{Named, Three};
 use crate::results::bore::{Bore, bore_stress};
 use crate::results::edges::LoadedEdges;
-use crate::results::peaks::{BodyPeaks, Peak, peaks};
+use crate::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
 
 /// A body in the summary.
@@ -32,7 +32,7 @@ pub struct RollerSummary {
     pub bore_mises_nodal_at: Option<[f64; 3]>,
 }
 
-pub(super) fn bodies(inputs: &SummaryInputs) -> Named<BodySummary> {
+pub(super) fn bodies(inputs: &SummaryInputs, peaks: &[BodyPeaks]) -> Named<BodySummary> {
     let (scene, state) = (inputs.scene, inputs.state);
     let edges = LoadedEdges::find(scene, state);
     let summarise = |(body, peaks): (usize, &BodyPeaks)| {
@@ -56,7 +56,6 @@ pub(super) fn bodies(inputs: &SummaryInputs) -> Named<BodySummary> {
         };
         (peaks.name.clone(), summary)
     };
-    let peaks = peaks(scene, state, inputs.recovered);
     Named(peaks.iter().enumerate().map(summarise).collect())
 }
 

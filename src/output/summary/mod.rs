@@ -26,6 +26,7 @@ use super::warnings::{Warning, warnings};
 use crate::certify::{Claim, Evidence, certify};
 use crate::results::interface::{Interface, interfaces};
 use crate::results::load;
+use crate::results::peaks::peaks;
 use crate::results::strain::largest_strain;
 use body::{bodies, roller};
 use checks::{balance, checks};
@@ -88,6 +89,7 @@ impl Summary {
         inputs.unloaded.map_or(Ok(()), |state| state.check(scene))?;
         inputs.steps.iter().try_for_each(|step| step.check(scene))?;
         let measured = interfaces(scene, state);
+        let peaks = peaks(scene, state, inputs.recovered);
         let applied_load = load::applied(scene, state);
         let descent = load::descent(scene, state);
         let strain = largest_strain(&scene.mesh, &state.displacement).map(|(value, _)| value);
@@ -123,7 +125,7 @@ impl Summary {
             applied_load,
             descent,
             max_strain: strain,
-            bodies: bodies(inputs),
+            bodies: bodies(inputs, &peaks),
             interfaces: Named(measured.iter().enumerate().map(interface).collect()),
             rollers: Named(bores.collect()),
             balance: balance(scene, state),
@@ -135,6 +137,8 @@ impl Summary {
                 scene,
                 state,
                 recovered: inputs.recovered,
+                peaks: &peaks,
+                interfaces: &measured,
                 elastic: inputs.elastic,
             }),
             comparison: inputs.comparison.to_vec(),

@@ -58,6 +58,7 @@ fn per_area(force: f64, length: f64) -> Vec<Term> {
 /// The terms of one symbol, `None` where it is not known.
 pub(super) fn symbol(name: &str) -> Option<Vec<Term>> {
     Some(match name {
+        "km" => one(Base::Length, 1e3 * M),
         "m" => one(Base::Length, M),
         "cm" => one(Base::Length, 1e7),
         "mm" => one(Base::Length, MM),
@@ -88,9 +89,9 @@ pub(super) fn symbol(name: &str) -> Option<Vec<Term>> {
 }
 
 /// Every symbol, for "did you mean".
-pub(super) const SYMBOLS: [&str; 26] = [
-    "m", "cm", "mm", "µm", "um", "nm", "in", "inch", "ft", "mil", "N", "kN", "MN", "lbf", "kip",
-    "kgf", "Pa", "kPa", "MPa", "GPa", "psi", "ksi", "rad", "mrad", "deg", "%",
+pub(super) const SYMBOLS: [&str; 27] = [
+    "km", "m", "cm", "mm", "µm", "um", "nm", "in", "inch", "ft", "mil", "N", "kN", "MN", "lbf",
+    "kip", "kgf", "Pa", "kPa", "MPa", "GPa", "psi", "ksi", "rad", "mrad", "deg", "%",
 ];
 
 /// The terms of an expression such as `kip/in^2`, `N/mm²` or `kN·m`; on failure the symbol that

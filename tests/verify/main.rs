@@ -1,5 +1,6 @@
 //! Problems with known answers.
 
 mod contacts;
+mod extreme;
 mod ladder;
 mod rates;

@@ -101,6 +101,7 @@ fn contact_rows(bencher: Bencher, across: usize) {
         friction: true,
         reach: 1e-3,
         moduli: &[STEEL.youngs_modulus; 2],
+        held: &[],
         mirrors: &[0],
     };
     bencher.bench(|| mortar::rows(&pair));

@@ -21,6 +21,7 @@ pub mod contact;
 pub mod converge;
 pub mod fem;
 pub mod geometry;
+mod hash;
 pub mod job;
 pub mod linear;
 pub mod material;

@@ -40,6 +40,9 @@ pub struct RunArgs {
     /// writes into a folder of its own, level-0 and on.
     #[arg(long, value_name = "FIGURE=PERCENT")]
     pub target: Option<String>,
+    /// Go on after the last increment of an earlier run of this case into the same folder.
+    #[arg(long)]
+    pub resume: bool,
     /// Print the tables only.
     #[arg(long, short)]
     pub quiet: bool,
@@ -57,6 +60,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
                 .unwrap_or_else(|| default_folder(&args.case)),
         ),
         elastic_peaks: !args.no_elastic_peaks,
+        resume: args.resume,
     };
     let target = args.target.as_deref().map(str::parse::<Target>).transpose();
     let target = target.map_err(|error| bad(error.into()))?;

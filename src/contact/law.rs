@@ -25,6 +25,8 @@
 //! Components everywhere: normal (compression positive), two tangents. d is the closure beyond
 //! the gap and the slip since the last increment.
 
+use serde::{Deserialize, Serialize};
+
 /// State of a carrier node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Status {
@@ -47,7 +49,7 @@ pub struct Law {
 }
 
 /// What changes from iteration to iteration at a node.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Node {
     pub closed: bool,
     pub sticks: bool,
@@ -142,7 +144,9 @@ impl Law {
     /// sets and bound are decided anew.
     pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3]) -> Node {
         let [pressure, s, t] = *traction;
-        if pressure + self.stiffness * d[0] <= 0.0 {
+        // What a closed node is off its gap is only what λ was off: of no account, however much.
+        let presses = if node.closed { pressure } else { d[0] };
+        if presses <= 0.0 {
             return Node {
                 cautious: node.cautious,
                 switches: node.switches,
@@ -323,6 +327,9 @@ mod tests {
         let node = closed([10.0, 0.0, 0.0], false);
         let d = [1e-6, 0.0, 0.0];
         assert!(!LAW.decide(&node, &[-1.0, 0.0, 0.0], &d).closed);
-        assert!(LAW.decide(&node, &[0.0; 3], &d).closed);
+        assert!(LAW.decide(&Node::default(), &[0.0; 3], &d).closed);
+        // λ was far too large: d says so, and nothing else.
+        let d = [-0.5, 0.0, 0.0];
+        assert!(LAW.decide(&node, &[1e-6, 0.0, 0.0], &d).closed);
     }
 }

@@ -26,8 +26,8 @@ pub struct Row {
     pub terms: Vec<(u32, [f64; 3])>,
     /// Unit normal from the carrier to the other side.
     pub normal: Vec3,
-    /// Two tangents; `None` without friction. On a mirror plane the one across it is zero: there
-    /// the two halves slide apart by nothing.
+    /// Two tangents; `None` without friction. On a mirror plane, and on one that both sides are held
+    /// on, the one across it is zero: there they slide by nothing.
     pub tangents: Option<[Vec3; 2]>,
     /// Initial gap, open positive.
     pub gap: f64,
@@ -60,6 +60,8 @@ pub struct Pair<'a> {
     pub moduli: &'a [f64],
     /// Axes whose coordinate planes mirror the model.
     pub mirrors: &'a [usize],
+    /// Planes, by axis and coordinate, across which neither side moves.
+    pub held: &'a [(usize, f64)],
 }
 
 impl Pair<'_> {
@@ -150,6 +152,14 @@ impl Sum {
             return None;
         }
         let gap = dot(gap, normal) / area;
+        let size = at.iter().fold(0.0f64, |size, c| size.max(c.abs()));
+        let holds = |(axis, c): &&(usize, f64)| {
+            normal[*axis].abs() < 1e-9 && (at[*axis] - c).abs() <= 1e-9 * size
+        };
+        let held = pair.held.iter().filter(holds).map(|(axis, _)| *axis);
+        let mut across: Vec<usize> = mirrors.iter().copied().chain(held).collect();
+        across.sort_unstable();
+        across.dedup();
         (gap <= pair.reach).then(|| Row {
             node,
             area,
@@ -159,21 +169,22 @@ impl Sum {
                 .map(|(n, c)| (n, c.map(|c| c / area)))
                 .collect(),
             normal,
-            tangents: pair.friction.then(|| free_tangents(normal, &mirrors)),
+            tangents: pair.friction.then(|| free_tangents(normal, &across)),
             gap,
             stiffness: stiffness / area,
         })
     }
 }
 
-/// Tangents of a node on the planes of `mirrors`: it moves within them only.
-fn free_tangents(normal: Vec3, mirrors: &[usize]) -> [Vec3; 2] {
-    match mirrors {
+/// Tangents of a node that slides along no axis of `across`. A condition there would ask of the nodes
+/// beside it what the plane already says.
+fn free_tangents(normal: Vec3, across: &[usize]) -> [Vec3; 2] {
+    match across {
         [] => tangents(normal),
         [axis] => {
-            let mut across = [0.0; 3];
-            across[*axis] = 1.0;
-            [cross(across, normal), [0.0; 3]]
+            let mut unit = [0.0; 3];
+            unit[*axis] = 1.0;
+            [cross(unit, normal), [0.0; 3]]
         }
         _ => [[0.0; 3]; 2],
     }

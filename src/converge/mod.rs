@@ -51,7 +51,7 @@ pub fn run(
     let name = mesh.source.clone();
     let options = Options {
         out: None,
-        elastic_peaks: false,
+        ..Options::default()
     };
     let meter = Meter::start();
     let outcome = job::run_on(&case, mesh, &options, Instant::now(), observer)?;

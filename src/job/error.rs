@@ -35,6 +35,20 @@ pub enum JobError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     BuiltIn(#[from] FamilyError),
+    #[error("{} cannot be gone on from: {why}", path.display())]
+    #[diagnostic(
+        code(brinell::job::checkpoint),
+        help(
+            "run it from the start, without --resume, or name the folder of the earlier run with --out"
+        )
+    )]
+    Checkpoint { path: PathBuf, why: String },
+    #[error("another run writes into {}", path.display())]
+    #[diagnostic(
+        code(brinell::job::busy),
+        help("wait for it, or name another folder with --out")
+    )]
+    Busy { path: PathBuf },
     #[error("interrupted before the first increment was done")]
     #[diagnostic(code(brinell::job::interrupted))]
     Interrupted,
@@ -62,7 +76,7 @@ impl From<MeshError> for JobError {
 }
 
 impl JobError {
-    pub(super) fn folder(path: &Path, error: std::io::Error) -> Self {
+    pub(crate) fn folder(path: &Path, error: std::io::Error) -> Self {
         Self::Folder {
             path: path.to_owned(),
             error,
@@ -73,7 +87,11 @@ impl JobError {
     pub fn is_not_converged(&self) -> bool {
         matches!(
             self,
-            Self::Solve(SolveError::NotConverged { .. } | SolveError::FreeBody { .. })
+            Self::Solve(
+                SolveError::NotConverged { .. }
+                    | SolveError::FreeBody { .. }
+                    | SolveError::LimitLoad { .. }
+            )
         )
     }
 }

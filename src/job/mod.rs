@@ -1,9 +1,11 @@
 //! One case from its file to its results on disk: mesh, solve, write, summarise.
 
+mod checkpoint;
 mod clock;
 mod compare;
 mod error;
 mod export;
+mod folder;
 mod left_out;
 mod limits;
 mod mesh;
@@ -21,25 +23,36 @@ use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
+use checkpoint::Checkpoint;
 use clock::Clock;
 pub use error::JobError;
 pub use export::{Exported, export};
+use folder::Folder;
 pub use mesh::{find_mesh, make_mesh, unknowns};
 use record::Recorder;
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Name of the summary in the folder of a run.
 const SUMMARY: &str = "summary.json";
 
 /// Where a job writes and what it may leave out.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Options {
     /// Folder of the VTK files and `summary.json`; `None` writes nothing.
     pub out: Option<PathBuf>,
     /// Solve once more without plasticity where a body has yielded, for the elastic peaks.
     pub elastic_peaks: bool,
+    /// Go on after the last increment of an earlier run of the same scene into the same folder.
+    pub resume: bool,
+}
+
+impl Options {
+    /// The folder to write into, this job's alone from now on.
+    fn open(&self) -> Result<Option<Folder>, JobError> {
+        let out = self.out.as_deref();
+        out.map(|out| Folder::open(out, self.resume)).transpose()
+    }
 }
 
 /// A finished job.
@@ -84,23 +97,18 @@ fn unloaded<'s>(scene: &Scene, solution: &'s Solution) -> Option<&'s State> {
 /// Runs `case` on its mesh, telling `observer` of every iteration.
 ///
 /// # Errors
-/// [`JobError`]; increments accepted before an error are on disk.
+/// [`JobError`]; increments accepted before an error are on disk, and so is their summary.
 pub fn run(
     case: &Case,
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, JobError> {
     let start = Instant::now();
-    if let Some(out) = &options.out {
-        std::fs::create_dir_all(out).map_err(|error| JobError::folder(out, error))?;
-        for file in line_load::FILES.into_iter().chain([SUMMARY]) {
-            forget(&out.join(file))?;
-        }
-    }
+    let _folder = options.open()?;
     let mesh = find_mesh(case, options.out.as_deref(), &mut |line| {
         observer.message(line)
     })?;
-    run_on(case, mesh, options, start, observer)
+    solve_on(case, mesh, options, start, observer)
 }
 
 /// Runs `case` on `mesh`, the making of which began at `start`.
@@ -108,6 +116,17 @@ pub fn run(
 /// # Errors
 /// As [`run`].
 pub fn run_on(
+    case: &Case,
+    mesh: Mesh,
+    options: &Options,
+    start: Instant,
+    observer: &mut dyn Observer,
+) -> Result<Outcome, JobError> {
+    let _folder = options.open()?;
+    solve_on(case, mesh, options, start, observer)
+}
+
+fn solve_on(
     case: &Case,
     mesh: Mesh,
     options: &Options,
@@ -122,9 +141,24 @@ pub fn run_on(
         scene.mesh.hexes.len(),
         scene.mesh.bodies.len()
     ));
+    let checkpoint = (options.out.as_deref()).map(|out| Checkpoint::new(out, &scene));
+    let restart = match checkpoint.as_ref().filter(|_| options.resume) {
+        Some(checkpoint) => checkpoint.read()?,
+        None => None,
+    };
+    if options.resume && restart.is_none() {
+        observer.message("no checkpoint to go on from: from the start");
+    }
     let clock = Clock::start();
-    let mut recorder = Recorder::new(case, options.out.as_deref(), scene.clone(), observer);
-    let solution = solve::solve(&mut scene, &mut recorder)?;
+    let files = options.out.as_deref().zip(checkpoint);
+    let mut recorder = Recorder::new(case, files, restart.as_ref(), scene.clone(), observer)?;
+    let (solution, failure) = match solve::resume(&mut scene, restart.as_ref(), &mut recorder) {
+        Ok(solution) => (solution, None),
+        Err(unfinished) => match unfinished.solution {
+            Some(solution) => (*solution, Some(unfinished.error)),
+            None => return Err(unfinished.error.into()),
+        },
+    };
     let writing = recorder.spent();
     let solving = clock.spent().minus(writing);
     if !solution.complete && solution.last.displacement.is_empty() {
@@ -151,20 +185,15 @@ pub fn run_on(
         summary.write(&out.join(SUMMARY))?;
         line_load::write(&summary, out)?;
     }
+    if let Some(error) = failure {
+        return Err(error.into());
+    }
     Ok(Outcome {
         interrupted: !solution.complete || observer.cancelled(),
         scene,
         solution,
         summary,
     })
-}
-
-/// Removes what an earlier run left: a run that fails must not leave another's answer behind.
-fn forget(path: &Path) -> Result<(), JobError> {
-    match std::fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(path, error)),
-        _ => Ok(()),
-    }
 }
 
 /// The displacement that stays after unloading, where there is unloading. Dents can be told without

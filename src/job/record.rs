@@ -1,36 +1,55 @@
-//! Writes each accepted increment to disk while it passes the observer on.
+//! Writes each accepted increment to disk, and what a run can go on from, while it passes the
+//! observer on.
 
+use super::JobError;
+use super::checkpoint::Checkpoint;
 use super::clock::{Clock, Spent};
 use crate::case::Case;
 use crate::output::Series;
 use crate::results::State;
 use crate::results::recovery::recover;
 use crate::scene::Scene;
-use crate::solve::{Iteration, Observer};
+use crate::solve::{Iteration, Observer, Restart};
 use std::path::Path;
 
 pub struct Recorder<'o> {
     inner: &'o mut dyn Observer,
-    series: Option<Series>,
+    files: Option<(Series, Checkpoint)>,
     scene: Scene,
     spent: Spent,
 }
 
 impl<'o> Recorder<'o> {
-    pub fn new(case: &Case, out: Option<&Path>, scene: Scene, inner: &'o mut dyn Observer) -> Self {
+    /// Writes the VTK files of `case` and its checkpoints into the folder of `files`, after those of
+    /// an earlier run that goes on from `restart`.
+    ///
+    /// # Errors
+    /// Where the earlier run's collection cannot be read.
+    pub fn new(
+        case: &Case,
+        files: Option<(&Path, Checkpoint)>,
+        restart: Option<&Restart>,
+        scene: Scene,
+        inner: &'o mut dyn Observer,
+    ) -> Result<Self, JobError> {
         let path = Path::new(case.source.name());
         let stem = path
             .file_stem()
             .map_or("case".into(), |s| s.to_string_lossy());
-        Self {
-            series: out.map(|out| Series::new(out, &stem)),
+        let series = |out| match restart {
+            Some(restart) => Series::resume(out, &stem, restart.after()),
+            None => Ok(Series::new(out, &stem)),
+        };
+        let files = files.map(|(out, checkpoint)| Ok::<_, JobError>((series(out)?, checkpoint)));
+        Ok(Self {
+            files: files.transpose()?,
             inner,
             scene,
             spent: Spent {
                 cpu_s: Some(0.0),
                 ..Spent::default()
             },
-        }
+        })
     }
 
     /// Spent on writing.
@@ -51,11 +70,23 @@ impl Observer for Recorder<'_> {
 
     fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         let clock = Clock::start();
-        if let Some(series) = &mut self.series {
+        if let Some((series, _)) = &mut self.files {
             series.write(&self.scene, state, &recover(&self.scene, state))?;
         }
         self.spent = self.spent.plus(clock.spent());
         self.inner.increment(state)
+    }
+
+    fn checkpoint(
+        &mut self,
+        make: &dyn Fn() -> Restart,
+    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        let clock = Clock::start();
+        if let Some((_, checkpoint)) = &self.files {
+            checkpoint.write(&make())?;
+        }
+        self.spent = self.spent.plus(clock.spent());
+        Ok(())
     }
 
     fn message(&mut self, text: &str) {

@@ -2,6 +2,7 @@
 
 pub mod cholesky;
 pub mod krylov;
+pub mod memory;
 pub mod ordering;
 mod pages;
 pub mod preconditioner;

@@ -5,9 +5,10 @@
 //! (de Souza Neto, Perić, Owen, *Computational Methods for Plasticity*, 2008, box 7.4).
 
 use super::{Elastic, Steel, mises};
+use serde::{Deserialize, Serialize};
 
 /// Plastic history of one integration point.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlasticPoint {
     /// Plastic strain xx yy zz xy yz zx, engineering shears.
     pub strain: [f64; 6],

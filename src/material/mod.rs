@@ -2,10 +2,12 @@
 
 pub mod j2;
 
+use serde::Serialize;
+
 /// Isotropic steel with a straight hardening line.
 ///
 /// Stresses in the stress unit of the scene, tension positive.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Steel {
     /// Young's modulus E.
     pub youngs_modulus: f64,

@@ -7,11 +7,14 @@ pub mod hexahedron;
 pub mod join;
 pub mod merge;
 pub mod msh;
+pub mod pieces;
 pub mod quality;
 pub mod shape;
 pub mod split;
 pub mod surface;
 pub mod unfold;
+
+use serde::Serialize;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.
 ///
@@ -26,7 +29,7 @@ pub mod unfold;
 ///       |/       |/         +---- u
 ///       0--------1
 /// ```
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Mesh {
     /// Where the mesh came from, for messages: a file name or a description.
     pub source: String,
@@ -43,7 +46,7 @@ pub struct Mesh {
 }
 
 /// A physical volume.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Body {
     pub name: String,
     /// Its elements, as a range of [`Mesh::hexes`].
@@ -51,14 +54,14 @@ pub struct Body {
 }
 
 /// A physical surface: outer faces of hexahedra.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Surface {
     pub name: String,
     pub faces: Vec<Face>,
 }
 
 /// An outer face of a hexahedron, its nodes counter-clockwise seen from outside the body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Face {
     pub nodes: [u32; 4],
     /// The hexahedron it belongs to.

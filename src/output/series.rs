@@ -41,20 +41,21 @@ impl Series {
         }
     }
 
-    /// Goes on with the series of an earlier run that is resumed from `state`: later files leave
-    /// the collection and are written over. Without an earlier collection the series is new.
+    /// Goes on with the series of an earlier run after the increment `after` (its step, and share of
+    /// that): later files leave the collection and are written over. Without an earlier collection
+    /// the series is new.
     ///
     /// # Errors
     /// [`OutputError::Read`] or [`OutputError::NotACollection`] for a collection of other make.
     pub fn resume(
         folder: impl Into<PathBuf>,
         name: &str,
-        state: &State,
+        (step, time): (usize, f64),
     ) -> Result<Self, OutputError> {
         let mut series = Self::new(folder, name);
         if series.collection.path().exists() {
             series.collection = Collection::open(series.collection.path())?;
-            series.collection.drop_after(time_of(state));
+            series.collection.drop_after(step as f64 + time);
             series.written = series
                 .collection
                 .entries()

@@ -23,8 +23,10 @@ mod fit;
 
 pub use fit::Misfit;
 
+use serde::{Deserialize, Serialize};
+
 /// The converged state at the end of an increment, in the units of the scene.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct State {
     /// Step index and share of the step that is done, in (0, 1].
     pub step: usize,
@@ -42,7 +44,7 @@ pub struct State {
 }
 
 /// What happens on the carrier surface of a contact pair, node by node.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct ContactField {
     /// Mesh nodes of the carrier surface, ascending.
     pub nodes: Vec<u32>,
@@ -66,7 +68,7 @@ pub struct ContactField {
 }
 
 /// A rigid plane in a converged state.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlaneField {
     /// Displacement of the plane, from the state in which all interfaces just touch.
     pub travel: [f64; 3],

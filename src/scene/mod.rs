@@ -6,9 +6,10 @@
 use crate::geometry::planes_through;
 use crate::material::Steel;
 use crate::mesh::Mesh;
+use serde::Serialize;
 
 /// Everything the solver needs.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Scene {
     pub name: String,
     pub mesh: Mesh,
@@ -39,7 +40,7 @@ impl Scene {
 }
 
 /// Two surfaces, or a surface and a rigid plane, that may touch.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactPair {
     /// `<upper>-<lower>`.
     pub name: String,
@@ -57,7 +58,7 @@ pub struct ContactPair {
 }
 
 /// One side of a contact pair.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Partner {
     /// A named surface of the mesh.
     Surface(String),
@@ -66,14 +67,14 @@ pub enum Partner {
 }
 
 /// Which partner of a pair.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Side {
     Upper,
     Lower,
 }
 
 /// Prescribed displacement components on a surface: constant, or linear in position.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Support {
     pub name: String,
     pub surface: String,
@@ -93,7 +94,7 @@ impl Support {
 }
 
 /// A surface that translates as a rigid plane without rotating.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RigidPlane {
     pub name: String,
     pub surface: String,
@@ -101,7 +102,7 @@ pub struct RigidPlane {
 }
 
 /// What a rigid plane does along one axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum PlaneMotion {
     /// Displaced by this much (times the factor of the step), all nodes alike.
     Held(f64),
@@ -113,14 +114,14 @@ pub enum PlaneMotion {
 }
 
 /// A force per area on a surface.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Traction {
     pub name: String,
     pub surface: String,
     pub value: TractionValue,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum TractionValue {
     /// Compression positive, along the inward normal.
     Pressure(f64),
@@ -129,7 +130,7 @@ pub enum TractionValue {
 }
 
 /// One step: loads and prescribed displacements move linearly to these factors.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
     pub name: String,
     /// Factor at the end of the step for every support, plane and traction not named below.
@@ -147,7 +148,7 @@ impl Step {
 }
 
 /// Numerical controls, all relative and without units.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Controls {
     /// Residual force relative to the applied force.
     pub residual: f64,
@@ -168,7 +169,7 @@ pub struct Controls {
 }
 
 /// How linear systems are solved. The answer does not depend on it; time and memory do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum SolverKind {
     /// Whichever should be quicker.
     #[default]
@@ -180,7 +181,7 @@ pub enum SolverKind {
 }
 
 /// A formulation of the eight-node hexahedron.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum ElementKind {
     /// Element-mean volumetric strain: "C3D8" of Abaqus. Robust, but stiff in bending.
     #[default]

@@ -4,14 +4,16 @@ use super::error::SolveError;
 use super::evaluate::{Evaluation, History};
 use super::foresight::{Expected, Unforeseen};
 use super::model::{ContactRow, Counters, Model, can_yield, contact_rows};
-use super::newton::{self, Failure, LinearSolver, Point};
+use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
+use super::restart::{Kept, Restart, plastic_of};
 use super::start::{self, Closing};
 use super::state;
 use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
 use crate::fem::dofs::FIXED;
 use crate::linear::cholesky::FactorError;
+use crate::mesh::Body;
 use crate::results::State;
 use crate::scene::Scene;
 use std::collections::BTreeMap;
@@ -40,6 +42,38 @@ pub struct Solution {
 /// # Errors
 /// [`SolveError`]; increments accepted before were handed to the observer.
 pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    resume(scene, None, observer).map_err(|unfinished| unfinished.error)
+}
+
+/// What came of a solution that did not get to its end.
+#[derive(Debug)]
+pub struct Unfinished {
+    pub error: SolveError,
+    /// Up to the last accepted increment; `None` where there is none.
+    pub solution: Option<Box<Solution>>,
+}
+
+impl<E: Into<SolveError>> From<E> for Unfinished {
+    fn from(error: E) -> Self {
+        Self {
+            error: error.into(),
+            solution: None,
+        }
+    }
+}
+
+/// Goes on with `scene` after the increment that `restart` was made at, or from the start.
+///
+/// The scene is the one that the first run began with: floating bodies are moved into touch again.
+///
+/// # Errors
+/// As [`solve`], and where `restart` belongs to another scene.
+pub fn resume(
+    scene: &mut Scene,
+    restart: Option<&Restart>,
+    observer: &mut dyn Observer,
+) -> Result<Solution, Unfinished> {
+    restart.map_or(Ok(()), |restart| restart.check(scene))?;
     let extent = start::extent(scene);
     let closings = start::close_gaps(scene, 1e-10 * extent);
     for c in &closings {
@@ -51,11 +85,14 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
     }
     observer.moved(scene);
     let mut timers = Timers::default();
-    let expected = Expected {
-        reach: start::reach(scene),
-        contact: start::likely_gap(scene),
-        flow: Vec::new(),
-        divided: false,
+    let expected = match restart {
+        Some(restart) => restart.expected.clone(),
+        None => Expected {
+            reach: start::reach(scene),
+            contact: start::likely_gap(scene),
+            flow: Vec::new(),
+            divided: false,
+        },
     };
     let model = timers.time(Phase::Prepare, || {
         let rows = contact_rows(scene, expected.reach);
@@ -63,20 +100,35 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
     })?;
     let mut run = Run::new(model, expected, observer);
     run.counters.timers = timers;
+    if let Some(restart) = restart {
+        run.go_on_from(restart);
+    }
+    run.observer.message(&format!(
+        "{} unknowns, about {:.2} GB of memory",
+        run.counters.equations,
+        1e-9 * run.model.memory
+    ));
     let untouched = run.untouched();
     for name in &untouched {
         run.observer
             .message(&format!("contact pair {name}: nothing is within reach"));
     }
-    let complete = run.all_steps()?;
-    Ok(Solution {
+    let ended = run.all_steps();
+    let solution = Solution {
         states: run.states,
         last: run.last,
         counters: run.counters,
         closings,
         untouched,
-        complete,
-    })
+        complete: matches!(ended, Ok(true)),
+    };
+    match ended {
+        Ok(_) => Ok(solution),
+        Err(error) => Err(Unfinished {
+            error,
+            solution: (!solution.last.displacement.is_empty()).then(|| Box::new(solution)),
+        }),
+    }
 }
 
 struct Run<'a, 'o> {
@@ -89,8 +141,12 @@ struct Run<'a, 'o> {
     /// A better first guess than the last accepted state.
     guess: Option<Point>,
     counters: Counters,
+    /// Share of the step that the next increment tries.
+    size: f64,
     states: Vec<State>,
     last: State,
+    /// What the states of the finished steps and the last one can be restored from.
+    finished: Vec<Kept>,
 }
 
 impl<'a, 'o> Run<'a, 'o> {
@@ -114,8 +170,10 @@ impl<'a, 'o> Run<'a, 'o> {
             },
             solver: LinearSolver::default(),
             guess: None,
+            size: 0.0,
             states: Vec::new(),
             last: State::default(),
+            finished: Vec::new(),
             counters,
             model,
             observer,
@@ -133,9 +191,30 @@ impl<'a, 'o> Run<'a, 'o> {
             .collect()
     }
 
+    /// Takes up what a run before has left.
+    fn go_on_from(&mut self, restart: &Restart) {
+        let timers = self.counters.timers;
+        (self.point, self.history) = restart.place(&self.model);
+        self.counters = restart.counters;
+        self.counters.measure(&self.model);
+        self.counters.timers.add(&timers);
+        self.size = restart.size;
+        self.finished.clone_from(&restart.finished);
+        let model = &self.model;
+        self.states = (restart.finished.iter().map(|kept| kept.restore(model))).collect();
+        self.last = restart.last.restore(model);
+        let (step, time) = restart.after();
+        self.observer.message(&format!(
+            "goes on after {:.3} % of step `{}`",
+            100.0 * time,
+            model.scene.steps[step].name
+        ));
+    }
+
     /// Returns false where the observer cancelled.
     fn all_steps(&mut self) -> Result<bool, SolveError> {
-        for step in 0..self.model.scene.steps.len() {
+        let done = usize::from(self.point.time >= 1.0);
+        for step in self.point.step + done..self.model.scene.steps.len() {
             if !self.one_step(step)? {
                 return Ok(false);
             }
@@ -143,20 +222,29 @@ impl<'a, 'o> Run<'a, 'o> {
         Ok(true)
     }
 
-    fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
-        let controls = self.model.scene.controls;
+    /// Share of a step that its first increment tries.
+    fn first_increment(&self) -> f64 {
         let scene = self.model.scene;
         let yields = (0..scene.mesh.hexes.len() as u32).any(|e| can_yield(scene, e));
         let path_matters = yields || self.model.rows.iter().any(|r| r.law.friction > 0.0);
-        let mut size = if path_matters {
-            controls.first_increment
-        } else {
-            1.0
+        match path_matters {
+            true => scene.controls.first_increment,
+            false => 1.0,
+        }
+    }
+
+    fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
+        let controls = self.model.scene.controls;
+        let mut time = match self.point.step == step && self.point.time < 1.0 {
+            true => self.point.time,
+            false => 0.0,
         };
-        let mut time = 0.0;
-        self.point.cautious = false;
+        if time == 0.0 {
+            self.size = self.first_increment();
+            self.point.cautious = false;
+        }
         while time < 1.0 {
-            let most = size.min(self.relief(step, time));
+            let most = self.size.min(self.relief(step, time));
             let target = if time + 1.001 * most >= 1.0 {
                 1.0
             } else {
@@ -177,12 +265,12 @@ impl<'a, 'o> Run<'a, 'o> {
                 Ok(evaluation) => {
                     let iterations = self.counters.iterations - before;
                     if iterations <= controls.iterations / 3 {
-                        size *= 1.5;
+                        self.size *= 1.5;
                     }
-                    let unforeseen = self.look(&trial, size / target);
+                    let unforeseen = self.look(&trial, self.size / target);
                     if unforeseen.missed {
                         self.prepare_for(unforeseen, Some(&trial))?;
-                        size = target - time;
+                        self.size = target - time;
                         continue;
                     }
                     self.accept(trial, &evaluation, target >= 1.0)?;
@@ -190,8 +278,12 @@ impl<'a, 'o> Run<'a, 'o> {
                     if !unforeseen.is_empty() {
                         self.prepare_for(unforeseen, None)?;
                     }
+                    self.checkpoint()?;
                 }
-                Err(Failure::Cancelled) => return Ok(false),
+                Err(Stopped {
+                    why: Failure::Cancelled,
+                    ..
+                }) => return Ok(false),
                 Err(_) if !self.model.spare.is_empty() => {
                     // Perhaps a body is held by contact that was left out.
                     self.expected.contact = f64::INFINITY;
@@ -199,19 +291,19 @@ impl<'a, 'o> Run<'a, 'o> {
                 }
                 Err(_) if !self.point.cautious => {
                     self.point.cautious = true;
-                    size = target - time;
+                    self.size = target - time;
                 }
-                Err(failure) => {
-                    size = 0.5 * (target - time);
+                Err(stopped) => {
+                    self.size = 0.5 * (target - time);
                     self.counters.cut_backs += 1;
                     self.solver = LinearSolver::default();
-                    if size < controls.smallest_increment {
-                        return Err(self.give_up(failure, step, time, before));
+                    if self.size < controls.smallest_increment {
+                        return Err(self.give_up(&stopped, step, time, before));
                     }
                     self.observer.message(&format!(
                         "cut back to {:.3} % of the step: {}",
-                        100.0 * (time + size),
-                        describe(&failure)
+                        100.0 * (time + self.size),
+                        describe(&stopped.why)
                     ));
                 }
             }
@@ -409,13 +501,55 @@ impl<'a, 'o> Run<'a, 'o> {
             .increment(&state)
             .map_err(SolveError::Observer)?;
         if last {
+            let plastic = plastic_of(&self.model, &self.history);
+            self.finished.push(Kept::new(&state, plastic));
             self.states.push(state.clone());
         }
         self.last = state;
         Ok(())
     }
 
-    fn give_up(&self, failure: Failure, step: usize, time: f64, before: usize) -> SolveError {
+    fn checkpoint(&mut self) -> Result<(), SolveError> {
+        let (model, history, point) = (&self.model, &self.history, &self.point);
+        let (finished, last, size) = (&self.finished, &self.last, self.size);
+        let (expected, counters) = (&self.expected, &self.counters);
+        let make = || {
+            let last = Kept::new(last, plastic_of(model, history));
+            let expected = Expected {
+                divided: model.is_divided(),
+                ..expected.clone()
+            };
+            Restart::new(
+                model,
+                history,
+                point,
+                (finished, last),
+                expected,
+                size,
+                *counters,
+            )
+        };
+        self.observer
+            .checkpoint(&make)
+            .map_err(SolveError::Observer)
+    }
+
+    fn give_up(&self, stopped: &Stopped, step: usize, time: f64, before: usize) -> SolveError {
+        let failure = stopped.why;
+        let step_name = self.model.scene.steps[step].name.clone();
+        let percent = 100.0 * time;
+        if matches!(
+            failure,
+            Failure::Runaway { .. } | Failure::Factor(FactorError::NotPositiveDefinite { .. })
+        ) && let Some((body, share)) = self.gives_way(&stopped.flowing)
+        {
+            return SolveError::LimitLoad {
+                step: step_name,
+                percent,
+                body,
+                share: 100.0 * share,
+            };
+        }
         match failure {
             Failure::Runaway { node, axis } => self.free_body(node, axis),
             Failure::Factor(FactorError::NotPositiveDefinite { equation }) => {
@@ -439,28 +573,71 @@ impl<'a, 'o> Run<'a, 'o> {
             Failure::Slow {
                 residual,
                 penetration,
+                changed,
+                equation,
+                row,
             } => SolveError::NotConverged {
-                step: self.model.scene.steps[step].name.clone(),
-                percent: 100.0 * time,
+                step: step_name,
+                percent,
                 iterations: self.counters.iterations - before,
                 residual,
                 penetration,
+                place: self.place(equation),
+                contact: self.contact_in_words(row, changed),
             },
             Failure::Cancelled => SolveError::NothingFree,
         }
     }
 
     fn free_body(&self, node: u32, axis: usize) -> SolveError {
-        let mesh = &self.model.scene.mesh;
-        let element = mesh
-            .hexes
-            .iter()
-            .position(|h| h.contains(&node))
-            .unwrap_or(0);
+        let body = self.body_of(node);
         SolveError::FreeBody {
-            body: mesh.bodies[mesh.body_of(element)].name.clone(),
+            body: body.name.clone(),
             axis: ['x', 'y', 'z'][axis],
+            pieces: self.model.scene.mesh.pieces(body.elements.clone()),
         }
+    }
+
+    fn body_of(&self, node: u32) -> &Body {
+        let mesh = &self.model.scene.mesh;
+        let element = mesh.hexes.iter().position(|h| h.contains(&node));
+        &mesh.bodies[mesh.body_of(element.unwrap_or(0))]
+    }
+
+    /// The body of which the largest share of elements is among the `flowing` ones, and that share;
+    /// `None` where there are none.
+    fn gives_way(&self, elements: &[u32]) -> Option<(String, f64)> {
+        let mesh = &self.model.scene.mesh;
+        let mut flowing = vec![0usize; mesh.bodies.len()];
+        for element in elements {
+            flowing[mesh.body_of(*element as usize)] += 1;
+        }
+        let shares = mesh.bodies.iter().zip(flowing);
+        let shares = shares.map(|(body, n)| (body, n as f64 / body.elements.len().max(1) as f64));
+        let (body, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (share > 0.0).then(|| (body.name.clone(), share))
+    }
+
+    /// Where an equation is, in words.
+    fn place(&self, equation: usize) -> String {
+        let mesh = &self.model.scene.mesh;
+        let node = (self.model.dofs.equations.iter())
+            .position(|axes| axes.iter().any(|e| *e as usize == equation && *e != FIXED));
+        node.map_or_else(String::new, |node| {
+            let [x, y, z] = mesh.points[node];
+            let body = &self.body_of(node as u32).name;
+            format!("`{body}` at ({x:.4}, {y:.4}, {z:.4})")
+        })
+    }
+
+    /// The contact that is furthest from settled, in words.
+    fn contact_in_words(&self, row: Option<usize>, changed: usize) -> String {
+        let Some(row) = row.and_then(|row| self.model.rows.get(row)) else {
+            return "there is no contact".to_owned();
+        };
+        let [x, y, z] = self.model.scene.mesh.points[row.row.node as usize];
+        let pair = &self.model.scene.contacts[row.pair].name;
+        format!("`{pair}` at ({x:.4}, {y:.4}, {z:.4}), {changed} contact nodes still changing")
     }
 }
 
@@ -469,6 +646,7 @@ fn describe(failure: &Failure) -> String {
         Failure::Slow {
             residual,
             penetration,
+            ..
         } => format!(
             "slow convergence (residual {residual:.1e}, contact violation {penetration:.1e})"
         ),

@@ -1,5 +1,6 @@
 //! Why a scene could not be solved.
 
+use super::restart::Stranger;
 use crate::fem::dofs::Conflict;
 use crate::linear::cholesky::FactorError;
 
@@ -18,22 +19,45 @@ pub enum SolveError {
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
     Factor(#[from] FactorError),
-    #[error("body `{body}` is free to move along {axis}: no support and no contact holds it")]
+    #[error(
+        "{unknowns} unknowns take about {:.2} GB of memory, and {:.2} GB are left",
+        1e-9 * needed,
+        1e-9 * available
+    )]
+    #[diagnostic(
+        code(brinell::solve::memory),
+        help("a coarser mesh, or `solver = \"divided\"` under [controls], which takes the least")
+    )]
+    Memory {
+        unknowns: usize,
+        /// Bytes.
+        needed: f64,
+        available: f64,
+    },
+    #[error(
+        "body `{body}` is free to move along {axis}: no support and no contact holds it{}",
+        in_pieces(*pieces)
+    )]
     #[diagnostic(
         code(brinell::solve::free_body),
         help("support it, bring it into contact, or give the contact friction")
     )]
-    FreeBody { body: String, axis: char },
+    FreeBody {
+        body: String,
+        axis: char,
+        /// Parts of the body that share no nodes.
+        pieces: usize,
+    },
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
-         iterations the residual was {residual:.1e} of the load and the largest contact violation \
-         {penetration:.1e} of the displacement"
+         iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
+         largest contact violation {penetration:.1e} of the displacement: {contact}"
     )]
     #[diagnostic(
         code(brinell::solve::not_converged),
         help(
-            "the states up to there are kept; a load beyond the plastic limit ends like this, \
-             otherwise try a smaller first increment or a finer mesh at the contact"
+            "the states up to there are kept; try a smaller first increment, or a \
+             finer mesh at the contact; a load near the plastic limit can end like this, too"
         )
     )]
     NotConverged {
@@ -42,6 +66,26 @@ pub enum SolveError {
         iterations: usize,
         residual: f64,
         penetration: f64,
+        /// Where the residual and the violation are largest, in words.
+        place: String,
+        contact: String,
+    },
+    #[error(
+        "body `{body}` gives way beyond {percent:.3} % of step `{step}`: {share:.1} % of its elements \
+         flow, and no increment beyond finds balance"
+    )]
+    #[diagnostic(
+        code(brinell::solve::limit_load),
+        help(
+            "this is the plastic limit, or nearly so: the states up to there are kept; less load, a \
+             thicker wall or a harder steel"
+        )
+    )]
+    LimitLoad {
+        step: String,
+        percent: f64,
+        body: String,
+        share: f64,
     },
     #[error("what stays after unloading was not found: {residual:.1e} of the forces are left over")]
     #[diagnostic(
@@ -49,6 +93,19 @@ pub enum SolveError {
         help("`solver = \"direct\"` under [controls] takes more memory and is more robust")
     )]
     SpringBack { residual: f64 },
+    #[error(transparent)]
+    #[diagnostic(
+        code(brinell::solve::restart),
+        help("run it from the start, or give the case and the mesh that the earlier run had")
+    )]
+    Restart(#[from] Stranger),
     #[error("{0}")]
     Observer(Box<dyn std::error::Error + Send + Sync>),
+}
+
+fn in_pieces(pieces: usize) -> String {
+    match pieces {
+        0..=1 => String::new(),
+        _ => format!("; it falls into {pieces} pieces that share no nodes"),
+    }
 }

@@ -9,9 +9,10 @@ use super::model::{ContactRow, Model, can_yield};
 use super::newton::Point;
 use crate::material::mises;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// What a model is prepared for.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Expected {
     /// Contact is integrated up to this initial gap,
     pub reach: f64,
@@ -111,8 +112,10 @@ fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
 /// Elements to keep from now on, and whether one of them yields already.
 fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<u32>, bool) {
     // Below a contact the stress grows with the root of the load, in bending with the load, and
-    // where it flows neighbours take over some. Elements too many cost less than condensing again.
+    // where it flows neighbours take over some; beside a contact that widens it grows from nothing,
+    // hence one layer of elements more. Elements too many cost less than condensing again.
     const EARLY: f64 = 0.85;
+    const GROWTH: f64 = 0.75;
     let scene = model.scene;
     let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
         .into_par_iter()
@@ -131,11 +134,20 @@ fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<
     let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
     let to_come = load_to_come(model, x);
     // As long as nothing will flow before the next look, all is well.
-    if most * next.min(to_come).powf(0.75) <= 1.0 {
+    if most * next.min(to_come).powf(GROWTH) <= 1.0 {
         return (Vec::new(), false);
     }
-    let hot = shares.into_iter().filter(|(_, s)| *s > EARLY / to_come);
-    (hot.map(|(element, _)| element).collect(), most > 1.0)
+    let hexes = &scene.mesh.hexes;
+    let mut beside = vec![false; scene.mesh.points.len()];
+    for (element, share) in &shares {
+        if *share > EARLY / to_come.powf(GROWTH) {
+            let nodes = hexes[*element as usize].iter();
+            nodes.for_each(|node| beside[*node as usize] = true);
+        }
+    }
+    let touches = |e: &u32| hexes[*e as usize].iter().any(|n| beside[*n as usize]);
+    let elements = shares.iter().map(|(element, _)| *element);
+    (elements.filter(touches).collect(), most > 1.0)
 }
 
 /// How many times larger than now a load still gets.

@@ -14,15 +14,17 @@ mod model;
 mod newton;
 mod observer;
 mod reaction;
+mod restart;
 mod spring_back;
 mod start;
 mod state;
 mod timers;
 
-pub use driver::{Solution, solve};
+pub use driver::{Solution, Unfinished, resume, solve};
 pub use error::SolveError;
 pub use model::Counters;
 pub use observer::{Iteration, Observer, Silent};
+pub use restart::{Restart, Stranger};
 pub use spring_back::spring_back;
 pub use start::{Closing, close_gaps};
 pub use timers::{Phase, Timers};

@@ -11,12 +11,14 @@ use crate::fem::element::Element;
 use crate::fem::loads;
 use crate::linear::cholesky::Symbolic;
 use crate::linear::krylov::norm;
+use crate::linear::memory::available;
 use crate::linear::preconditioner::Preconditioner;
 use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
-use crate::mesh::Mesh;
+use crate::mesh::{Face, Mesh};
 use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, SolverKind, Step};
+use serde::{Deserialize, Serialize};
 
 /// Penalty over the stiffness of the material next to the contact, at a user factor of one.
 ///
@@ -29,8 +31,13 @@ const PENALTY: f64 = 1000.0;
 /// left for how the pressure is distributed.
 const DIVIDED_PENALTY: f64 = 50.0;
 
+/// Bounds of both, whatever the user's factor: softer, and multipliers take dozens of updates; stiffer,
+/// and rounding of displacements makes forces that never balance. The answer is the same.
+const SOFTEST: f64 = 10.0;
+const STIFFEST: f64 = 1e6;
+
 /// How often the expensive parts ran.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Counters {
     pub iterations: usize,
     pub cut_backs: usize,
@@ -106,6 +113,8 @@ pub struct Model<'a> {
     pub reference: f64,
     /// Beyond this initial gap no contact was integrated.
     pub reach: f64,
+    /// Bytes that it takes in all, estimated.
+    pub memory: f64,
 }
 
 impl<'a> Model<'a> {
@@ -130,6 +139,14 @@ impl<'a> Model<'a> {
             SolverKind::Direct => false,
             SolverKind::Divided => true,
         };
+        let memory = memory(scene, &all, &needed, divided);
+        if let Some(available) = available().filter(|available| memory > *available) {
+            return Err(SolveError::Memory {
+                unknowns: all.len(),
+                needed: memory,
+                available,
+            });
+        }
         for r in &mut rows {
             r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, divided);
         }
@@ -169,6 +186,7 @@ impl<'a> Model<'a> {
             rows,
             spare,
             reach: expected.reach,
+            memory,
             bodies,
             dofs,
             all,
@@ -336,14 +354,32 @@ impl<'a> Model<'a> {
 fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool]) -> bool {
     // Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
     // made about as often as Krylov directions number with a division.
-    const DIVIDED: f64 = 3e6;
-    let starts = dofs.vertex_start.windows(2).zip(needed);
-    let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
+    const DIVIDED: f64 = 1.5e7;
     // Entries of the factors of whole bodies: 1 GB of them takes about as long as a division.
     const ENTRIES: f64 = 1.2e8;
+    kept(dofs, needed).powi(3) / 3.0 > DIVIDED * dofs.len() as f64 || entries(scene) > ENTRIES
+}
+
+/// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
+fn memory(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
+    let unknowns = dofs.len() as f64;
+    match divided {
+        true => 6e3 * unknowns,
+        false => 2e3 * unknowns + 14.4 * entries(scene) + 1.6 * kept(dofs, needed).powi(2),
+    }
+}
+
+/// Unknowns of the needed vertices.
+fn kept(dofs: &DofMap, needed: &[bool]) -> f64 {
+    let starts = dofs.vertex_start.windows(2).zip(needed);
+    let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
+    f64::from(kept)
+}
+
+/// Entries of the factors of all bodies.
+fn entries(scene: &Scene) -> f64 {
     let bodies = scene.mesh.bodies.iter();
-    let entries: f64 = bodies.map(|b| factor_entries(b.elements.len())).sum();
-    f64::from(kept).powi(3) / 3.0 > DIVIDED * dofs.len() as f64 || entries > ENTRIES
+    bodies.map(|b| factor_entries(b.elements.len())).sum()
 }
 
 /// About how many entries the factor of a compact body has, ordered by METIS (73 million for a cube
@@ -425,7 +461,7 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
 fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
     let soft = divided && pair.friction > 0.0;
     let times = if soft { DIVIDED_PENALTY } else { PENALTY };
-    times * pair.penalty_factor * stiffness
+    (times * pair.penalty_factor).clamp(SOFTEST, STIFFEST) * stiffness
 }
 
 /// Rows of one pair.
@@ -457,7 +493,47 @@ pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) 
         reach,
         moduli,
         mirrors: &scene.mirrors,
+        held: &held_planes(scene, pair),
     })
+}
+
+/// Planes, by axis and coordinate, that supports hold both sides of a pair on.
+fn held_planes(scene: &Scene, pair: &ContactPair) -> Vec<(usize, f64)> {
+    let mesh = &scene.mesh;
+    let body = |partner: &Partner| match partner {
+        Partner::Surface(name) => {
+            let face = mesh.surface(name)?.faces.first()?;
+            Some(mesh.body_of(face.element as usize))
+        }
+        Partner::Plane { .. } => None,
+    };
+    let of = |body: usize| -> Vec<(usize, f64)> {
+        let held = scene.supports.iter().flat_map(|s| {
+            let axes =
+                (0..3).filter(|a| s.components[*a] == Some(0.0) && s.gradient[*a] == [0.0; 3]);
+            axes.filter_map(|axis| Some((axis, plane_of(mesh, &s.surface, body, axis)?)))
+        });
+        held.collect()
+    };
+    match (body(&pair.upper), body(&pair.lower)) {
+        (Some(upper), Some(lower)) => {
+            let lower = of(lower);
+            let both = of(upper).into_iter();
+            both.filter(|plane| lower.contains(plane)).collect()
+        }
+        (Some(body), None) | (None, Some(body)) => of(body),
+        (None, None) => Vec::new(),
+    }
+}
+
+/// The coordinate along `axis` that all nodes of a surface of `body` have.
+fn plane_of(mesh: &Mesh, surface: &str, body: usize, axis: usize) -> Option<f64> {
+    let faces = &mesh.surface(surface)?.faces;
+    let own = |face: &&Face| mesh.body_of(face.element as usize) == body;
+    let mut nodes = faces.iter().filter(own).flat_map(|face| face.nodes);
+    let at = mesh.points[nodes.next()? as usize][axis];
+    let flat = nodes.all(|node| mesh.points[node as usize][axis] == at);
+    flat.then_some(at)
 }
 
 fn pattern(mesh: &Mesh, bodies: &Bodies, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {

@@ -36,6 +36,11 @@ pub enum Failure {
     Slow {
         residual: f64,
         penetration: f64,
+        /// Contact nodes that changed in the last iteration.
+        changed: usize,
+        /// Where the residual and the violation of contact are largest.
+        equation: usize,
+        row: Option<usize>,
     },
     /// Displacements grew beyond the model, or stopped being numbers.
     Runaway {
@@ -44,6 +49,14 @@ pub enum Failure {
     },
     Factor(FactorError),
     Cancelled,
+}
+
+/// An increment that was given up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stopped {
+    pub why: Failure,
+    /// Elements that flowed as long as displacements were sound.
+    pub flowing: Vec<u32>,
 }
 
 /// The linear solver with the factor that it carries from iteration to iteration.
@@ -198,7 +211,7 @@ pub fn balance(
     solver: &mut LinearSolver,
     observer: &mut dyn Observer,
     counters: &mut Counters,
-) -> Result<Evaluation, Failure> {
+) -> Result<Evaluation, Stopped> {
     let controls = &model.scene.controls;
     let external = model.external(point.step, point.time);
     let reference = model.reference.max(f64::MIN_POSITIVE);
@@ -217,6 +230,11 @@ pub fn balance(
     };
     let mut evaluation = evaluate(model, history, point, &point.x, &external, counters);
     loop {
+        let flowing = flowing_elements(model, &evaluation);
+        let stop = |why: Failure| Stopped {
+            why,
+            flowing: flowing.clone(),
+        };
         let residual = norm(&evaluation.residual) / reference;
         let tolerance = (0.05 * controls.residual / residual).clamp(1e-12, 1e-4);
         let Correction {
@@ -225,7 +243,7 @@ pub fn balance(
             refactored,
         } = solver
             .solve(model, &evaluation, tolerance, counters)
-            .map_err(Failure::Factor)?;
+            .map_err(|error| stop(Failure::Factor(error)))?;
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
         let start = dot(&evaluation.residual, &dx);
@@ -241,7 +259,7 @@ pub fn balance(
         last.energy = start.abs() / (reference * norm(&point.x)).max(f64::MIN_POSITIVE);
         (last.directions, last.refactored) = (directions, refactored);
         if let Some((node, axis)) = runaway(model, &point.x, limit) {
-            return Err(Failure::Runaway { node, axis });
+            return Err(stop(Failure::Runaway { node, axis }));
         }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
@@ -255,20 +273,33 @@ pub fn balance(
             take_shears(point, &evaluation);
         }
         if observer.cancelled() {
-            return Err(Failure::Cancelled);
+            return Err(stop(Failure::Cancelled));
         }
         if last.iteration >= patience {
-            let Iteration {
-                residual,
-                penetration,
-                ..
-            } = last;
-            return Err(Failure::Slow {
-                residual,
-                penetration,
-            });
+            return Err(stop(slow(model, point, &evaluation, &last)));
         }
         evaluation = evaluate(model, history, point, &point.x, &external, counters);
+    }
+}
+
+/// Elements that flow.
+pub fn flowing_elements(model: &Model, evaluation: &Evaluation) -> Vec<u32> {
+    let flowing = evaluation.plastic.iter().filter(|answer| answer.flows());
+    (flowing.map(|answer| model.yielding[answer.index])).collect()
+}
+
+/// Not settled after as many iterations as there may be.
+fn slow(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration) -> Failure {
+    let largest = |values: &mut dyn Iterator<Item = f64>| {
+        let most = values.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        most.map(|(index, _)| index)
+    };
+    Failure::Slow {
+        residual: last.residual,
+        penetration: last.penetration,
+        changed: last.changed,
+        equation: largest(&mut evaluation.residual.iter().map(|r| r.abs())).unwrap_or(0),
+        row: largest(&mut violations(model, point, evaluation)),
     }
 }
 
@@ -341,16 +372,23 @@ fn evaluate(
 /// Largest violation of a contact condition, as a length over the largest displacement: closure
 /// of a closed node, slip of a sticking one.
 fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
-    let rows = model.rows.iter().zip(&evaluation.contact).zip(&point.nodes);
-    let worst = rows
-        .map(|((row, answer), node)| row.law.violation(node, answer))
-        .fold(0.0, f64::max);
+    let worst = violations(model, point, evaluation).fold(0.0, f64::max);
     let travel = point.x.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     if worst == 0.0 {
         0.0
     } else {
         worst / travel.max(f64::MIN_POSITIVE)
     }
+}
+
+/// Violation of the conditions at each contact node, as a length.
+fn violations<'e>(
+    model: &'e Model,
+    point: &'e Point,
+    evaluation: &'e Evaluation,
+) -> impl Iterator<Item = f64> + 'e {
+    let rows = model.rows.iter().zip(&evaluation.contact).zip(&point.nodes);
+    rows.map(|((row, answer), node)| row.law.violation(node, answer))
 }
 
 fn count(last: &mut Iteration, evaluation: &Evaluation) {

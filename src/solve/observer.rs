@@ -1,5 +1,6 @@
 //! What a running solution tells the outside, and how it is stopped.
 
+use super::restart::Restart;
 use crate::results::State;
 use crate::scene::Scene;
 
@@ -39,6 +40,14 @@ pub trait Observer {
     fn moved(&mut self, _: &Scene) {}
     /// After each accepted increment; an error stops the run and is passed on.
     fn increment(&mut self, _: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        Ok(())
+    }
+    /// After each accepted increment, when all is ready for the next one: what the solution can go on
+    /// from, made when asked for. An error stops the run and is passed on.
+    fn checkpoint(
+        &mut self,
+        _: &dyn Fn() -> Restart,
+    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         Ok(())
     }
     /// In words: cut-backs, gap closing, what was found.

@@ -77,6 +77,9 @@ fn travel(scene: &Scene) -> f64 {
     supports.chain(planes).fold(0.0, f64::max)
 }
 
+/// How often a body is moved at most.
+const ROUNDS: usize = 12;
+
 /// Moves floating bodies into touch and reports what was moved.
 pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
     let Some(direction) = load_direction(scene) else {
@@ -86,17 +89,29 @@ pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
     let mut closings = Vec::new();
     let mut ways = vec![None; scene.contacts.len()];
     while placed.iter().any(|p| !p) {
-        let nearest = nearest_floating(scene, &placed, direction, &mut ways);
+        let nearest = nearest_floating(scene, &placed, &|_| true, direction, &mut ways);
         let Some((body, distance)) = nearest else {
             break;
         };
+        let mut way = distance;
+        let mut total = 0.0;
+        // The gap of a curved side is not quite linear in the way: again, until it is closed.
+        for _ in 0..ROUNDS {
+            if way.abs() <= tolerance {
+                break;
+            }
+            total += way;
+            move_body(scene, body, scale(direction, way));
+            let mut fresh = vec![None; scene.contacts.len()];
+            let only = |other: usize| other == body;
+            let rest = nearest_floating(scene, &placed, &only, direction, &mut fresh);
+            way = rest.map_or(0.0, |(_, way)| way);
+        }
         placed[body] = true;
-        if distance.abs() > tolerance {
-            let shift = scale(direction, distance);
-            move_body(scene, body, shift);
+        if total != 0.0 {
             closings.push(Closing {
                 body: scene.mesh.bodies[body].name.clone(),
-                shift,
+                shift: scale(direction, total),
             });
         }
     }
@@ -128,12 +143,13 @@ fn held_bodies(scene: &Scene, direction: Vec3) -> Vec<bool> {
     held
 }
 
-/// The floating body that touches what is placed after the shortest way, and that way along the
+/// The floating `candidate` that touches what is placed after the shortest way, and that way along the
 /// load. `ways` keeps the way of each pair between a placed body and a floating one: neither moves
 /// until the latter is placed.
 fn nearest_floating(
     scene: &Scene,
     placed: &[bool],
+    candidate: &dyn Fn(usize) -> bool,
     direction: Vec3,
     ways: &mut [Option<Option<f64>>],
 ) -> Option<(usize, f64)> {
@@ -155,7 +171,9 @@ fn nearest_floating(
             (false, true) => upper,
             _ => continue,
         };
-        let Some(body) = body else { continue };
+        let Some(body) = body.filter(|b| candidate(*b)) else {
+            continue;
+        };
         let way = known.get_or_insert_with(|| way_to_touch(scene, pair, direction));
         if let Some(way) = *way
             && best.is_none_or(|(_, b)| way.abs() < b.abs())

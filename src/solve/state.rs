@@ -3,6 +3,7 @@
 use super::evaluate::{Evaluation, History};
 use super::model::Model;
 use super::newton::Point;
+use super::restart::{Plastic, plastic_of};
 use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
 use crate::results::{ContactField, PlaneField, State};
@@ -12,7 +13,7 @@ use rayon::prelude::*;
 /// The accepted state in the terms of the scene.
 pub fn state(model: &Model, history: &History, point: &Point, evaluation: &Evaluation) -> State {
     let displacement = model.displacement(&point.x, point.step, point.time);
-    let (stress, peeq) = stresses(model, history, &displacement);
+    let (stress, peeq) = stresses(model, &plastic_of(model, history), &displacement);
     State {
         step: point.step,
         time: point.time,
@@ -24,9 +25,10 @@ pub fn state(model: &Model, history: &History, point: &Point, evaluation: &Evalu
     }
 }
 
-fn stresses(
+/// Stresses and equivalent plastic strains at all integration points.
+pub fn stresses(
     model: &Model,
-    history: &History,
+    plastic: &Plastic,
     u: &[[f64; 3]],
 ) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
     let mesh = &model.scene.mesh;
@@ -37,7 +39,7 @@ fn stresses(
         shape.stress(elastic, &local, points)
     };
     let elements = (0..mesh.hexes.len()).into_par_iter();
-    if history.plastic.iter().all(Option::is_none) {
+    if plastic.is_empty() {
         // Nothing has yielded: no plastic strain is put out.
         let virgin = [PlasticPoint::default(); 8];
         return (
@@ -45,13 +47,10 @@ fn stresses(
             Vec::new(),
         );
     }
-    let mut plastic = vec![None; mesh.hexes.len()];
-    for (element, history) in model.yielding.iter().zip(&history.plastic) {
-        plastic[*element as usize] = history.as_deref();
-    }
     elements
         .map(|element| {
-            let points = plastic[element].copied().unwrap_or_default();
+            let at = plastic.binary_search_by_key(&(element as u32), |(e, _)| *e);
+            let points = at.map_or_else(|_| Default::default(), |at| plastic[at].1);
             (stress_of(element, &points), points.map(|p| p.peeq))
         })
         .unzip()

@@ -1,5 +1,6 @@
 //! Seconds spent in each phase of a solution. Reported, never decided upon.
 
+use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
 /// Phases of a solution.
@@ -42,7 +43,7 @@ impl Phase {
 }
 
 /// Seconds by phase.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Timers([f64; 6]);
 
 impl Timers {
@@ -52,6 +53,11 @@ impl Timers {
         let out = work();
         self.0[phase as usize] += start.elapsed().as_secs_f64();
         out
+    }
+
+    /// Adds the seconds of `other`.
+    pub fn add(&mut self, other: &Self) {
+        self.0.iter_mut().zip(other.0).for_each(|(t, o)| *t += o);
     }
 
     /// Seconds of `phase`.

@@ -55,7 +55,7 @@ const TARGET: Target = Target {
 };
 const LIMITS: Limits = Limits {
     levels: 3,
-    unknowns: 1e5,
+    unknowns: 3e5,
 };
 
 /// Which meshes a study is run on.
@@ -108,6 +108,7 @@ impl Member {
         let options = |mesh: &str| Options {
             out: Some(out.join(self.name).join(mesh)),
             elastic_peaks: true,
+            resume: false,
         };
         if meshes.report_like {
             let mut case = self.case()?;

@@ -6,6 +6,7 @@
 pub mod claim;
 pub mod energy;
 mod error;
+pub mod extreme;
 pub mod kit;
 pub mod matrix;
 pub mod problem_h;

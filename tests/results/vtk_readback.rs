@@ -256,7 +256,7 @@ fn a_resumed_series_goes_on_from_its_state() {
         series.write(&scene, &state, &recovered).unwrap();
     }
     state.time = 0.5;
-    let mut series = Series::resume(folder.path(), "case", &state).unwrap();
+    let mut series = Series::resume(folder.path(), "case", (state.step, state.time)).unwrap();
     state.time = 1.0;
     let paths = series.write(&scene, &state, &recovered).unwrap();
     assert!(paths[0].ends_with("case_0003.vtu"));

@@ -20,6 +20,7 @@ fn run(preset: &str) -> Outcome {
     let options = Options {
         out: None,
         elastic_peaks: false,
+        resume: false,
     };
     job::run(&case, &options, &mut Silent).expect("it converges without tuning")
 }
@@ -183,6 +184,7 @@ fn steel_that_cannot_yield_has_no_limit() {
     let options = Options {
         out: None,
         elastic_peaks: false,
+        resume: false,
     };
     let outcome = job::run(&case, &options, &mut Silent).expect("it runs");
     let sizing = outcome.summary.sizing.expect("it is a bearing");

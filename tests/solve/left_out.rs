@@ -96,6 +96,7 @@ fn a_run_says_what_it_left_out_and_what_that_saved() {
     let options = Options {
         out: None,
         elastic_peaks: true,
+        resume: false,
     };
     let mut case = centre();
     let rubbing = job::run(&case, &options, &mut Silent).expect("converges");

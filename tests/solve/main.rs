@@ -8,5 +8,6 @@ mod divided;
 mod invariance;
 mod left_out;
 mod reaction;
+mod resume;
 mod statics;
 mod symmetry;

@@ -11,6 +11,7 @@ use super::geometry::BearingGeometry;
 use super::parameters::parameters;
 use super::request::MeshRequest;
 use super::template::TEMPLATE_VERSION;
+use crate::hash::Fnv;
 
 /// A hash of everything that the mesh of a bearing depends on: 16 hexadecimal digits.
 ///
@@ -28,14 +29,7 @@ pub fn fingerprint(geometry: &BearingGeometry, request: &MeshRequest) -> String 
         // Adding zero turns -0 into 0. Writing to a string cannot fail.
         let _ = writeln!(text, "{} {:.11e}", parameter.name, value + 0.0);
     }
-    format!("{:016x}", fnv1a(text.as_bytes()))
-}
-
-/// The 64-bit hash of Fowler, Noll and Vo, variant 1a.
-fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
-    })
+    format!("{:016x}", Fnv::of(text.as_bytes()))
 }
 
 /// Compresses the mesh file `raw_msh` into `out`, with the fingerprint in a `$Comments` section
@@ -132,12 +126,5 @@ mod tests {
             fingerprint(&displaced, &request)
         });
         assert_eq!(prints[0], prints[1]);
-    }
-
-    #[test]
-    fn hash_is_that_of_the_published_test_vectors() {
-        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
     }
 }

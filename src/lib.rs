@@ -13,6 +13,14 @@
 //!                      output --> table, summary.json, .vtu/.pvd
 //! ```
 
+#![deny(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::todo,
+    clippy::unimplemented
+)]
+
 pub mod analytic;
 pub mod case;
 pub mod certify;

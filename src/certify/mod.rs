@@ -58,7 +58,8 @@ pub struct Errors {
     pub discretisation: Option<f64>,
     /// Of the penetration that is left.
     pub penetration: Option<f64>,
-    /// Of the size of the increments: zero where nothing depends on the path.
+    /// Of the size of the increments, in plastic flow: zero where nothing depends on the path. What
+    /// friction remembers does not enter.
     pub increment: Option<f64>,
 }
 
@@ -118,7 +119,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Claim> {
     let remembers = peaks.iter().any(|body| body.peeq_max > 0.0)
         || scene.contacts.iter().any(|c| c.friction > 0.0);
     for claim in &mut claims {
-        claim.error.increment = (!remembers).then_some(0.0);
+        claim.error.increment = match remembers {
+            true => increment(claim, scene, state, interfaces),
+            false => Some(0.0),
+        };
         claim.error.penetration = penetration(claim, scene, interfaces);
     }
     claims
@@ -144,6 +148,29 @@ fn descent_claim(evidence: &Evidence) -> Option<Claim> {
         },
         note: (!by_force).then_some("prescribed"),
     })
+}
+
+/// What the size of the increments does to a figure: to the descent the work of the stresses that are
+/// off, by virtual work; to stresses and pressures these stresses themselves.
+fn increment(claim: &Claim, scene: &Scene, state: &State, measured: &[Interface]) -> Option<f64> {
+    let path = state.path.as_ref()?;
+    let body = scene.mesh.body(&claim.place);
+    let largest = path.stress.iter().flatten().copied().reduce(f64::max);
+    match claim.what {
+        Quantity::Descent => {
+            let load = applied(scene, state);
+            (load > 0.0).then(|| path.work * copies(scene) / load)
+        }
+        Quantity::PeakMises | Quantity::MisesAway => path.stress.get(body?).copied().flatten(),
+        Quantity::PeakPlasticStrain => path.plastic_strain.get(body?).copied().flatten(),
+        Quantity::PeakPressure => largest,
+        Quantity::HalfWidth | Quantity::ContactArea => {
+            let peak = measured.iter().map(|i| i.max_pressure).fold(0.0, f64::max);
+            (peak > 0.0).then_some(claim.value * largest? / peak)
+        }
+        // Of another solution, which only friction ties to its path.
+        Quantity::ElasticPeakMises | Quantity::ElasticMisesAway => None,
+    }
 }
 
 /// What penetration does to a figure: all of it to the descent, and to stresses and pressures the

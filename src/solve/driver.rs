@@ -6,6 +6,7 @@ use super::foresight::{Expected, Unforeseen};
 use super::model::{ContactRow, Counters, Model, can_yield, contact_rows};
 use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
+use super::path::Path;
 use super::restart::{Kept, Restart, plastic_of};
 use super::start::{self, Closing};
 use super::state;
@@ -137,6 +138,7 @@ struct Run<'a, 'o> {
     observer: &'o mut dyn Observer,
     solver: LinearSolver,
     history: History,
+    path: Path,
     point: Point,
     /// A better first guess than the last accepted state.
     guess: Option<Point>,
@@ -156,6 +158,7 @@ impl<'a, 'o> Run<'a, 'o> {
         counters.measure(&model);
         Self {
             expected,
+            path: Path::new(model.yielding.len()),
             history: History {
                 plastic: vec![None; model.yielding.len()],
                 slip_origin: vec![[0.0; 2]; rows],
@@ -199,6 +202,7 @@ impl<'a, 'o> Run<'a, 'o> {
         self.counters.measure(&self.model);
         self.counters.timers.add(&timers);
         self.size = restart.size;
+        self.path = restart.path.place(&self.model);
         self.finished.clone_from(&restart.finished);
         let model = &self.model;
         self.states = (restart.finished.iter().map(|kept| kept.restore(model))).collect();
@@ -397,6 +401,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let old = self.model.yielding.clone();
         self.model.watch(&self.expected.flow);
         self.history.watch(&old, &self.model.yielding);
+        self.path.watch(&old, &self.model.yielding);
         self.counters.watched_elements = self.model.yielding.len();
     }
 
@@ -459,6 +464,7 @@ impl<'a, 'o> Run<'a, 'o> {
             .collect();
         self.history.slip = carry(&map, &self.history.slip);
         self.history.watch(&self.model.yielding, &model.yielding);
+        self.path.watch(&self.model.yielding, &model.yielding);
         self.counters.measure(&model);
         self.model = model;
         Ok(())
@@ -494,7 +500,10 @@ impl<'a, 'o> Run<'a, 'o> {
         self.point = accepted;
         let mut timers = self.counters.timers;
         let state = timers.time(Phase::Recover, || {
-            state::state(&self.model, &self.history, &self.point, evaluation)
+            let (model, point) = (&self.model, &self.point);
+            let u = model.kept_displacement(&point.x, point.step, point.time);
+            let path = self.path.advance(model, &self.history.plastic, &u);
+            state::state(model, &self.history, point, evaluation, path)
         });
         self.counters.timers = timers;
         self.observer
@@ -512,7 +521,7 @@ impl<'a, 'o> Run<'a, 'o> {
     fn checkpoint(&mut self) -> Result<(), SolveError> {
         let (model, history, point) = (&self.model, &self.history, &self.point);
         let (finished, last, size) = (&self.finished, &self.last, self.size);
-        let (expected, counters) = (&self.expected, &self.counters);
+        let (expected, counters, path) = (&self.expected, &self.counters, &self.path);
         let make = || {
             let last = Kept::new(last, plastic_of(model, history));
             let expected = Expected {
@@ -525,7 +534,7 @@ impl<'a, 'o> Run<'a, 'o> {
                 point,
                 (finished, last),
                 expected,
-                size,
+                (size, path.keep(model)),
                 *counters,
             )
         };

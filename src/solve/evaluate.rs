@@ -26,10 +26,14 @@ pub struct History {
 impl History {
     /// Carries the plastic state from the elements that were watched to those that will be.
     pub fn watch(&mut self, old: &[u32], new: &[u32]) {
-        let states = old.iter().zip(std::mem::take(&mut self.plastic));
-        let mut states: BTreeMap<&u32, PlasticElement> = states.collect();
-        self.plastic = new.iter().map(|e| states.remove(e).flatten()).collect();
+        self.plastic = watch(std::mem::take(&mut self.plastic), old, new);
     }
+}
+
+/// Histories of the elements `new`, from those of the elements `old`.
+pub fn watch(histories: Vec<PlasticElement>, old: &[u32], new: &[u32]) -> Vec<PlasticElement> {
+    let mut known: BTreeMap<&u32, PlasticElement> = old.iter().zip(histories).collect();
+    new.iter().map(|e| known.remove(e).flatten()).collect()
 }
 
 /// An element that yields, or has yielded before.

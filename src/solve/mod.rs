@@ -13,6 +13,7 @@ mod line_search;
 mod model;
 mod newton;
 mod observer;
+mod path;
 mod reaction;
 mod restart;
 mod spring_back;

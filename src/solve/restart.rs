@@ -4,6 +4,7 @@ use super::evaluate::History;
 use super::foresight::Expected;
 use super::model::{Counters, Model};
 use super::newton::Point;
+use super::path::KeptPath;
 use super::state;
 use crate::contact::law::Node;
 use crate::material::j2::PlasticPoint;
@@ -24,6 +25,7 @@ pub struct Restart {
     pub(super) expected: Expected,
     /// Share of the step that the next increment tries.
     pub(super) size: f64,
+    pub(super) path: KeptPath,
     cautious: bool,
     pub(super) counters: Counters,
 }
@@ -66,6 +68,7 @@ impl Kept {
                 peeq: Vec::new(),
                 contacts: state.contacts.clone(),
                 planes: state.planes.clone(),
+                path: state.path.clone(),
             },
             plastic,
         }
@@ -116,7 +119,7 @@ impl Restart {
         point: &Point,
         (finished, last): (&[Kept], Kept),
         expected: Expected,
-        size: f64,
+        (size, path): (f64, KeptPath),
         counters: Counters,
     ) -> Self {
         let rows = model.rows.iter().enumerate();
@@ -134,6 +137,7 @@ impl Restart {
                 .collect(),
             expected,
             size,
+            path,
             cautious: point.cautious,
             counters,
         }
@@ -147,8 +151,9 @@ impl Restart {
         for kept in self.finished.iter().chain([&self.last]) {
             kept.check(scene)?;
         }
-        let flow = |e: &u32| (*e as usize) < scene.mesh.hexes.len();
-        match self.expected.flow.iter().all(flow) {
+        let exists = |e: u32| (e as usize) < scene.mesh.hexes.len();
+        let flow = self.expected.flow.iter().copied();
+        match flow.chain(self.path.elements()).all(exists) {
             true => Ok(()),
             false => Err(Stranger { what: "elements" }),
         }

@@ -6,12 +6,18 @@ use super::newton::Point;
 use super::restart::{Plastic, plastic_of};
 use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
-use crate::results::{ContactField, PlaneField, State};
+use crate::results::{ContactField, PathError, PlaneField, State};
 use crate::scene::{Partner, PlaneMotion, Side};
 use rayon::prelude::*;
 
 /// The accepted state in the terms of the scene.
-pub fn state(model: &Model, history: &History, point: &Point, evaluation: &Evaluation) -> State {
+pub fn state(
+    model: &Model,
+    history: &History,
+    point: &Point,
+    evaluation: &Evaluation,
+    path: Option<PathError>,
+) -> State {
     let displacement = model.displacement(&point.x, point.step, point.time);
     let (stress, peeq) = stresses(model, &plastic_of(model, history), &displacement);
     State {
@@ -22,6 +28,7 @@ pub fn state(model: &Model, history: &History, point: &Point, evaluation: &Evalu
         displacement,
         stress,
         peeq,
+        path,
     }
 }
 

@@ -55,7 +55,7 @@ const TARGET: Target = Target {
 };
 const LIMITS: Limits = Limits {
     levels: 3,
-    unknowns: 3e5,
+    unknowns: 2e5,
 };
 
 /// Which meshes a study is run on.

@@ -73,13 +73,14 @@ pub fn refine(
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let number = levels.len();
-        let out = folder(options.out.as_deref().unwrap_or(Path::new(".")), number);
+        let below = options.out.as_deref().unwrap_or(Path::new("."));
+        let out = folder(below, number);
         let own = Options {
             out: Some(out.clone()),
             ..options.clone()
         };
         let meter = Meter::start();
-        let (scaled, mesh) = series.mesh(case, number, &out, observer)?;
+        let (scaled, mesh) = series.mesh(case, number, below, observer)?;
         let outcome = job::run_on(&scaled, mesh, &own, Instant::now(), observer)?;
         if outcome.interrupted {
             return Ok((levels, Verdict::Interrupted, outcome));

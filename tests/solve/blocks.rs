@@ -159,3 +159,52 @@ fn contact_patch_test_is_uniform() {
         assert!(stress[0].abs() < 1e-8);
     }
 }
+
+/// A cube pulled beyond yield and then sheared while it is held: its flow turns, and the stress depends
+/// on the increments. Source: the same with increments of a hundredth. The estimate is of first order
+/// and from double increments: within a factor of three.
+#[test]
+fn the_error_of_increments_is_known_where_flow_turns() {
+    let solved = |first_increment: f64| {
+        let list = || uniform(0.0, 1.0, 2);
+        let mesh = Block::new("cube", list(), list(), list()).build().unwrap();
+        let mut s = scene(mesh, report_steel());
+        // Simple shear and stretch of all nodes: the strain is given, only the stress is sought.
+        let moved = |name: &str, surface: &str, gradient: [[f64; 3]; 3]| Support {
+            name: name.into(),
+            surface: surface.into(),
+            components: [Some(0.0); 3],
+            gradient,
+        };
+        s.supports = vec![held("x_min", 0), held("y_min", 1), held("z_min", 2)];
+        s.supports[0].surface = "z_min".into();
+        s.supports[1].surface = "z_min".into();
+        let pull = [[0.0; 3], [0.0; 3], [0.0, 0.0, 0.01]];
+        let shear = [[0.0, 0.0, 0.02], [0.0; 3], [0.0; 3]];
+        let mut top = moved("top", "z_max", [[0.0; 3]; 3]);
+        top.gradient = [shear[0], [0.0; 3], [0.0; 3]];
+        top.components = [Some(0.0), Some(0.0), None];
+        s.supports.push(top);
+        let mut up = moved("up", "z_max", pull);
+        up.components = [None, None, Some(0.0)];
+        s.supports.push(up);
+        let step = |name: &str, top: f64, up: f64| Step {
+            name: name.into(),
+            factor: 0.0,
+            factors: vec![("top".into(), top), ("up".into(), up)],
+        };
+        s.steps = vec![step("pull", 0.0, 1.0), step("shear", 1.0, 1.0)];
+        s.controls.first_increment = first_increment;
+        solve(&mut s, &mut Silent).unwrap().last
+    };
+    let (coarse, fine) = (solved(0.3), solved(0.01));
+    let off: [f64; 6] = std::array::from_fn(|i| coarse.stress[0][0][i] - fine.stress[0][0][i]);
+    let error = brinell::results::tensor::mises(&off);
+    let estimate = coarse.path.unwrap().stress[0].unwrap();
+    let ratio = estimate / error;
+    assert!(
+        error > 0.5 && (1.0 / 3.0..3.0).contains(&ratio),
+        "{estimate} for {error}"
+    );
+    assert!(fine.path.unwrap().stress[0].unwrap() < estimate);
+}

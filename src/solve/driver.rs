@@ -1,20 +1,20 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
+use super::counters::Counters;
+use super::diagnosis::{At, describe, diagnose};
 use super::error::SolveError;
 use super::evaluate::{Evaluation, History};
 use super::foresight::{Expected, Unforeseen};
-use super::model::{ContactRow, Counters, Model, can_yield, contact_rows};
+use super::model::{Model, can_yield};
 use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
 use super::path::Path;
 use super::restart::{Kept, Restart, plastic_of};
+use super::rows::{ContactRow, contact_rows};
 use super::start::{self, Closing};
 use super::state;
 use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
-use crate::fem::dofs::FIXED;
-use crate::linear::cholesky::FactorError;
-use crate::mesh::Body;
 use crate::results::State;
 use crate::scene::Scene;
 use std::collections::BTreeMap;
@@ -302,7 +302,12 @@ impl<'a, 'o> Run<'a, 'o> {
                     self.counters.cut_backs += 1;
                     self.solver = LinearSolver::default();
                     if self.size < controls.smallest_increment {
-                        return Err(self.give_up(&stopped, step, time, before));
+                        let at = At {
+                            step,
+                            time,
+                            iterations: self.counters.iterations - before,
+                        };
+                        return Err(diagnose(&self.model, &stopped, &at));
                     }
                     self.observer.message(&format!(
                         "cut back to {:.3} % of the step: {}",
@@ -541,126 +546,5 @@ impl<'a, 'o> Run<'a, 'o> {
         self.observer
             .checkpoint(&make)
             .map_err(SolveError::Observer)
-    }
-
-    fn give_up(&self, stopped: &Stopped, step: usize, time: f64, before: usize) -> SolveError {
-        let failure = stopped.why;
-        let step_name = self.model.scene.steps[step].name.clone();
-        let percent = 100.0 * time;
-        if matches!(
-            failure,
-            Failure::Runaway { .. } | Failure::Factor(FactorError::NotPositiveDefinite { .. })
-        ) && let Some((body, share)) = self.gives_way(&stopped.flowing)
-        {
-            return SolveError::LimitLoad {
-                step: step_name,
-                percent,
-                body,
-                share: 100.0 * share,
-            };
-        }
-        match failure {
-            Failure::Runaway { node, axis } => self.free_body(node, axis),
-            Failure::Factor(FactorError::NotPositiveDefinite { equation }) => {
-                let found = self
-                    .model
-                    .dofs
-                    .equations
-                    .iter()
-                    .enumerate()
-                    .find_map(|(n, axes)| {
-                        axes.iter()
-                            .position(|e| *e != FIXED && *e as usize == equation)
-                            .map(|a| (n, a))
-                    });
-                match found {
-                    Some((node, axis)) => self.free_body(node as u32, axis),
-                    None => SolveError::Factor(FactorError::NotPositiveDefinite { equation }),
-                }
-            }
-            Failure::Factor(error) => SolveError::Factor(error),
-            Failure::Slow {
-                residual,
-                penetration,
-                changed,
-                equation,
-                row,
-            } => SolveError::NotConverged {
-                step: step_name,
-                percent,
-                iterations: self.counters.iterations - before,
-                residual,
-                penetration,
-                place: self.place(equation),
-                contact: self.contact_in_words(row, changed),
-            },
-            Failure::Cancelled => SolveError::NothingFree,
-        }
-    }
-
-    fn free_body(&self, node: u32, axis: usize) -> SolveError {
-        let body = self.body_of(node);
-        SolveError::FreeBody {
-            body: body.name.clone(),
-            axis: ['x', 'y', 'z'][axis],
-            pieces: self.model.scene.mesh.pieces(body.elements.clone()),
-        }
-    }
-
-    fn body_of(&self, node: u32) -> &Body {
-        let mesh = &self.model.scene.mesh;
-        let element = mesh.hexes.iter().position(|h| h.contains(&node));
-        &mesh.bodies[mesh.body_of(element.unwrap_or(0))]
-    }
-
-    /// The body of which the largest share of elements is among the `flowing` ones, and that share;
-    /// `None` where there are none.
-    fn gives_way(&self, elements: &[u32]) -> Option<(String, f64)> {
-        let mesh = &self.model.scene.mesh;
-        let mut flowing = vec![0usize; mesh.bodies.len()];
-        for element in elements {
-            flowing[mesh.body_of(*element as usize)] += 1;
-        }
-        let shares = mesh.bodies.iter().zip(flowing);
-        let shares = shares.map(|(body, n)| (body, n as f64 / body.elements.len().max(1) as f64));
-        let (body, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (share > 0.0).then(|| (body.name.clone(), share))
-    }
-
-    /// Where an equation is, in words.
-    fn place(&self, equation: usize) -> String {
-        let mesh = &self.model.scene.mesh;
-        let node = (self.model.dofs.equations.iter())
-            .position(|axes| axes.iter().any(|e| *e as usize == equation && *e != FIXED));
-        node.map_or_else(String::new, |node| {
-            let [x, y, z] = mesh.points[node];
-            let body = &self.body_of(node as u32).name;
-            format!("`{body}` at ({x:.4}, {y:.4}, {z:.4})")
-        })
-    }
-
-    /// The contact that is furthest from settled, in words.
-    fn contact_in_words(&self, row: Option<usize>, changed: usize) -> String {
-        let Some(row) = row.and_then(|row| self.model.rows.get(row)) else {
-            return "there is no contact".to_owned();
-        };
-        let [x, y, z] = self.model.scene.mesh.points[row.row.node as usize];
-        let pair = &self.model.scene.contacts[row.pair].name;
-        format!("`{pair}` at ({x:.4}, {y:.4}, {z:.4}), {changed} contact nodes still changing")
-    }
-}
-
-fn describe(failure: &Failure) -> String {
-    match failure {
-        Failure::Slow {
-            residual,
-            penetration,
-            ..
-        } => format!(
-            "slow convergence (residual {residual:.1e}, contact violation {penetration:.1e})"
-        ),
-        Failure::Runaway { .. } => "displacements left the model".to_owned(),
-        Failure::Factor(error) => error.to_string(),
-        Failure::Cancelled => "cancelled".to_owned(),
     }
 }

@@ -200,7 +200,7 @@ impl Model<'_> {
     }
 }
 
-impl super::model::ContactRow {
+impl super::rows::ContactRow {
     /// Local components (normal, two tangents) as a vector.
     pub fn global(&self, local: &[f64; 3]) -> [f64; 3] {
         let pressure = self.row.normal.map(|n| local[0] * n);

@@ -5,8 +5,9 @@
 //! solution is looked at in full before it is accepted: if a row that was left out is penetrated,
 //! or an element that was taken for elastic yields, the model is prepared anew.
 
-use super::model::{ContactRow, Model, can_yield};
+use super::model::{Model, can_yield};
 use super::newton::Point;
+use super::rows::ContactRow;
 use crate::material::mises;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

@@ -5,6 +5,8 @@
 //! iteration changes only what yields, opens, sticks or slips.
 
 mod bodies;
+mod counters;
+mod diagnosis;
 mod driver;
 mod error;
 mod evaluate;
@@ -16,14 +18,16 @@ mod observer;
 mod path;
 mod reaction;
 mod restart;
+mod rows;
+mod size;
 mod spring_back;
 mod start;
 mod state;
 mod timers;
 
+pub use counters::Counters;
 pub use driver::{Solution, Unfinished, resume, solve};
 pub use error::SolveError;
-pub use model::Counters;
 pub use observer::{Iteration, Observer, Silent};
 pub use restart::{Restart, Stranger};
 pub use spring_back::spring_back;

@@ -3,9 +3,8 @@
 use super::bodies::{self, Bodies, Plan};
 use super::error::SolveError;
 use super::foresight::Expected;
-use super::timers::Timers;
-use crate::contact::law::Law;
-use crate::contact::mortar::{self, Opposite, Row};
+use super::rows::{ContactRow, penalty};
+use super::size::{is_large, memory};
 use crate::fem::dofs::{DofMap, FIXED, Source};
 use crate::fem::element::Element;
 use crate::fem::loads;
@@ -16,77 +15,8 @@ use crate::linear::preconditioner::Preconditioner;
 use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
-use crate::mesh::{Face, Mesh};
-use crate::scene::{ContactPair, Partner, PlaneMotion, Scene, Side, SolverKind, Step};
-use serde::{Deserialize, Serialize};
-
-/// Penalty over the stiffness of the material next to the contact, at a user factor of one.
-///
-/// The augmented-Lagrange update makes the answer independent of it; it only has to be stiff
-/// enough that few updates are needed and soft enough that the factor stays accurate.
-const PENALTY: f64 = 1000.0;
-
-/// The same where the model is divided and there is friction, which follows the pressure: corrections
-/// are then right to a hundredth of their energy, and beside stiffer contact next to none of that is
-/// left for how the pressure is distributed.
-const DIVIDED_PENALTY: f64 = 50.0;
-
-/// Bounds of both, whatever the user's factor: softer, and multipliers take dozens of updates; stiffer,
-/// and rounding of displacements makes forces that never balance. The answer is the same.
-const SOFTEST: f64 = 10.0;
-const STIFFEST: f64 = 1e6;
-
-/// How often the expensive parts ran.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Counters {
-    pub iterations: usize,
-    pub cut_backs: usize,
-    pub factorisations: usize,
-    pub linear_solves: usize,
-    pub krylov_directions: usize,
-    /// Times that residual and laws were evaluated.
-    pub evaluations: usize,
-    /// Times that the model was prepared: once, and again where something was unforeseen.
-    pub preparations: usize,
-    /// Elements integrated again for a tangent, because they flow.
-    pub element_tangents: usize,
-    /// Integration points whose yield condition was checked.
-    pub plastic_updates: usize,
-    /// Contact nodes whose law was evaluated.
-    pub contact_updates: usize,
-    /// Those of them with friction.
-    pub friction_updates: usize,
-    pub equations: usize,
-    /// Unknowns that are left when the bodies are condensed.
-    pub kept_equations: usize,
-    pub factor_entries: usize,
-    /// Those of them that a factorisation computes; the others belong to condensed bodies.
-    pub kept_factor_entries: usize,
-    pub contact_rows: usize,
-    /// Elements whose yield condition is checked in every iteration.
-    pub watched_elements: usize,
-    pub timers: Timers,
-}
-
-impl Counters {
-    /// Sizes of a model.
-    pub fn measure(&mut self, model: &Model) {
-        self.equations = model.all.len();
-        self.kept_equations = model.dofs.len();
-        self.preparations += 1;
-        self.kept_factor_entries = model.preconditioner.factor_entries();
-        self.factor_entries = model.bodies.factor_entries() + self.kept_factor_entries;
-        self.watched_elements = model.yielding.len();
-        self.contact_rows = model.rows.len();
-    }
-}
-
-/// A contact row with its pair's law.
-pub struct ContactRow {
-    pub row: Row,
-    pub pair: usize,
-    pub law: Law,
-}
+use crate::mesh::Mesh;
+use crate::scene::{PlaneMotion, Scene, SolverKind, Step};
 
 /// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
 pub struct Model<'a> {
@@ -350,44 +280,6 @@ impl<'a> Model<'a> {
     }
 }
 
-/// Is it better to divide the model than to condense its bodies?
-fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool]) -> bool {
-    // Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
-    // made about as often as Krylov directions number with a division.
-    const DIVIDED: f64 = 1.5e7;
-    // Entries of the factors of whole bodies: 1 GB of them takes about as long as a division.
-    const ENTRIES: f64 = 1.2e8;
-    kept(dofs, needed).powi(3) / 3.0 > DIVIDED * dofs.len() as f64 || entries(scene) > ENTRIES
-}
-
-/// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
-fn memory(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
-    let unknowns = dofs.len() as f64;
-    match divided {
-        true => 6e3 * unknowns,
-        false => 2e3 * unknowns + 14.4 * entries(scene) + 1.6 * kept(dofs, needed).powi(2),
-    }
-}
-
-/// Unknowns of the needed vertices.
-fn kept(dofs: &DofMap, needed: &[bool]) -> f64 {
-    let starts = dofs.vertex_start.windows(2).zip(needed);
-    let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
-    f64::from(kept)
-}
-
-/// Entries of the factors of all bodies.
-fn entries(scene: &Scene) -> f64 {
-    let bodies = scene.mesh.bodies.iter();
-    bodies.map(|b| factor_entries(b.elements.len())).sum()
-}
-
-/// About how many entries the factor of a compact body has, ordered by METIS (73 million for a cube
-/// of 30 elements a side, 241 million for one of 40).
-fn factor_entries(elements: usize) -> f64 {
-    73e6 * (elements as f64 / 27e3).powf(1.4)
-}
-
 /// Where each equation acts.
 fn places(scene: &Scene, dofs: &DofMap) -> Vec<Place> {
     let mut places = vec![None; dofs.len()];
@@ -432,108 +324,6 @@ fn yielding(scene: &Scene, bodies: &Bodies) -> Vec<u32> {
 pub fn can_yield(scene: &Scene, element: u32) -> bool {
     let body = scene.mesh.body_of(element as usize);
     scene.controls.plasticity && !scene.materials[body].is_elastic()
-}
-
-/// Contact rows of all pairs up to an initial gap of `reach`, by pair and node.
-pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
-    let moduli: Vec<f64> = scene
-        .materials
-        .iter()
-        .map(|m| m.youngs_modulus / (1.0 - m.poissons_ratio * m.poissons_ratio))
-        .collect();
-    let mut all = Vec::new();
-    for (index, pair) in scene.contacts.iter().enumerate() {
-        let rows = pair_rows(scene, pair, reach, &moduli);
-        all.extend(rows.into_iter().map(|row| ContactRow {
-            law: Law {
-                friction: pair.friction,
-                penalty: penalty(pair, row.stiffness, false),
-                stiffness: row.stiffness,
-            },
-            pair: index,
-            row,
-        }));
-    }
-    all
-}
-
-/// The penalty of a row beside which the bodies have the given stiffness.
-fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
-    let soft = divided && pair.friction > 0.0;
-    let times = if soft { DIVIDED_PENALTY } else { PENALTY };
-    (times * pair.penalty_factor).clamp(SOFTEST, STIFFEST) * stiffness
-}
-
-/// Rows of one pair.
-pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) -> Vec<Row> {
-    let mesh = &scene.mesh;
-    let (carrier, other) = match pair.carrier {
-        Side::Upper => (&pair.upper, &pair.lower),
-        Side::Lower => (&pair.lower, &pair.upper),
-    };
-    let Partner::Surface(carrier) = carrier else {
-        return Vec::new();
-    };
-    let opposite = match other {
-        Partner::Surface(name) => mesh.surface(name).map(Opposite::Surface),
-        Partner::Plane { point, normal } => Some(Opposite::Plane {
-            point: *point,
-            normal: *normal,
-        }),
-    };
-    let (Some(carrier), Some(opposite)) = (mesh.surface(carrier), opposite) else {
-        return Vec::new();
-    };
-    mortar::rows(&mortar::Pair {
-        mesh,
-        carrier,
-        opposite,
-        true_geometry: pair.true_geometry,
-        friction: pair.friction > 0.0,
-        reach,
-        moduli,
-        mirrors: &scene.mirrors,
-        held: &held_planes(scene, pair),
-    })
-}
-
-/// Planes, by axis and coordinate, that supports hold both sides of a pair on.
-fn held_planes(scene: &Scene, pair: &ContactPair) -> Vec<(usize, f64)> {
-    let mesh = &scene.mesh;
-    let body = |partner: &Partner| match partner {
-        Partner::Surface(name) => {
-            let face = mesh.surface(name)?.faces.first()?;
-            Some(mesh.body_of(face.element as usize))
-        }
-        Partner::Plane { .. } => None,
-    };
-    let of = |body: usize| -> Vec<(usize, f64)> {
-        let held = scene.supports.iter().flat_map(|s| {
-            let axes =
-                (0..3).filter(|a| s.components[*a] == Some(0.0) && s.gradient[*a] == [0.0; 3]);
-            axes.filter_map(|axis| Some((axis, plane_of(mesh, &s.surface, body, axis)?)))
-        });
-        held.collect()
-    };
-    match (body(&pair.upper), body(&pair.lower)) {
-        (Some(upper), Some(lower)) => {
-            let lower = of(lower);
-            let both = of(upper).into_iter();
-            both.filter(|plane| lower.contains(plane)).collect()
-        }
-        (Some(body), None) | (None, Some(body)) => of(body),
-        (None, None) => Vec::new(),
-    }
-}
-
-/// The coordinate along `axis` that all nodes of a surface of `body` have.
-fn plane_of(mesh: &Mesh, surface: &str, body: usize, axis: usize) -> Option<f64> {
-    let faces = &mesh.surface(surface)?.faces;
-    let own = |face: &&Face| mesh.body_of(face.element as usize) == body;
-    let mut nodes = faces.iter().filter(own).flat_map(|face| face.nodes);
-    let at = mesh.points[nodes.next()? as usize][axis];
-    let flat = nodes.all(|node| mesh.points[node as usize][axis] == at);
-    flat.then_some(at)
 }
 
 fn pattern(mesh: &Mesh, bodies: &Bodies, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {

@@ -6,9 +6,10 @@
 //! when forces balance, contact conditions hold *and* nothing changes any more, whatever the
 //! penalty.
 
+use super::counters::Counters;
 use super::evaluate::{Evaluation, History, Trial};
 use super::line_search;
-use super::model::{Counters, Model};
+use super::model::Model;
 use super::observer::{Iteration, Observer};
 use super::start;
 use super::timers::Phase;

@@ -1,8 +1,9 @@
 //! What a solution needs to go on from an accepted increment, as if it had never stopped.
 
+use super::counters::Counters;
 use super::evaluate::History;
 use super::foresight::Expected;
-use super::model::{Counters, Model};
+use super::model::Model;
 use super::newton::Point;
 use super::path::KeptPath;
 use super::state;

@@ -8,7 +8,7 @@
 //! cylinder on a flat with elements of size h then overlaps by about h²/12R at its lowest point,
 //! and the descent from there converges with a far smaller constant than from the touch of points.
 
-use super::model;
+use super::rows;
 use crate::geometry::{Vec3, dot, scale, unit};
 use crate::scene::{Partner, PlaneMotion, Scene};
 
@@ -190,7 +190,7 @@ fn way_to_touch(scene: &Scene, pair: &crate::scene::ContactPair, direction: Vec3
     let whole = extent(scene);
     let mut reach = 1e-3 * whole;
     while reach < 2.0 * whole {
-        let rows = model::pair_rows(scene, pair, reach, &moduli);
+        let rows = rows::pair_rows(scene, pair, reach, &moduli);
         if let Some(row) = rows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)) {
             let lean = dot(row.normal, direction).abs();
             return (lean > 0.1).then(|| row.gap / lean);

@@ -1,0 +1,50 @@
+//! How often the expensive parts of a solution ran.
+
+use super::model::Model;
+use super::timers::Timers;
+use serde::{Deserialize, Serialize};
+
+/// How often the expensive parts ran.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Counters {
+    pub iterations: usize,
+    pub cut_backs: usize,
+    pub factorisations: usize,
+    pub linear_solves: usize,
+    pub krylov_directions: usize,
+    /// Times that residual and laws were evaluated.
+    pub evaluations: usize,
+    /// Times that the model was prepared: once, and again where something was unforeseen.
+    pub preparations: usize,
+    /// Elements integrated again for a tangent, because they flow.
+    pub element_tangents: usize,
+    /// Integration points whose yield condition was checked.
+    pub plastic_updates: usize,
+    /// Contact nodes whose law was evaluated.
+    pub contact_updates: usize,
+    /// Those of them with friction.
+    pub friction_updates: usize,
+    pub equations: usize,
+    /// Unknowns that are left when the bodies are condensed.
+    pub kept_equations: usize,
+    pub factor_entries: usize,
+    /// Those of them that a factorisation computes; the others belong to condensed bodies.
+    pub kept_factor_entries: usize,
+    pub contact_rows: usize,
+    /// Elements whose yield condition is checked in every iteration.
+    pub watched_elements: usize,
+    pub timers: Timers,
+}
+
+impl Counters {
+    /// Sizes of a model.
+    pub fn measure(&mut self, model: &Model) {
+        self.equations = model.all.len();
+        self.kept_equations = model.dofs.len();
+        self.preparations += 1;
+        self.kept_factor_entries = model.preconditioner.factor_entries();
+        self.factor_entries = model.bodies.factor_entries() + self.kept_factor_entries;
+        self.watched_elements = model.yielding.len();
+        self.contact_rows = model.rows.len();
+    }
+}

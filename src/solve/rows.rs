@@ -1,0 +1,131 @@
+//! Contact rows of a scene: the operator of each pair with its law.
+
+use crate::contact::law::Law;
+use crate::contact::mortar::{self, Opposite, Row};
+use crate::mesh::{Face, Mesh};
+use crate::scene::{ContactPair, Partner, Scene, Side};
+
+/// Penalty over the stiffness of the material next to the contact, at a user factor of one.
+///
+/// The augmented-Lagrange update makes the answer independent of it; it only has to be stiff
+/// enough that few updates are needed and soft enough that the factor stays accurate.
+const PENALTY: f64 = 1000.0;
+
+/// The same where the model is divided and there is friction, which follows the pressure: corrections
+/// are then right to a hundredth of their energy, and beside stiffer contact next to none of that is
+/// left for how the pressure is distributed.
+const DIVIDED_PENALTY: f64 = 50.0;
+
+/// Bounds of both, whatever the user's factor: softer, and multipliers take dozens of updates; stiffer,
+/// and rounding of displacements makes forces that never balance. The answer is the same.
+const SOFTEST: f64 = 10.0;
+const STIFFEST: f64 = 1e6;
+
+/// A contact row with its pair's law.
+pub struct ContactRow {
+    pub row: Row,
+    pub pair: usize,
+    pub law: Law,
+}
+
+/// Contact rows of all pairs up to an initial gap of `reach`, by pair and node.
+pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
+    let moduli: Vec<f64> = scene
+        .materials
+        .iter()
+        .map(|m| m.youngs_modulus / (1.0 - m.poissons_ratio * m.poissons_ratio))
+        .collect();
+    let mut all = Vec::new();
+    for (index, pair) in scene.contacts.iter().enumerate() {
+        let rows = pair_rows(scene, pair, reach, &moduli);
+        all.extend(rows.into_iter().map(|row| ContactRow {
+            law: Law {
+                friction: pair.friction,
+                penalty: penalty(pair, row.stiffness, false),
+                stiffness: row.stiffness,
+            },
+            pair: index,
+            row,
+        }));
+    }
+    all
+}
+
+/// The penalty of a row beside which the bodies have the given stiffness.
+pub fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
+    let soft = divided && pair.friction > 0.0;
+    let times = if soft { DIVIDED_PENALTY } else { PENALTY };
+    (times * pair.penalty_factor).clamp(SOFTEST, STIFFEST) * stiffness
+}
+
+/// Rows of one pair.
+pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) -> Vec<Row> {
+    let mesh = &scene.mesh;
+    let (carrier, other) = match pair.carrier {
+        Side::Upper => (&pair.upper, &pair.lower),
+        Side::Lower => (&pair.lower, &pair.upper),
+    };
+    let Partner::Surface(carrier) = carrier else {
+        return Vec::new();
+    };
+    let opposite = match other {
+        Partner::Surface(name) => mesh.surface(name).map(Opposite::Surface),
+        Partner::Plane { point, normal } => Some(Opposite::Plane {
+            point: *point,
+            normal: *normal,
+        }),
+    };
+    let (Some(carrier), Some(opposite)) = (mesh.surface(carrier), opposite) else {
+        return Vec::new();
+    };
+    mortar::rows(&mortar::Pair {
+        mesh,
+        carrier,
+        opposite,
+        true_geometry: pair.true_geometry,
+        friction: pair.friction > 0.0,
+        reach,
+        moduli,
+        mirrors: &scene.mirrors,
+        held: &held_planes(scene, pair),
+    })
+}
+
+/// Planes, by axis and coordinate, that supports hold both sides of a pair on.
+fn held_planes(scene: &Scene, pair: &ContactPair) -> Vec<(usize, f64)> {
+    let mesh = &scene.mesh;
+    let body = |partner: &Partner| match partner {
+        Partner::Surface(name) => {
+            let face = mesh.surface(name)?.faces.first()?;
+            Some(mesh.body_of(face.element as usize))
+        }
+        Partner::Plane { .. } => None,
+    };
+    let of = |body: usize| -> Vec<(usize, f64)> {
+        let held = scene.supports.iter().flat_map(|s| {
+            let axes =
+                (0..3).filter(|a| s.components[*a] == Some(0.0) && s.gradient[*a] == [0.0; 3]);
+            axes.filter_map(|axis| Some((axis, plane_of(mesh, &s.surface, body, axis)?)))
+        });
+        held.collect()
+    };
+    match (body(&pair.upper), body(&pair.lower)) {
+        (Some(upper), Some(lower)) => {
+            let lower = of(lower);
+            let both = of(upper).into_iter();
+            both.filter(|plane| lower.contains(plane)).collect()
+        }
+        (Some(body), None) | (None, Some(body)) => of(body),
+        (None, None) => Vec::new(),
+    }
+}
+
+/// The coordinate along `axis` that all nodes of a surface of `body` have.
+fn plane_of(mesh: &Mesh, surface: &str, body: usize, axis: usize) -> Option<f64> {
+    let faces = &mesh.surface(surface)?.faces;
+    let own = |face: &&Face| mesh.body_of(face.element as usize) == body;
+    let mut nodes = faces.iter().filter(own).flat_map(|face| face.nodes);
+    let at = mesh.points[nodes.next()? as usize][axis];
+    let flat = nodes.all(|node| mesh.points[node as usize][axis] == at);
+    flat.then_some(at)
+}

@@ -1,0 +1,42 @@
+//! What a model will cost, reckoned before it is made.
+
+use crate::fem::dofs::DofMap;
+use crate::scene::Scene;
+
+/// Is it better to divide the model than to condense its bodies?
+pub fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool]) -> bool {
+    // Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
+    // made about as often as Krylov directions number with a division.
+    const DIVIDED: f64 = 1.5e7;
+    // Entries of the factors of whole bodies: 1 GB of them takes about as long as a division.
+    const ENTRIES: f64 = 1.2e8;
+    kept(dofs, needed).powi(3) / 3.0 > DIVIDED * dofs.len() as f64 || entries(scene) > ENTRIES
+}
+
+/// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
+pub fn memory(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
+    let unknowns = dofs.len() as f64;
+    match divided {
+        true => 6e3 * unknowns,
+        false => 2e3 * unknowns + 14.4 * entries(scene) + 1.6 * kept(dofs, needed).powi(2),
+    }
+}
+
+/// Unknowns of the needed vertices.
+fn kept(dofs: &DofMap, needed: &[bool]) -> f64 {
+    let starts = dofs.vertex_start.windows(2).zip(needed);
+    let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
+    f64::from(kept)
+}
+
+/// Entries of the factors of all bodies.
+fn entries(scene: &Scene) -> f64 {
+    let bodies = scene.mesh.bodies.iter();
+    bodies.map(|b| factor_entries(b.elements.len())).sum()
+}
+
+/// About how many entries the factor of a compact body has, ordered by METIS (73 million for a cube
+/// of 30 elements a side, 241 million for one of 40).
+fn factor_entries(elements: usize) -> f64 {
+    73e6 * (elements as f64 / 27e3).powf(1.4)
+}

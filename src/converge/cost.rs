@@ -1,5 +1,6 @@
 //! What a piece of work costs: seconds on the clock, seconds of the processors, memory.
 
+use crate::linear::memory;
 use cpu_time::ProcessTime;
 use serde::Serialize;
 use std::time::Instant;
@@ -44,7 +45,7 @@ impl Meter {
         Cost {
             wall_s: self.clock.elapsed().as_secs_f64(),
             cpu_s: cpu.unwrap_or(f64::NAN),
-            peak_memory_bytes: peak(),
+            peak_memory_bytes: memory::peak(),
             peak_is_own: self.own,
         }
     }
@@ -53,14 +54,6 @@ impl Meter {
 /// Begins the count of Linux's largest resident memory anew; `false` where that is not allowed.
 fn forget_peak() -> bool {
     std::fs::write("/proc/self/clear_refs", "5").is_ok()
-}
-
-/// Largest resident memory of this process, where the system tells.
-fn peak() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
-    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024 * kib)
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ mod record;
 mod sizing;
 
 use crate::case::{Case, Kind};
+use crate::linear::memory;
 use crate::mesh::Mesh;
 use crate::output::summary::{Checks, Counters, Named, Timing};
 use crate::output::{Summary, SummaryInputs, UnitLabels, line_load};
@@ -279,7 +280,7 @@ fn summarise(
             factor_entries: solution.counters.factor_entries,
         },
         timing,
-        peak_memory_bytes: peak_memory(),
+        peak_memory_bytes: memory::peak(),
         measures: &[],
         bores: &bores(case),
         // Nothing but bodies and contact carries force: the tangent alone is shifted.
@@ -335,12 +336,4 @@ fn assumptions(case: &Case) -> Vec<String> {
         .iter()
         .map(|d| format!("{}: {}", d.what, d.effect));
     taken.chain(found).collect()
-}
-
-/// Largest memory of this process so far, where the system tells.
-fn peak_memory() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
-    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024 * kib)
 }

@@ -1,4 +1,4 @@
-//! What memory is left.
+//! What memory is left, and what was taken.
 
 use std::fs;
 
@@ -6,7 +6,10 @@ use std::fs;
 /// less where a control group says so.
 pub fn available() -> Option<f64> {
     let machine = fs::read_to_string("/proc/meminfo").ok();
-    let machine = machine.as_deref().and_then(machine_has_left);
+    let machine = machine
+        .as_deref()
+        .and_then(|text| bytes(text, "MemAvailable:"));
+    let machine = machine.map(|bytes| bytes as f64);
     let group = |name: &str| -> Option<f64> {
         let text = fs::read_to_string(format!("/sys/fs/cgroup/memory.{name}")).ok()?;
         text.trim().parse().ok()
@@ -18,11 +21,16 @@ pub fn available() -> Option<f64> {
     }
 }
 
-/// `MemAvailable` of `/proc/meminfo`, in bytes.
-fn machine_has_left(text: &str) -> Option<f64> {
-    let line = text.lines().find(|l| l.starts_with("MemAvailable:"))?;
-    let kib: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024.0 * kib)
+/// Largest resident memory of this process so far, in bytes, where the system tells.
+pub fn peak() -> Option<u64> {
+    bytes(&fs::read_to_string("/proc/self/status").ok()?, "VmHWM:")
+}
+
+/// The entry `name` of a table of the kernel, in bytes.
+fn bytes(text: &str, name: &str) -> Option<u64> {
+    let line = text.lines().find(|l| l.starts_with(name))?;
+    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(1024 * kib)
 }
 
 #[cfg(test)]
@@ -32,7 +40,7 @@ mod tests {
     #[test]
     fn what_the_kernel_writes_is_read() {
         let text = "MemTotal:       24689764 kB\nMemAvailable:   1024 kB\n";
-        assert_eq!(machine_has_left(text), Some(1_048_576.0));
-        assert_eq!(machine_has_left("MemTotal: 1 kB\n"), None);
+        assert_eq!(bytes(text, "MemAvailable:"), Some(1_048_576));
+        assert_eq!(bytes("MemTotal: 1 kB\n", "MemAvailable:"), None);
     }
 }

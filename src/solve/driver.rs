@@ -515,7 +515,7 @@ impl<'a, 'o> Run<'a, 'o> {
             .increment(&state)
             .map_err(SolveError::Observer)?;
         if last {
-            let plastic = plastic_of(&self.model, &self.history);
+            let plastic = plastic_of(&self.model, &self.history.plastic);
             self.finished.push(Kept::new(&state, plastic));
             self.states.push(state.clone());
         }
@@ -528,7 +528,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let (finished, last, size) = (&self.finished, &self.last, self.size);
         let (expected, counters, path) = (&self.expected, &self.counters, &self.path);
         let make = || {
-            let last = Kept::new(last, plastic_of(model, history));
+            let last = Kept::new(last, plastic_of(model, &history.plastic));
             let expected = Expected {
                 divided: model.is_divided(),
                 ..expected.clone()

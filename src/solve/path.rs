@@ -8,7 +8,7 @@
 
 use super::evaluate::{PlasticElement, watch};
 use super::model::Model;
-use super::restart::Plastic;
+use super::restart::{Plastic, histories_of, plastic_of};
 use crate::material::j2::PlasticPoint;
 use crate::material::mises;
 use crate::results::PathError;
@@ -98,12 +98,8 @@ impl Path {
     }
 
     pub fn keep(&self, model: &Model) -> KeptPath {
-        let keep = |histories: &Vec<PlasticElement>| -> Plastic {
-            let elements = model.yielding.iter().zip(histories);
-            (elements.filter_map(|(e, points)| Some((*e, **points.as_ref()?)))).collect()
-        };
         KeptPath {
-            double: [keep(&self.double[0]), keep(&self.double[1])],
+            double: self.double.each_ref().map(|d| plastic_of(model, d)),
             increments: self.increments,
         }
     }
@@ -111,13 +107,8 @@ impl Path {
 
 impl KeptPath {
     pub fn place(&self, model: &Model) -> Path {
-        let place = |kept: &Plastic| -> Vec<PlasticElement> {
-            let at = |element: &u32| kept.binary_search_by_key(element, |(e, _)| *e);
-            let points = |element| at(element).ok().map(|at| Box::new(kept[at].1));
-            model.yielding.iter().map(points).collect()
-        };
         Path {
-            double: [place(&self.double[0]), place(&self.double[1])],
+            double: self.double.each_ref().map(|d| histories_of(model, d)),
             increments: self.increments,
         }
     }

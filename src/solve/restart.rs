@@ -1,7 +1,7 @@
 //! What a solution needs to go on from an accepted increment, as if it had never stopped.
 
 use super::counters::Counters;
-use super::evaluate::History;
+use super::evaluate::{History, PlasticElement};
 use super::foresight::Expected;
 use super::model::Model;
 use super::newton::Point;
@@ -181,12 +181,8 @@ impl Restart {
                 }
             })
             .collect();
-        let plastic: BTreeMap<u32, &[PlasticPoint; 8]> =
-            self.last.plastic.iter().map(|(e, p)| (*e, p)).collect();
         let history = History {
-            plastic: (model.yielding.iter())
-                .map(|e| plastic.get(e).map(|points| Box::new(**points)))
-                .collect(),
+            plastic: histories_of(model, &self.last.plastic),
             slip_origin: touching.iter().map(|t| t.slip_origin).collect(),
             slip: touching.iter().map(|t| t.slip).collect(),
         };
@@ -206,9 +202,16 @@ impl Restart {
     }
 }
 
-/// The plastic elements of `history`.
-pub(super) fn plastic_of(model: &Model, history: &History) -> Plastic {
-    let elements = model.yielding.iter().zip(&history.plastic);
+/// Those of the watched elements, whose `histories` these are, that have yielded.
+pub(super) fn plastic_of(model: &Model, histories: &[PlasticElement]) -> Plastic {
+    let elements = model.yielding.iter().zip(histories);
     let plastic = elements.filter_map(|(e, points)| Some((*e, **points.as_ref()?)));
     plastic.collect()
+}
+
+/// Histories of the watched elements, from those that have yielded.
+pub(super) fn histories_of(model: &Model, plastic: &Plastic) -> Vec<PlasticElement> {
+    let at = |element: &u32| plastic.binary_search_by_key(element, |(e, _)| *e);
+    let points = |element| at(element).ok().map(|at| Box::new(plastic[at].1));
+    model.yielding.iter().map(points).collect()
 }

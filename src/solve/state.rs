@@ -19,7 +19,7 @@ pub fn state(
     path: Option<PathError>,
 ) -> State {
     let displacement = model.displacement(&point.x, point.step, point.time);
-    let (stress, peeq) = stresses(model, &plastic_of(model, history), &displacement);
+    let (stress, peeq) = stresses(model, &plastic_of(model, &history.plastic), &displacement);
     State {
         step: point.step,
         time: point.time,

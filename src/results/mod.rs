@@ -43,6 +43,46 @@ pub struct State {
     pub planes: Vec<PlaneField>,
     /// What the size of the increments is worth in plastic flow, where that is known.
     pub path: Option<PathError>,
+    /// Where the work of the loads went, on the modelled part; `None` where that is not known.
+    pub energy: Option<Energy>,
+}
+
+/// Work since the start, and what became of it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Energy {
+    /// Of loads and moved planes.
+    pub work: f64,
+    /// Stored in the bodies.
+    pub elastic: f64,
+    /// Spent in plastic flow, hardening included.
+    pub plastic: f64,
+    /// Spent in friction.
+    pub friction: f64,
+    /// Of pressures on gaps that close within an increment: vanishes with the size of increments.
+    pub contact: f64,
+    /// Work of all increments, each counted positive.
+    pub turned_over: f64,
+}
+
+impl Energy {
+    /// Times `copies`: of the whole, from the modelled part.
+    pub fn times(&self, copies: f64) -> Self {
+        Self {
+            work: copies * self.work,
+            elastic: copies * self.elastic,
+            plastic: copies * self.plastic,
+            friction: copies * self.friction,
+            contact: copies * self.contact,
+            turned_over: copies * self.turned_over,
+        }
+    }
+
+    /// What is not accounted for, of the work turned over; `None` where there is none.
+    pub fn imbalance(&self) -> Option<f64> {
+        let spent = self.elastic + self.plastic + self.friction + self.contact;
+        let share = (self.work - spent).abs() / self.turned_over;
+        share.is_finite().then_some(share)
+    }
 }
 
 /// How far off the increments leave a state in which something has yielded, estimated.

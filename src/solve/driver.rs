@@ -15,7 +15,7 @@ use super::start::{self, Closing};
 use super::state;
 use super::timers::{Phase, Timers};
 use crate::contact::law::{Node, Status};
-use crate::results::State;
+use crate::results::{Energy, State};
 use crate::scene::Scene;
 use std::collections::BTreeMap;
 
@@ -508,7 +508,13 @@ impl<'a, 'o> Run<'a, 'o> {
             let (model, point) = (&self.model, &self.point);
             let u = model.kept_displacement(&point.x, point.step, point.time);
             let path = self.path.advance(model, &self.history.plastic, &u);
-            state::state(model, &self.history, point, evaluation, path)
+            let mut state = state::state(model, &self.history, point, evaluation, path);
+            let before = match self.last.displacement.is_empty() {
+                true => Some(Energy::default()),
+                false => self.last.energy,
+            };
+            state.energy = before.and_then(|energy| energy.after(model, &self.last, &state));
+            state
         });
         self.counters.timers = timers;
         self.observer

@@ -16,6 +16,14 @@ pub enum SolveError {
         help("free a surface, or apply a load")
     )]
     NothingFree,
+    #[error("the loads are too large: their squares leave the range of floating-point numbers")]
+    #[diagnostic(
+        code(brinell::solve::out_of_range),
+        help(
+            "look for a slip in a load or its unit, or choose units in which the numbers are nearer to 1"
+        )
+    )]
+    OutOfRange,
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
     Factor(#[from] FactorError),

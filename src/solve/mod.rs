@@ -8,6 +8,7 @@ mod bodies;
 mod counters;
 mod diagnosis;
 mod driver;
+mod energy;
 mod error;
 mod evaluate;
 mod foresight;

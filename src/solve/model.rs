@@ -123,6 +123,9 @@ impl<'a> Model<'a> {
         };
         model.loads.extend(model.prescribed_forces());
         model.reference = model.largest_load();
+        if !(model.reference * model.reference).is_finite() {
+            return Err(SolveError::OutOfRange);
+        }
         for (_, vector) in &mut model.loads {
             model.bodies.reduce(vector);
         }

@@ -70,6 +70,7 @@ impl Kept {
                 contacts: state.contacts.clone(),
                 planes: state.planes.clone(),
                 path: state.path.clone(),
+                energy: state.energy,
             },
             plastic,
         }

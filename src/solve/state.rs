@@ -29,6 +29,7 @@ pub fn state(
         stress,
         peeq,
         path,
+        energy: None,
     }
 }
 

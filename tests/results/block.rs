@@ -177,6 +177,7 @@ pub fn pressed(scene: &Scene) -> State {
     let elements = scene.mesh.hexes.len();
     State {
         path: None,
+        energy: None,
         step: 0,
         time: 1.0,
         displacement: vec![[0.0; 3]; scene.mesh.points.len()],

@@ -41,7 +41,7 @@ pub struct Enhanced {
     /// What the volumetric strain is taken with: the fit of `gradients` in 1, ξ, η, ζ.
     volumetric: [Field; 8],
     /// Volume that each integration point stands for.
-    volumes: [f64; 8],
+    pub(super) volumes: [f64; 8],
 }
 
 impl Enhanced {

@@ -1,5 +1,6 @@
 //! How well an answer satisfies its own equations.
 
+use super::inputs::SummaryInputs;
 use super::values::Named;
 use crate::results::State;
 use crate::results::balance::balances;
@@ -17,16 +18,19 @@ pub struct Checks {
     pub max_penetration_relative: Option<f64>,
     /// Largest tangential traction beyond μ p, relative to μ times the largest pressure.
     pub coulomb_violation: Option<f64>,
+    /// Work of the loads that is neither stored nor spent, relative to all work done.
+    pub energy_imbalance: Option<f64>,
     /// Share of the load that stabilisation carries.
     pub stabilisation_share: Option<f64>,
 }
 
 pub(super) fn checks(
-    given: &Checks,
+    inputs: &SummaryInputs,
     measured: &[Interface],
     load: f64,
     descent: Option<f64>,
 ) -> Checks {
+    let given = &inputs.checks;
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
@@ -41,6 +45,8 @@ pub(super) fn checks(
         coulomb_violation: given
             .coulomb_violation
             .or_else(|| some(Some(largest(&|i| i.coulomb_violation)))),
+        energy_imbalance: (given.energy_imbalance)
+            .or_else(|| inputs.state.energy.and_then(|energy| energy.imbalance())),
         stabilisation_share: given.stabilisation_share,
     }
 }

@@ -24,6 +24,7 @@ use super::left_out::LeftOut;
 use super::units::UnitLabels;
 use super::warnings::{Warning, warnings};
 use crate::certify::{Claim, Evidence, certify};
+use crate::results::Energy;
 use crate::results::interface::{Interface, interfaces};
 use crate::results::load;
 use crate::results::peaks::peaks;
@@ -67,6 +68,8 @@ pub struct Summary {
     /// Load and descent at the end of each step.
     pub load_line: Vec<LoadPoint>,
     pub unloaded: Option<Unloaded>,
+    /// Where the work of the loads went; null where a support is displaced.
+    pub energy: Option<Energy>,
     pub checks: Checks,
     /// What the figures are worth.
     pub certificate: Vec<Claim>,
@@ -132,7 +135,8 @@ impl Summary {
             stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
             load_line: load_line::points(scene, inputs.steps),
             unloaded: (inputs.unloaded).map(|state| Unloaded::new(scene, state, inputs.stays)),
-            checks: checks(&inputs.checks, &measured, applied_load, descent),
+            energy: state.energy.map(|e| e.times(load::copies(scene))),
+            checks: checks(inputs, &measured, applied_load, descent),
             certificate: certify(&Evidence {
                 scene,
                 state,

@@ -162,6 +162,7 @@ fn checks(checks: &Checks) -> String {
             checks.max_penetration_relative,
         ),
         ("Coulomb violation, of μ p", checks.coulomb_violation),
+        ("energy balance, of the work", checks.energy_imbalance),
         (
             "carried by stabilisation, of the load",
             checks.stabilisation_share,

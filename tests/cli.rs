@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Stdio};
 use std::time::{Duration, Instant};
 
-use assert_cmd::assert::Assert;
+use assert_cmd::assert::{Assert, OutputAssertExt};
 use assert_cmd::cargo::cargo_bin_cmd;
 use brinell::mesh::Mesh;
 use brinell::mesh::block::{Block, uniform};
@@ -389,6 +389,27 @@ fn a_run_that_fails_leaves_no_older_answer() {
     std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
     brinell(folder.path(), "run scene.toml --out out").code(2);
     assert!(!files.iter().any(left));
+}
+
+/// A limit on the size of files stands for a disk that is full: the system refuses to write on.
+#[test]
+fn a_full_disk_is_named_and_leaves_nothing_half_written() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    let limited = "trap '' XFSZ; ulimit -f 1; exec \"$0\" run scene.toml --out out";
+    let run = std::process::Command::new("bash")
+        .args(["-c", limited, env!("CARGO_BIN_EXE_brinell")])
+        .current_dir(folder.path())
+        .assert()
+        .code(2);
+    says(&run, &["cannot write out/scene_0001.vtu", "File too large"]);
+    let out = folder.path().join("out");
+    let left = std::fs::read_dir(&out).unwrap().flatten();
+    for entry in left {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        assert!(!name.ends_with(".vtu") && !name.ends_with(".tmp"), "{name}");
+    }
+    brinell(folder.path(), "run scene.toml --out out --resume").code(0);
+    assert!(!collected(&out, "scene.pvd").is_empty());
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! A proposal on the terminal.
 
-use super::candidate::Candidate;
 use super::proposal::Proposal;
 use super::request::Rule;
 use crate::output::text::{Columns, percent, significant};
@@ -134,16 +133,16 @@ fn pressures(proposal: &Proposal) -> String {
 
 fn choice(proposal: &Proposal) -> String {
     let Some(c) = proposal.choice() else {
-        return format!("None is recommended: {}\n", proposal.why);
+        return format!("None is recommended:\n{}", wrapped(&proposal.why, 2));
     };
     let show = |value| proposal.request.units.show(value, Dimension::LENGTH);
     let mut text = format!(
-        "Recommended (<): rollers {} x {}, wall {}, plates {}\n  {}\n",
+        "Recommended (<): rollers {} x {}, wall {}, plates {}\n{}",
         show(c.diameter),
         show(c.length),
         show(c.wall),
         show(c.plate),
-        proposal.why
+        wrapped(&proposal.why, 2)
     );
     if proposal.request.rule.value != Rule::Eccentric
         && c.linear.is_none_or(|p| p.utilisation > 1.0)
@@ -151,21 +150,45 @@ fn choice(proposal: &Proposal) -> String {
         let pressed = c.linear.map_or("the load passes its end".to_string(), |p| {
             format!("p0 is {} of the limit by statics", percent(p.utilisation))
         });
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "  beware: displaced, it leans on its end: {pressed}; --rule eccentric allows for it"
+        text += &wrapped(
+            &format!(
+                "beware: displaced, it leans on its end: {pressed}; --rule eccentric allows for it"
+            ),
+            2,
         );
     }
     text
 }
 
 fn assumed(proposal: &Proposal) -> String {
+    const INDENT: usize = 20;
     let mut text = String::from("Assumed (the option changes it)\n");
     for a in &proposal.assumptions {
         let given = if a.given { ", as asked" } else { "" };
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {:<17} {}{given}: {}", a.option, a.value, a.why);
+        let words = format!("{}{given}: {}", a.value, a.why);
+        let mut lines = wrapped(&words, INDENT);
+        lines.replace_range(2..2 + a.option.len(), a.option);
+        text += &lines;
     }
     text
+}
+
+/// `text` in lines of at most a hundred columns, each indented and ended.
+pub(super) fn wrapped(text: &str, indent: usize) -> String {
+    const WIDTH: usize = 100;
+    let mut lines = String::new();
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() && indent + line.chars().count() + 1 + word.chars().count() > WIDTH {
+            // Writing to a string cannot fail.
+            let _ = writeln!(lines, "{:indent$}{line}", "");
+            line.clear();
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    let _ = writeln!(lines, "{:indent$}{line}", "");
+    lines
 }

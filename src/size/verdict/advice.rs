@@ -1,6 +1,6 @@
 //! What would help where a limit is missed.
 
-use super::{Kind, Placed, Standing};
+use super::{Check, Kind, Placed, Standing};
 use crate::size::SizeError;
 use crate::size::proposal::Proposal;
 use crate::size::request::{ECCENTRIC_MARGIN, Request, Rule, Setting};
@@ -22,6 +22,18 @@ pub struct Advice {
 /// Beyond what the stresses ask for, so that the next try does not miss by a hair.
 const MORE: f64 = 1.05;
 
+/// By which factor the stress behind a missed limit is too high, at least.
+fn short_by(check: &Check) -> f64 {
+    match check.kind {
+        // How much less stress it takes not to yield is not known from the strain.
+        Kind::PlasticStrain => YIELDED,
+        _ => check.utilisation.unwrap_or(1.0),
+    }
+}
+
+/// Taken for the stress of a part that has yielded a little, over yield.
+const YIELDED: f64 = 1.05;
+
 impl Advice {
     /// Contact stresses go with the root of the load: the margin on it is raised by the square of what
     /// is missed.
@@ -31,7 +43,7 @@ impl Advice {
     pub fn new(request: &Request, positions: &[Placed]) -> Result<Self, SizeError> {
         let checks = || positions.iter().flat_map(|p| &p.checks);
         let missed = checks().filter(|c| c.standing.is_missed());
-        let worst = missed.filter_map(|c| c.utilisation).fold(1.0, f64::max);
+        let worst = missed.map(short_by).fold(1.0, f64::max);
         let before = match request.rule.value {
             Rule::Eccentric => request.margin.value,
             // Statics are to be tried before more is asked of them.

@@ -34,6 +34,19 @@ pub enum Kind {
     Solution,
 }
 
+impl Kind {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ContactPressure => "p0",
+            Self::ElasticMises => "elastic Mises",
+            Self::PlasticStrain => "plastic strain",
+            Self::EdgePlasticStrain => "plastic strain at edges",
+            Self::Solution => "solution",
+        }
+    }
+}
+
 /// How a figure stands to its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]

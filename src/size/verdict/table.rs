@@ -2,6 +2,7 @@
 
 use super::{Check, Kind, Placed, Standing, Verdict};
 use crate::output::text::{Columns, percent, significant};
+use crate::size::table::wrapped;
 use std::fmt::Write;
 
 /// Everything, every line ended.
@@ -62,11 +63,10 @@ fn what(check: &Check, verdict: &Verdict) -> String {
                 units.stress
             )
         }
-        (Kind::ContactPressure, None) => format!("p0, {}", units.stress),
-        (Kind::ElasticMises, _) => format!("Mises, elastic, {}", units.stress),
-        (Kind::PlasticStrain, _) => "plastic strain".to_string(),
-        (Kind::EdgePlasticStrain, _) => "plastic strain at edges".to_string(),
-        (Kind::Solution, _) => "solution".to_string(),
+        (Kind::ContactPressure | Kind::ElasticMises, _) => {
+            format!("{}, {}", check.kind.name(), units.stress)
+        }
+        (kind, _) => kind.name().to_string(),
     }
 }
 
@@ -110,8 +110,7 @@ fn position(verdict: &Verdict, placed: &Placed) -> String {
         table.render()
     );
     for (remark, places) in remarks {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "  * {}: {remark}", places.join(", "));
+        text += &wrapped(&format!("* {}: {remark}", places.join(", ")), 2);
     }
     text
 }
@@ -123,48 +122,59 @@ fn conclusion(verdict: &Verdict) -> String {
             .iter()
             .flat_map(|p| p.checks.iter().map(move |c| (p, c)))
     };
-    let worst = checks()
-        .filter_map(|(p, c)| Some((c.utilisation?, p, c)))
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    let worst = worst.map_or_else(String::new, |(share, placed, check)| {
+    let named = |(placed, check): (&Placed, &Check)| {
+        let share = check
+            .utilisation
+            .map_or_else(String::new, |u| format!(" at {}", percent(u)));
         format!(
-            "{} of its limit: {}, {}, {}",
-            percent(share),
+            "{} of {}, {}{share}",
+            check.kind.name(),
             check.place,
-            what(check, verdict),
             placed.position
         )
-    });
-    let count = checks().filter(|(_, c)| c.standing.is_missed()).count();
-    let close = checks()
-        .filter(|(_, c)| c.standing == Standing::MetWithinError)
-        .count();
-    let edges = checks()
-        .filter(|(_, c)| c.standing == Standing::NotJudged)
-        .count();
-    let mut text = match count {
-        0 => format!("VERDICT: all limits are met; the nearest to it is at {worst}\n"),
-        1 => format!("VERDICT: FAILED, one limit is missed; the worst is at {worst}\n"),
-        n => format!("VERDICT: FAILED, {n} limits are missed; the worst is at {worst}\n"),
+    };
+    let by_share = |a: &(&Placed, &Check), b: &(&Placed, &Check)| {
+        a.1.utilisation
+            .unwrap_or(0.0)
+            .total_cmp(&b.1.utilisation.unwrap_or(0.0))
+    };
+    let missed: Vec<String> = (checks().filter(|(_, c)| c.standing.is_missed()))
+        .map(named)
+        .collect();
+    let count = |standing: Standing| checks().filter(|(_, c)| c.standing == standing).count();
+    let mut text = match missed.as_slice() {
+        [] => {
+            let nearest = checks().max_by(by_share).map_or_else(String::new, named);
+            format!("VERDICT: all limits are met; the nearest is that on {nearest} of it\n")
+        }
+        missed => {
+            let words = format!("VERDICT: FAILED, limits missed: {}", missed.join("; "));
+            wrapped(&words, 0)
+        }
     };
     // Writing to a string cannot fail.
-    if close > 0 {
-        let _ = writeln!(
-            text,
-            "  {close} met by less than the estimated error: a finer mesh would tell"
-        );
+    match count(Standing::MetWithinError) {
+        0 => {}
+        n => {
+            let _ = writeln!(
+                text,
+                "  {n} met by less than the estimated error: a finer mesh would tell"
+            );
+        }
     }
-    if edges > 0 {
-        let _ = writeln!(
-            text,
-            "  {edges} beside loaded edges not judged: what is found there belongs to the mesh"
-        );
+    match count(Standing::NotJudged) {
+        0 => {}
+        n => {
+            let _ = writeln!(
+                text,
+                "  {n} beside loaded edges not judged: what is found there belongs to the mesh"
+            );
+        }
     }
     if let Some(advice) = &verdict.advice {
-        let _ = writeln!(
-            text,
-            "  what would help: {}, which {}",
-            advice.options, advice.why
+        text += &wrapped(
+            &format!("what would help: {}, which {}", advice.options, advice.why),
+            2,
         );
     }
     text

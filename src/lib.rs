@@ -37,6 +37,7 @@ pub mod mesh;
 pub mod output;
 pub mod results;
 pub mod scene;
+pub mod size;
 pub mod solve;
 pub mod study;
 pub mod target;

@@ -77,6 +77,28 @@ impl DisplacedRoller {
         }
     }
 
+    /// Length L at which [`linear`](Self::linear) presses with just `largest` per length under the
+    /// load P, whose resultant passes e beside mid-length: [`linear`](Self::linear) solved for L.
+    ///
+    /// ```text
+    /// L = (P + √(P² + 24 e P w)) / 2w  where that is 6e or more, else  L = 2e + 4P / 3w
+    /// ```
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for P or w not positive, or e negative.
+    pub fn length_for(load: f64, offset: f64, largest: f64) -> Result<f64, DomainError> {
+        let p = error::positive("load", load)?;
+        let e = error::non_negative("offset of the load", offset)?;
+        let w = error::positive("largest load per length", largest)?;
+        let bearing_all_along = 0.5 * (p / w) * (1.0 + (1.0 + 24.0 * e * w / p).sqrt());
+        let length = if bearing_all_along >= 6.0 * e {
+            bearing_all_along
+        } else {
+            2.0 * e + 4.0 * p / (3.0 * w)
+        };
+        error::representable("length", length)
+    }
+
     /// The linear distribution at the distance y from mid-length, positive towards the resultant;
     /// zero where the roller lifts off and beyond its ends.
     ///

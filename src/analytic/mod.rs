@@ -11,6 +11,7 @@
 //! | stress below the surface, first yield | [`subsurface`] |
 //! | stick and slip | [`friction`] |
 //! | equations (2-45) to (2-51) of the reference study | [`sizing`] |
+//! | rolling without sliding, equations (2-3), (2-28), (2-39) | [`rolling`] |
 //! | roller in a V groove, roller off the centre | [`vgroove`], [`displaced`] |
 //! | hollow roller squeezed between plates | [`ring`], [`curved_beam`] |
 //! | steel curve, yielding tube, limit load | [`steel`], [`tube`], [`tube_mises`], [`limit`] |
@@ -37,6 +38,7 @@ pub mod hertz;
 pub mod limit;
 pub mod patch;
 pub mod ring;
+pub mod rolling;
 pub mod sizing;
 pub mod steel;
 pub mod stress;

@@ -4,8 +4,10 @@ mod console;
 pub mod converge;
 pub mod export;
 pub mod hertz;
+pub mod init;
 pub mod mesh;
 pub mod run;
+pub mod size;
 pub mod study;
 pub mod verify;
 
@@ -28,6 +30,10 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Write a commented case file to begin with.
+    Init(init::InitArgs),
+    /// Size a bearing for a load, a steel and a displacement; with --verify, solve it and judge it.
+    Size(size::SizeArgs),
     /// Solve one case: tables to the terminal, summary.json and VTK files to a folder.
     Run(run::RunArgs),
     /// Mesh a bearing case by gmsh.
@@ -61,6 +67,8 @@ impl Cli {
     /// Carries out the command; errors are printed.
     pub fn run(self) -> ExitCode {
         let status = match self.command {
+            Command::Init(args) => init::run(&args),
+            Command::Size(args) => size::run(&args),
             Command::Run(args) => run::run(&args),
             Command::Mesh(args) => mesh::run(&args),
             Command::Export(args) => export::run(&args),

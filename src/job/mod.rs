@@ -31,7 +31,7 @@ pub use export::{Exported, export};
 use folder::Folder;
 pub use mesh::{find_mesh, make_mesh, unknowns};
 use record::Recorder;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Name of the summary in the folder of a run.
@@ -93,6 +93,11 @@ fn unloaded<'s>(scene: &Scene, solution: &'s Solution) -> Option<&'s State> {
     let full = applied(scene, reported(scene, solution));
     let left = applied(scene, last);
     (left <= LITTLE * full).then_some(last)
+}
+
+/// Has an earlier run into `folder` left what [`Options::resume`] goes on from?
+pub fn has_checkpoint(folder: &Path) -> bool {
+    folder.join(checkpoint::FILE).is_file()
 }
 
 /// Runs `case` on its mesh, telling `observer` of every iteration.

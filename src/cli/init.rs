@@ -1,0 +1,171 @@
+//! `brinell init`: a commented case file to begin with.
+
+use super::{CommandResult, Status, say};
+use crate::output::OutputError;
+use crate::output::file::write_atomically;
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+
+/// What the case describes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// A roller bearing, given by its dimensions.
+    Bearing,
+    /// Bodies, contacts, supports and loads by name on a mesh of yours.
+    General,
+}
+
+#[derive(Debug, Args)]
+pub struct InitArgs {
+    /// The file to write [default: bearing.toml or scene.toml].
+    pub path: Option<PathBuf>,
+    /// What the case describes.
+    #[arg(long, value_enum, default_value = "bearing")]
+    pub kind: Kind,
+    /// Write over a file that is there.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Why no case file was written.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+enum InitError {
+    #[error("there is already a file {}", .0.display())]
+    #[diagnostic(
+        code(brinell::init::exists),
+        help("name another one, or write over it with --force")
+    )]
+    Exists(PathBuf),
+    #[error(transparent)]
+    #[diagnostic(
+        code(brinell::init::output),
+        help("name another place, or make room and give write permission")
+    )]
+    Output(#[from] OutputError),
+}
+
+impl Kind {
+    fn file(self) -> &'static str {
+        match self {
+            Self::Bearing => "bearing.toml",
+            Self::General => "scene.toml",
+        }
+    }
+
+    /// The case file, which says how to run it as `file`.
+    fn text(self, file: &Path) -> String {
+        let text = match self {
+            Self::Bearing => include_str!("init/bearing.toml"),
+            Self::General => include_str!("init/general.toml"),
+        };
+        text.replace("{file}", &file.display().to_string())
+    }
+}
+
+/// Carries out the command.
+pub fn run(args: &InitArgs) -> CommandResult {
+    let path = args.path.clone().unwrap_or_else(|| args.kind.file().into());
+    write(args, &path).map_err(|error| (Status::BadInput, error.into()))?;
+    let path = path.display();
+    say(&format!("written: {path}"));
+    say(&match args.kind {
+        Kind::Bearing => format!("next: brinell run {path}"),
+        Kind::General => format!("next: put in your mesh and its names, then brinell run {path}"),
+    });
+    Ok(Status::Done)
+}
+
+fn write(args: &InitArgs, path: &Path) -> Result<(), InitError> {
+    if path.exists() && !args.force {
+        return Err(InitError::Exists(path.to_owned()));
+    }
+    let text = args.kind.text(path);
+    Ok(write_atomically(path, |out| {
+        out.write_all(text.as_bytes())
+    })?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::{self, Case};
+
+    fn read(kind: Kind, text: &str) -> Case {
+        case::parse(kind.file(), text).expect(text)
+    }
+
+    #[test]
+    fn both_templates_are_cases() {
+        let bearing = read(Kind::Bearing, &Kind::Bearing.text(Path::new("a.toml")));
+        assert!(matches!(bearing.kind, case::Kind::Bearing(_)));
+        let general = read(Kind::General, &Kind::General.text(Path::new("a.toml")));
+        assert!(matches!(general.kind, case::Kind::General(_)));
+    }
+
+    /// A default that is shown behind a `#` changes nothing where the `#` is taken away.
+    #[test]
+    fn shown_defaults_are_the_defaults() {
+        let shown = [
+            "unload = false",
+            "unload_to = 0.001",
+            "roller_end = \"square\"",
+            "offset_is = \"roller\"",
+            "plate_size = \"8 in\"",
+            "full = false",
+        ];
+        let text = Kind::Bearing.text(Path::new("a.toml"));
+        let case::Kind::Bearing(plain) = read(Kind::Bearing, &text).kind else {
+            panic!("not a bearing")
+        };
+        for line in shown {
+            let with = text.replace(&format!("# {line}"), line);
+            assert_ne!(with, text, "{line}");
+            let case::Kind::Bearing(other) = read(Kind::Bearing, &with).kind else {
+                panic!("not a bearing")
+            };
+            assert_eq!(other.geometry, plain.geometry, "{line}");
+            assert_eq!(other.unload_to, plain.unload_to, "{line}");
+        }
+    }
+
+    /// What is shown as an alternative reads, too.
+    #[test]
+    fn shown_alternatives_read() {
+        let bearing = Kind::Bearing.text(Path::new("a.toml"));
+        let changes: [(&str, &str); 3] = [
+            (
+                "tangent_modulus = \"295 ksi\"",
+                "hardening = { stress = \"138 ksi\", strain = 0.157, strain_is = \"total\" }",
+            ),
+            ("# stages", "stages"),
+            (
+                "# [controls]\n# plasticity = true\n# element",
+                "[controls]\nplasticity = true\nelement",
+            ),
+        ];
+        for (from, to) in changes {
+            let text = bearing.replace(from, to);
+            assert_ne!(text, bearing, "{from}");
+            read(Kind::Bearing, &text);
+        }
+        let general = Kind::General.text(Path::new("a.toml"));
+        let changes = [
+            ("# symmetry", "symmetry"),
+            ("# unit", "unit"),
+            ("# carrier", "carrier"),
+            (
+                "# [[step]]\n# name = \"load\"\n# factor",
+                "[[step]]\nname = \"load\"\nfactor",
+            ),
+            (
+                "# [[pressure]]\n# surface = \"upper_top\"\n# value",
+                "[[pressure]]\nsurface = \"upper_top\"\nvalue",
+            ),
+        ];
+        for (from, to) in changes {
+            let text = general.replace(from, to);
+            assert_ne!(text, general, "{from}");
+            read(Kind::General, &text);
+        }
+    }
+}

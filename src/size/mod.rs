@@ -1,0 +1,26 @@
+//! Sizing: from load, steel and displacement to a bearing, and whether it stands.
+//!
+//! [`Proposal`] goes through practical diameters by the rules of the reference study ([`Candidate`]);
+//! [`case_file`] writes the chosen one; [`verify`] solves it at the centre and displaced, and holds
+//! every part and every line of contact against its limit ([`Verdict`]).
+
+mod assumption;
+mod candidate;
+mod case_file;
+mod error;
+mod practical;
+mod proposal;
+mod request;
+pub mod table;
+mod verdict;
+mod verify;
+
+pub use assumption::Assumption;
+pub use candidate::{Candidate, Lengths, Pressed, STOUT};
+pub use case_file::{Position, case_file};
+pub use error::SizeError;
+pub use practical::{diameters, rounded_up};
+pub use proposal::Proposal;
+pub use request::{Request, Rule, Setting, quantity, units_of_load};
+pub use verdict::{Advice, Check, Kind, Placed, Standing, Verdict, render as render_verdict};
+pub use verify::{Verification, verify, write};

@@ -1,0 +1,107 @@
+//! Every part: elastic Mises stress below yield, no plastic strain.
+
+use super::flow::{Flow, flows};
+use super::{Check, Kind, Standing};
+use crate::certify::{Claim, Quantity};
+use crate::job::Outcome;
+use crate::output::Summary;
+use crate::output::text::significant;
+use crate::size::Proposal;
+
+pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
+    let flows = flows(outcome);
+    let bodies = outcome.scene.mesh.bodies.iter().zip(flows);
+    let bodies: Vec<(&str, Flow)> = bodies.map(|(b, f)| (b.name.as_str(), f)).collect();
+    let summary = &outcome.summary;
+    let limit = proposal.request.yield_stress;
+    let stress = (bodies.iter()).map(|(body, flow)| mises(summary, body, *flow, limit));
+    let strain = bodies
+        .iter()
+        .flat_map(|(body, flow)| strains(summary, body, *flow));
+    stress.chain(strain).collect()
+}
+
+fn claim<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s Claim> {
+    let of = |kind: &Quantity| {
+        let mut claims = summary.certificate.iter();
+        claims.find(|claim| claim.what == *kind && claim.place == body)
+    };
+    kinds.iter().find_map(of)
+}
+
+fn bare(kind: Kind, body: &str) -> Check {
+    Check {
+        kind,
+        place: body.to_string(),
+        across: None,
+        line_load: None,
+        along: None,
+        value: None,
+        error: None,
+        limit: None,
+        utilisation: None,
+        standing: Standing::NotJudged,
+        remark: None,
+    }
+}
+
+/// The peak of the elastic solution, away from loaded edges where it lies at one.
+fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
+    use Quantity::{ElasticMisesAway, ElasticPeakMises, MisesAway, PeakMises};
+    let yielded = flow != Flow::default();
+    let (peak, away) = match yielded {
+        true => (ElasticPeakMises, ElasticMisesAway),
+        false => (PeakMises, MisesAway),
+    };
+    let mut check = Check {
+        limit: Some(limit),
+        ..bare(Kind::ElasticMises, body)
+    };
+    let Some(judged) = claim(summary, body, &[away, peak]) else {
+        check.standing = Standing::Missed;
+        check.remark = Some("no elastic solution: the part has yielded".to_string());
+        return check;
+    };
+    let error = judged.error.total().or(judged.error.discretisation);
+    if judged.what == away {
+        let edge = claim(summary, body, &[peak]).map(|claim| significant(claim.value, 2));
+        check.remark = Some(format!(
+            "away from loaded edges; at one it is {} on this mesh, and has no bound",
+            edge.unwrap_or_default()
+        ));
+    }
+    check.value = Some(judged.value);
+    check.error = error;
+    check.utilisation = Some(judged.value / limit);
+    check.standing = Standing::of(judged.value, error, limit);
+    check
+}
+
+/// Plastic strain away from loaded edges, and what there is beside them.
+fn strains(summary: &Summary, body: &str, flow: Flow) -> Vec<Check> {
+    let certified = claim(summary, body, &[Quantity::PeakPlasticStrain]);
+    // The certificate is about the largest of all.
+    let own = certified.filter(|_| flow.away >= flow.at_edges);
+    let mut checks = vec![Check {
+        value: Some(flow.away),
+        error: own.and_then(|claim| claim.error.discretisation),
+        limit: Some(0.0),
+        standing: match flow.away > 0.0 {
+            true => Standing::Missed,
+            false => Standing::Met,
+        },
+        ..bare(Kind::PlasticStrain, body)
+    }];
+    if flow.at_edges > 0.0 {
+        checks.push(Check {
+            value: Some(flow.at_edges),
+            remark: Some(
+                "beside a loaded edge: a square end yields there on any mesh that is fine enough, \
+                 and is dented a little; a rounded or crowned --end is not square"
+                    .to_string(),
+            ),
+            ..bare(Kind::EdgePlasticStrain, body)
+        });
+    }
+    checks
+}

@@ -1,0 +1,181 @@
+//! The verdict as text.
+
+use super::{Check, Kind, Placed, Standing, Verdict};
+use crate::output::text::{Columns, percent, significant};
+use crate::size::table::wrapped;
+use std::fmt::Write;
+
+/// Everything, every line ended.
+pub fn render(verdict: &Verdict) -> String {
+    let mut text = String::new();
+    for placed in &verdict.positions {
+        text += &position(verdict, placed);
+        text.push('\n');
+    }
+    text + &conclusion(verdict)
+}
+
+/// The same as a Markdown file.
+pub fn page(verdict: &Verdict) -> String {
+    let units = &verdict.units;
+    let design = &verdict.design;
+    let n = |value: f64| significant(value, 4);
+    format!(
+        "# Verdict: {}\n\n\
+         Load {} {}, steel of {} {}, displacement {} {}; rollers {} x {} {}, wall {}, plates {}; mesh `{}`, \
+         Brinell {}.\n\n```text\n{}```\n",
+        if verdict.met { "met" } else { "MISSED" },
+        n(verdict.load),
+        units.force,
+        n(verdict.yield_stress),
+        units.stress,
+        n(verdict.capacity),
+        units.length,
+        n(design.diameter),
+        n(design.length),
+        units.length,
+        n(design.wall),
+        n(design.plate),
+        verdict.mesh,
+        verdict.brinell_version,
+        render(verdict)
+    )
+}
+
+fn said(standing: Standing) -> &'static str {
+    match standing {
+        Standing::Met => "yes",
+        Standing::MetWithinError => "yes, within ±",
+        Standing::MissedWithinError => "NO, within ±",
+        Standing::Missed => "NO",
+        Standing::NotJudged => "not judged",
+    }
+}
+
+fn what(check: &Check, verdict: &Verdict) -> String {
+    let units = &verdict.units;
+    match (check.kind, check.line_load) {
+        (Kind::ContactPressure, Some(q)) => {
+            format!(
+                "p0 at {} {}, {}",
+                significant(q, 4),
+                units.line_load(),
+                units.stress
+            )
+        }
+        (Kind::ContactPressure | Kind::ElasticMises, _) => {
+            format!("{}, {}", check.kind.name(), units.stress)
+        }
+        (kind, _) => kind.name().to_string(),
+    }
+}
+
+fn position(verdict: &Verdict, placed: &Placed) -> String {
+    let units = &verdict.units;
+    let dash = || "-".to_string();
+    let mut table = Columns::new(&[
+        "where", "what", "value", "± error", "limit", "of limit", "met",
+    ]);
+    let mut remarks: Vec<(&str, Vec<&str>)> = Vec::new();
+    for check in &placed.checks {
+        let mut star = "";
+        if let Some(remark) = &check.remark {
+            star = "*";
+            match remarks.iter_mut().find(|(known, _)| known == remark) {
+                Some((_, places)) => places.push(&check.place),
+                None => remarks.push((remark, vec![&check.place])),
+            }
+        }
+        let number =
+            |value: Option<f64>, digits| value.map_or_else(dash, |v| significant(v, digits));
+        table.row([
+            check.place.clone(),
+            what(check, verdict),
+            format!("{}{star}", number(check.value, 4)),
+            number(check.error, 2),
+            number(check.limit, 4),
+            check.utilisation.map_or_else(dash, percent),
+            said(check.standing).to_string(),
+        ]);
+    }
+    let mut text = format!(
+        "{}: rollers at s = {} {}, {} unknowns, {:.0} s, descent {} {}\n{}",
+        placed.position,
+        significant(placed.offset, 4),
+        units.length,
+        placed.unknowns,
+        placed.seconds,
+        placed.descent.map_or_else(dash, |d| significant(d, 4)),
+        units.length,
+        table.render()
+    );
+    for (remark, places) in remarks {
+        text += &wrapped(&format!("* {}: {remark}", places.join(", ")), 2);
+    }
+    text
+}
+
+fn conclusion(verdict: &Verdict) -> String {
+    let checks = || {
+        verdict
+            .positions
+            .iter()
+            .flat_map(|p| p.checks.iter().map(move |c| (p, c)))
+    };
+    let named = |(placed, check): (&Placed, &Check)| {
+        let share = check
+            .utilisation
+            .map_or_else(String::new, |u| format!(" at {}", percent(u)));
+        format!(
+            "{} of {}, {}{share}",
+            check.kind.name(),
+            check.place,
+            placed.position
+        )
+    };
+    let by_share = |a: &(&Placed, &Check), b: &(&Placed, &Check)| {
+        a.1.utilisation
+            .unwrap_or(0.0)
+            .total_cmp(&b.1.utilisation.unwrap_or(0.0))
+    };
+    let missed: Vec<String> = (checks().filter(|(_, c)| c.standing.is_missed()))
+        .map(named)
+        .collect();
+    let count = |standing: Standing| checks().filter(|(_, c)| c.standing == standing).count();
+    let mut text = match missed.as_slice() {
+        [] => {
+            let nearest = checks().max_by(by_share).map_or_else(String::new, named);
+            format!("VERDICT: all limits are met; the nearest is that on {nearest} of it\n")
+        }
+        missed => {
+            let words = format!("VERDICT: FAILED, limits missed: {}", missed.join("; "));
+            wrapped(&words, 0)
+        }
+    };
+    // Writing to a string cannot fail.
+    match count(Standing::MetWithinError) {
+        0 => {}
+        n => {
+            let _ = writeln!(
+                text,
+                "  {n} met by less than the estimated error: a finer mesh would tell"
+            );
+        }
+    }
+    match count(Standing::NotJudged) {
+        0 => {}
+        n => {
+            let _ = writeln!(
+                text,
+                "  {n} beside loaded edges not judged: what is found there belongs to the mesh"
+            );
+        }
+    }
+    if let Some(advice) = &verdict.advice {
+        text += &wrapped(
+            &format!("what would help: {}, which {}", advice.options, advice.why),
+            2,
+        );
+    }
+    text
+}

@@ -39,6 +39,7 @@ pub mod results;
 pub mod scene;
 pub mod solve;
 pub mod study;
+pub mod sweep;
 pub mod target;
 pub mod units;
 pub mod verify;

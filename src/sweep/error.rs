@@ -53,10 +53,13 @@ pub enum SweepError {
         )
     )]
     There { path: PathBuf, rows: usize },
-    #[error("row {row} is not what was written into {}", path.display())]
+    #[error("row {row} is not what has been prepared in {}", path.display())]
     #[diagnostic(
         code(brinell::sweep::changed),
-        help("the sweep or its case has changed since; give --emit slurm --resume once more")
+        help(
+            "nothing has been, or the sweep or its case has changed since: prepare the rows by \
+              --emit slurm --resume"
+        )
     )]
     Changed { row: usize, path: PathBuf },
     #[error("{} cannot be used: {error}", path.display())]

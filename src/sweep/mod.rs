@@ -12,6 +12,7 @@ mod figures;
 mod file;
 mod local;
 mod one;
+mod parameter;
 mod place;
 mod plot;
 mod prepare;

@@ -10,6 +10,7 @@ use crate::case;
 use crate::job::{self, JobError, Options, Outcome};
 use crate::output::file::write_atomically;
 use crate::solve::Observer;
+use std::io::ErrorKind;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -39,7 +40,12 @@ pub fn run(
     }
     record::forget(&folder)?;
     let file = folder.join(CASE);
-    let text = std::fs::read_to_string(&file).map_err(|error| SweepError::folder(&file, error))?;
+    let text = match std::fs::read_to_string(&file) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            return Err(SweepError::folder(&file, error));
+        }
+        text => text.unwrap_or_default(),
+    };
     if text != row.text {
         return Err(SweepError::Changed {
             row: row.number,
@@ -94,7 +100,7 @@ fn solve(
     if !resume {
         // First gone, then ours: a checkpoint is never taken for that of another row.
         match std::fs::remove_file(folder.join(job::CHECKPOINT_FILE)) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
                 return Err(JobError::folder(folder, error));
             }
             _ => {}

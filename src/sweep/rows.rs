@@ -72,13 +72,26 @@ pub fn read(path: &Path) -> Result<Sweep, SweepError> {
 }
 
 impl Sweep {
-    /// The case of a row, in messages called as the case that is varied.
+    /// The case of a row, its meshes sought where those of the case that is varied are.
     ///
     /// # Errors
-    /// Where a key of the row has no place in the case, or the case makes no sense.
+    /// Where the case makes no sense.
     pub fn case_of(&self, row: &Row) -> Result<Case, CaseError> {
-        self.check(&[&self.fixed, &row.parameters])?;
         case::parse(&self.case.to_string_lossy(), &row.text)
+    }
+
+    /// What is wrong with a row: a key has no place in the case, or the case makes no sense.
+    fn wrong(&self, row: &Row) -> Option<CaseError> {
+        let set = self.fixed.iter().chain(&row.parameters);
+        for (key, _) in set {
+            if !variant::has_place(&self.base, key) {
+                let message = format!("the case {} has no place for `{key}`", self.case.display());
+                return Some(CaseError::new(ErrorKind::UnknownKey, message));
+            }
+        }
+        // The lines that are marked are those of the row, not of the case.
+        let name = format!("{} with row {}", self.case.display(), row.number);
+        case::parse(&name, &row.text).err()
     }
 
     /// Reads the case of every row; nothing is solved.
@@ -88,7 +101,7 @@ impl Sweep {
     pub fn validate(&self) -> Result<(), SweepError> {
         const TOLD: usize = 5;
         let rows = self.rows.iter();
-        let wrong = rows.filter_map(|row| Some((row, self.case_of(row).err()?)));
+        let wrong = rows.filter_map(|row| Some((row, self.wrong(row)?)));
         let wrong: Vec<(&Row, CaseError)> = wrong.collect();
         if wrong.is_empty() {
             return Ok(());
@@ -117,20 +130,6 @@ impl Sweep {
             row: number,
             rows: self.rows.len(),
         })
-    }
-
-    fn check(&self, settings: &[&Settings]) -> Result<(), CaseError> {
-        let keys = settings.iter().copied().flatten().map(|(key, _)| key);
-        match keys
-            .into_iter()
-            .find(|key| !variant::has_place(&self.base, key))
-        {
-            None => Ok(()),
-            Some(key) => {
-                let message = format!("the case {} has no place for `{key}`", self.case.display());
-                Err(CaseError::new(ErrorKind::UnknownKey, message))
-            }
-        }
     }
 
     /// The column and value that are to blame for `error`: the one that it names, or the one that

@@ -40,6 +40,7 @@ pub mod scene;
 pub mod size;
 pub mod solve;
 pub mod study;
+pub mod sweep;
 pub mod target;
 pub mod units;
 pub mod verify;

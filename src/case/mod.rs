@@ -28,6 +28,7 @@ mod reference;
 mod source;
 mod steel;
 mod surface;
+pub mod variant;
 
 use std::path::{Path, PathBuf};
 

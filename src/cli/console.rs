@@ -22,17 +22,9 @@ impl Console {
         if let Ok(style) = ProgressStyle::with_template("{elapsed_precise} {wide_bar} {msg}") {
             bar.set_style(style);
         }
-        let stop = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&stop);
-        // A second handler in one process is refused; the first one then still works.
-        let _ = ctrlc::set_handler(move || {
-            if flag.swap(true, Ordering::Relaxed) {
-                std::process::exit(i32::from(Status::Interrupted as u8));
-            }
-        });
         Self {
             bar,
-            stop,
+            stop: set_on_ctrl_c(),
             quiet,
             lines: 0,
         }
@@ -53,6 +45,19 @@ impl Console {
             self.bar.suspend(|| say(text));
         }
     }
+}
+
+/// A flag that Ctrl-C sets; a second one ends the program at once.
+pub fn set_on_ctrl_c() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&stop);
+    // A second handler in one process is refused; the first one then still works.
+    let _ = ctrlc::set_handler(move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(i32::from(Status::Interrupted as u8));
+        }
+    });
+    stop
 }
 
 impl Observer for Console {

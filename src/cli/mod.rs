@@ -9,6 +9,7 @@ pub mod mesh;
 pub mod run;
 pub mod size;
 pub mod study;
+pub mod sweep;
 pub mod verify;
 
 use crate::case::{self, Case};
@@ -44,6 +45,8 @@ enum Command {
     Hertz(hertz::HertzArgs),
     /// One case on a series of meshes: error against unknowns, run time and memory.
     Converge(converge::ConvergeArgs),
+    /// Many cases from one: a table of parameters to a row of results each, here or by Slurm.
+    Sweep(sweep::SweepArgs),
     /// The published study, rerun: printed values, the coarse mesh, resolved meshes, Hertz.
     Study(study::StudyArgs),
     /// The verification ladder: problems with known answers, and how far off the program is.
@@ -74,6 +77,7 @@ impl Cli {
             Command::Export(args) => export::run(&args),
             Command::Converge(args) => converge::run(&args),
             Command::Study(args) => study::run(&args),
+            Command::Sweep(args) => sweep::run(&args),
             Command::Verify(args) => verify::run(&args),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| Status::Done)

@@ -6,6 +6,8 @@ use crate::case::{BearingCase, Case, Family, Kind, MeshOrigin};
 use crate::fem::dofs::DofMap;
 use crate::mesh::family::problem_h;
 use crate::mesh::{Mesh, gmsh, msh};
+use crate::output::file::write_atomically;
+use crate::solve::{self, Estimate};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -48,6 +50,47 @@ pub fn find_mesh(
     make(bearing, &kept)
 }
 
+/// The mesh of the bearing of `case` in the file `kept`: as it is there, copied from where one is at
+/// hand, or made by gmsh. The file is whole at any moment.
+///
+/// # Errors
+/// As [`make_mesh`], and where the file cannot be written.
+pub fn keep_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
+    let Kind::Bearing(bearing) = &case.kind else {
+        return make_mesh(case, kept);
+    };
+    let wanted = bearing.fingerprint();
+    let failed = |error| JobError::folder(kept, error);
+    for path in std::iter::once(kept.to_owned()).chain(known_places(case, bearing, None)) {
+        let Some(mesh) = msh::read(&path)
+            .ok()
+            .filter(|m| m.fingerprint.as_deref() == Some(&wanted))
+        else {
+            continue;
+        };
+        if path != kept {
+            let bytes = std::fs::read(&path).map_err(failed)?;
+            write_atomically(kept, |out| out.write_all(&bytes))?;
+        }
+        return Ok(mesh);
+    }
+    let mut partial = kept.as_os_str().to_owned();
+    partial.push(".part.gz");
+    let partial = PathBuf::from(partial);
+    let mesh = make(bearing, &partial)?;
+    std::fs::rename(&partial, kept).map_err(failed)?;
+    Ok(mesh)
+}
+
+/// What solving `case` on `mesh` will take.
+///
+/// # Errors
+/// Where the two do not fit, or the case cannot be solved.
+pub fn estimate(case: &Case, mesh: Mesh) -> Result<Estimate, JobError> {
+    let mut scene = case.scene(mesh)?;
+    Ok(solve::estimate(&mut scene)?)
+}
+
 /// Meshes a bearing by gmsh into the file `kept`.
 ///
 /// # Errors
@@ -82,8 +125,8 @@ fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
     Ok(msh::read(kept)?)
 }
 
-/// Name of a mesh that a job made.
-const FILE: &str = "mesh.msh.gz";
+/// Name of a mesh that a job made, in its folder.
+pub const FILE: &str = "mesh.msh.gz";
 
 /// Where a mesh of the bearing may already be: shipped beside the case (`cases/a/b.toml` has its
 /// meshes in `meshes/a/b-<preset>.msh.gz`), or left by an earlier run.

@@ -302,7 +302,7 @@ fn places(scene: &Scene, dofs: &DofMap) -> Vec<Place> {
 }
 
 /// Vertices that contact or expected flow acts on.
-fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -> Vec<bool> {
+pub fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -> Vec<bool> {
     let vertex_of = dofs.vertices();
     let mut needed = vec![false; dofs.vertex_start.len() - 1];
     let flowing = flow.iter().flat_map(|e| scene.mesh.hexes[*e as usize]);

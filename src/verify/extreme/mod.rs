@@ -6,12 +6,11 @@
 
 mod outcome;
 mod page;
-mod variant;
 
 pub use outcome::{Outcome, Verdict};
 pub use page::{head, line, page};
 
-use crate::case;
+use crate::case::{self, variant};
 use crate::job::{self, JobError, Options};
 use crate::solve::{Iteration, Observer};
 use miette::Diagnostic;

@@ -1,0 +1,35 @@
+//! Many cases from one: a case, a table of parameters, and a row of results for each.
+//!
+//! Rows are made and read first ([`read`], [`Sweep::validate`]). Each is solved in a process of its
+//! own ([`one`]), started here ([`local`]) or by Slurm ([`slurm`]); what came of it is kept beside
+//! it ([`Record`]), and the table is made from that.
+
+mod budget;
+mod cells;
+mod collect;
+mod error;
+mod figures;
+mod file;
+mod local;
+mod one;
+mod parameter;
+mod place;
+mod plot;
+mod prepare;
+mod record;
+mod rows;
+mod slurm;
+mod table;
+
+pub use budget::Budget;
+pub use collect::collect;
+pub use error::{RowError, SweepError};
+pub use file::Settings;
+pub use local::{Watcher, run};
+pub use one::run as run_row;
+pub use place::Place;
+pub use plot::draw;
+pub use record::{Record, Status};
+pub use rows::{Row, Sweep, read};
+pub use slurm::{emit, ranges};
+pub use table::{CSV, JSON_LINES};

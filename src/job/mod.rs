@@ -1,5 +1,6 @@
 //! One case from its file to its results on disk: mesh, solve, write, summarise.
 
+mod check;
 mod checkpoint;
 mod clock;
 mod compare;
@@ -24,6 +25,7 @@ use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
+pub use check::check;
 use checkpoint::Checkpoint;
 use clock::Clock;
 pub use error::JobError;

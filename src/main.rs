@@ -1,9 +1,8 @@
 //! The command `brinell`.
 
 use brinell::cli::Cli;
-use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    Cli::parse().run()
+    Cli::from_command_line().run()
 }

@@ -4,31 +4,13 @@
 use super::assumption::Assumption;
 use super::bearing::{BearingGeometry, RollerEnd};
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::parse::{Field, Table};
 use super::source::Located;
 use crate::units::Dimension;
 
 /// Share of the load that is left after unloading, where the case does not say.
 pub(super) const UNLOAD_TO: f64 = 1e-3;
-
-const KEYS: &[&str] = &[
-    "load",
-    "friction",
-    "roller_diameter",
-    "roller_wall",
-    "solid",
-    "roller_length",
-    "roller_end",
-    "offset",
-    "offset_is",
-    "slope",
-    "plate_thickness",
-    "plate_size",
-    "full",
-    "unload",
-    "unload_to",
-    "stages",
-];
 
 /// The table `[bearing]`.
 pub(super) struct Reader<'a, 'b> {
@@ -38,7 +20,7 @@ pub(super) struct Reader<'a, 'b> {
 
 impl<'a, 'b> Reader<'a, 'b> {
     pub fn new(root: &Table<'a>, assumptions: &'b mut Vec<Assumption>) -> Result<Self, CaseError> {
-        let table = root.need("bearing")?.table()?.only(KEYS)?;
+        let table = root.need("bearing")?.table()?.only(&keys::BEARING)?;
         Ok(Self { table, assumptions })
     }
 
@@ -111,10 +93,9 @@ impl<'a, 'b> Reader<'a, 'b> {
         if !field.is_table() {
             return Ok([field.quantity(Dimension::LENGTH)?.value; 3]);
         }
-        let keys = ["upper", "intermediate", "lower"];
-        let table = field.table()?.only(&keys)?;
+        let table = field.table()?.only(&keys::PLATE_THICKNESS)?;
         let mut thickness = [0.0; 3];
-        for (value, key) in thickness.iter_mut().zip(keys) {
+        for (value, key) in thickness.iter_mut().zip(["upper", "intermediate", "lower"]) {
             *value = table.need(key)?.quantity(Dimension::LENGTH)?.value;
         }
         Ok(thickness)
@@ -244,7 +225,7 @@ fn roller_end(field: &Field) -> Result<RollerEnd, CaseError> {
         let help = "\"square\", { radius = … } or { crown = … }";
         return word.map(|end| end.value).map_err(|error| error.help(help));
     }
-    let table = field.table()?.only(&["radius", "crown"])?;
+    let table = field.table()?.only(&keys::ROLLER_END)?;
     match (table.get("radius"), table.get("crown")) {
         (Some(radius), None) => radius
             .quantity(Dimension::LENGTH)

@@ -4,12 +4,11 @@ use serde::Serialize;
 
 use super::assumption::Assumption;
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::nearest::advice;
 use super::parse::Table;
 use super::source::Located;
 use crate::units::Dimension;
-
-const KEYS: &[&str] = &["source", "mises_read", "mises", "max_pressure", "descent"];
 
 /// Which of the three Mises values stands beside the printed one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Default)]
@@ -64,7 +63,7 @@ impl Comparison {
         let Some(field) = root.get("comparison") else {
             return Ok(None);
         };
-        let table = field.table()?.only(KEYS)?;
+        let table = field.table()?.only(&keys::COMPARISON)?;
         let choices = [
             ("centroid", MisesRead::Centroid),
             ("integration_point", MisesRead::IntegrationPoint),

@@ -1,20 +1,11 @@
 //! `[[contact]]`: pairs of surfaces that may touch.
 
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::parse::{Field, Table};
 use super::source::Located;
 use crate::scene::{Partner, Side};
 use crate::units::Dimension;
-
-const KEYS: &[&str] = &[
-    "name",
-    "upper",
-    "lower",
-    "carrier",
-    "friction",
-    "penalty_factor",
-    "true_geometry",
-];
 
 /// A contact pair before it meets the mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +26,7 @@ pub struct Contact {
 pub(super) fn read(root: &Table) -> Result<Vec<Contact>, CaseError> {
     let mut contacts: Vec<Contact> = Vec::new();
     for table in root.tables("contact")? {
-        let contact = Contact::read(&table.only(KEYS)?)?;
+        let contact = Contact::read(&table.only(&keys::CONTACT)?)?;
         if contacts
             .iter()
             .any(|other| other.name.value == contact.name.value)
@@ -130,8 +121,8 @@ fn partner(field: &Field) -> Result<Located<Partner>, CaseError> {
     if !field.is_table() {
         return Ok(field.string()?.map(Partner::Surface));
     }
-    let table = field.table()?.only(&["plane"])?;
-    let plane = table.need("plane")?.table()?.only(&["point", "normal"])?;
+    let table = field.table()?.only(&keys::PARTNER)?;
+    let plane = table.need("plane")?.table()?.only(&keys::PLANE)?;
     let point = plane.need("point")?.vector(Dimension::LENGTH)?.value;
     let normal = plane.need("normal")?.vector(Dimension::RATIO)?;
     let length = normal.value.iter().fold(0.0, |sum: f64, c| sum.hypot(*c));

@@ -1,20 +1,10 @@
 //! `[controls]`: the tolerances and increments of the solver.
 
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::parse::Table;
 use super::source::Located;
 use crate::scene::{Controls, ElementKind, SolverKind};
-
-const KEYS: &[&str] = &[
-    "residual",
-    "penetration",
-    "first_increment",
-    "smallest_increment",
-    "iterations",
-    "plasticity",
-    "element",
-    "solver",
-];
 
 /// The controls of the case, with the defaults of [`Controls`].
 pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
@@ -22,7 +12,7 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     let Some(field) = root.get("controls") else {
         return Ok(controls);
     };
-    let table = field.table()?.only(KEYS)?;
+    let table = field.table()?.only(&keys::CONTROLS)?;
     let share = |key: &str| -> Result<Option<Located<f64>>, CaseError> {
         let within = |v: Located<f64>| {
             v.require(

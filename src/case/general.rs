@@ -3,6 +3,7 @@
 use super::assumption::Assumption;
 use super::contact;
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::load::Loads;
 use super::mesh_choice::SceneMesh;
 use super::model::Model;
@@ -11,18 +12,6 @@ use super::source::Located;
 use super::steel::Steels;
 use crate::mesh::Mesh;
 use crate::scene::Controls;
-
-/// Top-level keys of a general scene, beside those of every case.
-pub(super) const KEYS: &[&str] = &[
-    "body",
-    "contact",
-    "support",
-    "rigid_plane",
-    "pressure",
-    "traction",
-    "step",
-    "symmetry",
-];
 
 /// A general scene before it meets its mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,7 +82,7 @@ fn read_bodies(
 ) -> Result<Vec<Located<String>>, CaseError> {
     let mut bodies: Vec<Located<String>> = Vec::new();
     for table in root.tables("body")? {
-        let table = table.only(&["name", "steel"])?;
+        let table = table.only(&keys::BODY)?;
         let body = table.need("name")?.string()?;
         if bodies.iter().any(|other| other.value == body.value) {
             let why = format!("two steels for one body: `{}` is given twice", body.value);

@@ -1,6 +1,7 @@
 //! Supports, rigid planes, pressures and tractions, and the steps that drive them.
 
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::source::Located;
@@ -26,7 +27,7 @@ impl Loads {
         let mut loads = Self::default();
         let mut names: Vec<String> = Vec::new();
         for table in root.tables("support")? {
-            let table = table.only(&["name", "surface", "fixed", "displacement"])?;
+            let table = table.only(&keys::SUPPORT)?;
             let (name, surface) = named(&table, &mut names)?;
             let components = displacements(&table)?;
             if components == [None; 3] {
@@ -42,7 +43,7 @@ impl Loads {
             }));
         }
         for table in root.tables("rigid_plane")? {
-            let table = table.only(&["name", "surface", "fixed", "displacement", "force"])?;
+            let table = table.only(&keys::RIGID_PLANE)?;
             let (name, surface) = named(&table, &mut names)?;
             let motion = motion(&table, mirrors)?;
             loads.planes.push(surface.map(|surface| RigidPlane {
@@ -53,7 +54,7 @@ impl Loads {
         }
         for (key, pressure) in [("pressure", true), ("traction", false)] {
             for table in root.tables(key)? {
-                let table = table.only(&["name", "surface", "value"])?;
+                let table = table.only(&keys::LOAD)?;
                 let (name, surface) = named(&table, &mut names)?;
                 let field = table.need("value")?;
                 let value = match pressure {
@@ -171,7 +172,7 @@ fn by_axis(
     let Some(field) = table.get(key) else {
         return Ok(Vec::new());
     };
-    let table = field.table()?.only(&AXES)?;
+    let table = field.table()?.only(&keys::AXES)?;
     let entry = |(axis, name): (usize, &&str)| {
         table
             .get(name)
@@ -184,7 +185,7 @@ fn by_axis(
 fn steps(root: &Table, names: &[String]) -> Result<Vec<Step>, CaseError> {
     let mut steps: Vec<Step> = Vec::new();
     for table in root.tables("step")? {
-        let table = table.only(&["name", "factor", "factors"])?;
+        let table = table.only(&keys::STEP)?;
         let name = table.need("name")?.string()?;
         if steps.iter().any(|step| step.name == name.value) {
             let why = format!("there are two steps called `{}`", name.value);

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use super::assumption::Assumption;
 use super::bearing::{Kind, MESH_KEYS, MeshKey, MeshRequest, Preset};
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::parse::Table;
 use super::source::Located;
 use crate::units::Dimension;
@@ -43,9 +44,9 @@ impl SceneMesh {
     pub(super) fn read(root: &Table) -> Result<Self, CaseError> {
         let table = root.need("mesh")?.table()?;
         if table.get("family").is_some() {
-            return Self::family(root, &table.only(&["family", "level"])?);
+            return Self::family(root, &table.only(&keys::FAMILY_MESH)?);
         }
-        let table = table.only(&["file", "unit"])?;
+        let table = table.only(&keys::FILE_MESH)?;
         let scale = match table.get("unit") {
             None => 1.0,
             Some(field) => {
@@ -93,9 +94,7 @@ pub(super) fn request(
     };
     let mut given = false;
     if let Some(field) = root.get("mesh") {
-        let mut keys = vec!["preset", "scale"];
-        keys.extend(MESH_KEYS.iter().map(|key| key.key));
-        let table = field.table()?.only(&keys)?;
+        let table = field.table()?.only(&keys::BEARING_MESH)?;
         if let Some(field) = table.get("preset") {
             request.preset = field.choice(&Preset::ALL.map(|p| (p.name(), p)))?.value;
             given = true;

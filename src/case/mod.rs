@@ -18,6 +18,7 @@ mod controls;
 mod error;
 mod general;
 pub mod interfaces;
+pub mod keys;
 mod load;
 mod mesh_choice;
 mod model;
@@ -49,19 +50,6 @@ use crate::mesh::Mesh;
 use crate::scene::{Controls, Scene};
 use crate::units::UnitSystem;
 use parse::{Context, Table, document};
-
-/// Keys of every case.
-const COMMON_KEYS: &[&str] = &[
-    "title",
-    "description",
-    "units",
-    "reference",
-    "bearing",
-    "steel",
-    "mesh",
-    "controls",
-    "comparison",
-];
 
 /// A validated case.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,9 +102,7 @@ pub fn parse(name: &str, text: &str) -> Result<Case, CaseError> {
         source: &source,
         units: UnitSystem::MNPa,
     };
-    let mut keys = COMMON_KEYS.to_vec();
-    keys.extend(general::KEYS);
-    let root = Table::root(context, &document).only(&keys)?;
+    let root = Table::root(context, &document).only_either(&[&keys::ROOT, &keys::SCENE])?;
     let units = read_units(&root)?;
     Case::from_table(&root.with_units(units))
 }
@@ -244,10 +230,8 @@ fn stem(name: &str) -> String {
 
 /// The template writes the contacts, supports and loads of a bearing itself.
 fn refuse_scene_keys(root: &Table) -> Result<(), CaseError> {
-    match general::KEYS
-        .iter()
-        .find_map(|key| root.get(key).map(|_| *key))
-    {
+    let names = keys::SCENE.names();
+    match names.into_iter().find(|key| root.get(key).is_some()) {
         None => Ok(()),
         Some(key) => {
             let place = root.place_of_key(key);

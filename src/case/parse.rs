@@ -6,6 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{CaseError, ErrorKind};
+use super::keys::Keys;
 use super::nearest::{advice, list};
 use super::source::{Located, Place, Source};
 use crate::units::UnitSystem;
@@ -126,14 +127,20 @@ impl<'a> Table<'a> {
     }
 
     /// Refuses keys that are not in `known`.
-    pub fn only(self, known: &[&str]) -> Result<Self, CaseError> {
-        self.unknown(known, |_| false)?;
+    pub fn only(self, known: &Keys) -> Result<Self, CaseError> {
+        self.only_either(&[known])
+    }
+
+    /// Refuses keys that are in none of `known`.
+    pub fn only_either(self, known: &[&Keys]) -> Result<Self, CaseError> {
+        let known: Vec<&str> = known.iter().flat_map(|keys| keys.names()).collect();
+        self.unknown(&known, |_| false)?;
         Ok(self)
     }
 
     /// Refuses keys that are neither in `known` nor hold a table.
-    pub fn only_or_tables(self, known: &[&str]) -> Result<Self, CaseError> {
-        self.unknown(known, |value| value.is_table())?;
+    pub fn only_or_tables(self, known: &Keys) -> Result<Self, CaseError> {
+        self.unknown(&known.names(), |value| value.is_table())?;
         Ok(self)
     }
 

@@ -2,26 +2,15 @@
 
 use super::assumption::Assumption;
 use super::error::{CaseError, ErrorKind};
+use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::source::{Located, Place};
 use crate::material::Steel;
 use crate::units::{Dimension, UnitSystem};
 
-const KEYS: &[&str] = &[
-    "youngs_modulus",
-    "poissons_ratio",
-    "yield_stress",
-    "hardening",
-    "hardening_modulus",
-    "tangent_modulus",
-    "elastic",
-];
-
 /// Ways to give the hardening line, of which a steel has one.
 const HARDENINGS: &[&str] = &["hardening", "hardening_modulus", "tangent_modulus"];
-
-const POINT_KEYS: &[&str] = &["stress", "strain", "strain_is"];
 
 /// What the strain of the second point of the hardening line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,13 +63,14 @@ impl Steels {
         let Some(field) = root.get("steel") else {
             return Ok(steels);
         };
-        let table = field.table()?.only_or_tables(KEYS)?;
-        let is_body = |key: &&str| !KEYS.contains(key);
-        if table.keys().iter().any(|key| KEYS.contains(key)) {
+        let table = field.table()?.only_or_tables(&keys::STEEL)?;
+        let own = keys::STEEL.names();
+        let is_body = |key: &&str| !own.contains(key);
+        if table.keys().iter().any(|key| own.contains(key)) {
             steels.default = Some(Entry::read(&table, assumptions)?);
         }
         for body in table.keys().into_iter().filter(is_body) {
-            let entry = Entry::read(&table.need(body)?.table()?.only(KEYS)?, assumptions)?;
+            let entry = Entry::read(&table.need(body)?.table()?.only(&keys::STEEL)?, assumptions)?;
             let place = table.place_of_key(body);
             steels.bodies.push((
                 Located {
@@ -108,7 +98,7 @@ impl Steels {
             );
             return Err(body.place.error(ErrorKind::Conflict, why).help(help));
         }
-        let entry = Entry::read(&field.table()?.only(KEYS)?, assumptions)?;
+        let entry = Entry::read(&field.table()?.only(&keys::STEEL)?, assumptions)?;
         self.bodies.push((body.clone(), entry));
         Ok(())
     }
@@ -283,7 +273,7 @@ impl Hardening {
     }
 
     fn point(table: &Table, assumptions: &mut Vec<Assumption>) -> Result<Self, CaseError> {
-        let table = table.clone().only(POINT_KEYS)?;
+        let table = table.clone().only(&keys::HARDENING)?;
         let stress = table
             .need("stress")?
             .quantity(Dimension::STRESS)?

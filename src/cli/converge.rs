@@ -23,7 +23,7 @@ pub struct ConvergeArgs {
     /// The case file, or `problem-h` for the built-in problem H.
     pub case: PathBuf,
     /// Levels to solve [default: 5 of problem H, 3 of others, all mesh files].
-    #[arg(long, value_parser = clap::value_parser!(u8).range(2..=9))]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(2..=9))]
     pub levels: Option<u8>,
     /// Divides the element sizes of a bearing from level to level.
     #[arg(long, default_value_t = std::f64::consts::SQRT_2)]
@@ -38,12 +38,12 @@ pub struct ConvergeArgs {
     /// Keep every body elastic.
     #[arg(long)]
     pub elastic: bool,
-    /// Folder for converge.json and converge.svg; by default results/ and the name of the case
-    /// with -converge.
-    #[arg(long)]
+    /// Folder for converge.json and converge.svg [default: results/ and the name of the case with
+    /// -converge].
+    #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
-    /// Threads to use; by default one a core.
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads to use [default: one a core].
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
     /// Write docs/convergence.md and its picture; problem H only.
     #[arg(long)]

@@ -49,13 +49,14 @@ pub enum Element {
 pub struct ExportArgs {
     /// The case file.
     pub case: PathBuf,
+    /// File format.
     #[arg(long, value_enum)]
     pub format: Format,
-    /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
-    #[arg(long)]
+    /// Mesh preset of a bearing [default: that of the case].
+    #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
     pub mesh: Option<String>,
     /// Folder for the deck, which is called as the case file.
-    #[arg(long)]
+    #[arg(long, value_name = "FOLDER")]
     pub out: PathBuf,
     /// Model the whole bearing though it is symmetric.
     #[arg(long)]
@@ -67,6 +68,7 @@ pub struct ExportArgs {
     /// moduli over the shortest edge of the faces that press].
     #[arg(long, value_name = "K")]
     pub contact_stiffness: Option<f64>,
+    /// Kind of contact.
     #[arg(long, value_enum, default_value = "surface-to-surface")]
     pub contact: Contact,
     /// How far the closing step moves what the load steps drive by force, in the length of the

@@ -47,51 +47,55 @@ impl Units {
 
 /// Hertz contact of a roller on a plate, ring bending, sizing: closed forms only.
 #[derive(Debug, Clone, PartialEq, Args)]
+#[command(
+    after_help = "Example, the rollers of the published study in inch, kip, ksi:
+  brinell hertz --diameter 3 --wall 0.75 --length 8 --load 65 --yield 100"
+)]
 pub struct HertzArgs {
     /// Units of every number below and of the answer.
     #[arg(long, value_enum, default_value = "in-kip-ksi")]
     pub units: Units,
-    /// Outer diameter D of the roller.
-    #[arg(long)]
+    /// Outer diameter D of the roller, in the length of the units.
+    #[arg(long, value_name = "LENGTH")]
     pub diameter: f64,
-    /// Wall thickness of a hollow roller.
-    #[arg(long)]
+    /// Wall thickness of a hollow roller [default: solid].
+    #[arg(long, value_name = "LENGTH")]
     pub wall: Option<f64>,
     /// Length L of the roller.
-    #[arg(long)]
+    #[arg(long, value_name = "LENGTH")]
     pub length: f64,
-    /// Load P on the roller.
-    #[arg(long)]
+    /// Load P on the roller, in the force of the units.
+    #[arg(long, value_name = "FORCE")]
     pub load: f64,
-    /// Yield stress of the roller.
-    #[arg(long = "yield")]
+    /// Yield stress of the roller, in the stress of the units.
+    #[arg(long = "yield", value_name = "STRESS")]
     pub yield_stress: f64,
     /// Young's modulus of the roller [default: 29500 ksi].
-    #[arg(long)]
+    #[arg(long, value_name = "STRESS")]
     pub youngs_modulus: Option<f64>,
     /// Poisson's ratio of the roller.
-    #[arg(long, default_value_t = 0.3)]
+    #[arg(long, value_name = "RATIO", default_value_t = 0.3)]
     pub poissons_ratio: f64,
     /// Yield stress of the plate [default: as the roller].
-    #[arg(long)]
+    #[arg(long, value_name = "STRESS")]
     pub plate_yield: Option<f64>,
     /// Young's modulus of the plate [default: as the roller].
-    #[arg(long)]
+    #[arg(long, value_name = "STRESS")]
     pub plate_youngs_modulus: Option<f64>,
     /// Poisson's ratio of the plate [default: as the roller].
-    #[arg(long)]
+    #[arg(long, value_name = "RATIO")]
     pub plate_poissons_ratio: Option<f64>,
     /// Thickness of the plate, to check that it is thick enough.
-    #[arg(long)]
+    #[arg(long, value_name = "LENGTH")]
     pub plate_thickness: Option<f64>,
     /// Distance of the load's resultant from the roller's mid-length.
-    #[arg(long)]
+    #[arg(long, value_name = "LENGTH")]
     pub offset: Option<f64>,
     /// Slope of each side of a V groove, in degrees.
-    #[arg(long)]
+    #[arg(long, value_name = "DEGREES")]
     pub groove_angle: Option<f64>,
     /// Coefficient of friction.
-    #[arg(long, default_value_t = 0.0)]
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0)]
     pub friction: f64,
     /// Print JSON instead of a table.
     #[arg(long)]

@@ -9,14 +9,14 @@ use std::path::PathBuf;
 pub struct MeshArgs {
     /// The case file.
     pub case: PathBuf,
-    /// Mesh preset: report-like, h025, h0125 or resolved.
-    #[arg(long)]
+    /// Mesh preset [default: that of the case].
+    #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
     pub mesh: Option<String>,
     /// Model the whole bearing though it is symmetric.
     #[arg(long)]
     pub full: bool,
     /// The mesh file to write; `brinell run --out` looks for mesh.msh.gz in its folder.
-    #[arg(long, default_value = "mesh.msh.gz")]
+    #[arg(long, value_name = "FILE", default_value = "mesh.msh.gz")]
     pub out: PathBuf,
 }
 

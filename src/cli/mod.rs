@@ -1,11 +1,16 @@
 //! Commands: arguments and printing, one file a command.
 
+pub mod check;
+pub mod completions;
 mod console;
 pub mod converge;
 pub mod export;
+mod help;
 pub mod hertz;
 pub mod init;
 pub mod mesh;
+mod preset;
+pub mod reference;
 pub mod run;
 pub mod size;
 pub mod study;
@@ -15,15 +20,16 @@ pub mod verify;
 use crate::case::{self, Case};
 use crate::converge::ConvergeError;
 use crate::job::JobError;
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
 use console::Console;
+pub use help::command;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
 /// Contact stresses of roller bearings by finite elements.
 #[derive(Debug, Parser)]
-#[command(name = "brinell", version, arg_required_else_help = true)]
+#[command(name = "brinell", version, arg_required_else_help = true, after_help = help::EXAMPLES)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -37,6 +43,8 @@ enum Command {
     Size(size::SizeArgs),
     /// Solve one case: tables to the terminal, summary.json and VTK files to a folder.
     Run(run::RunArgs),
+    /// Look at a case and its mesh without solving: cost, gaps, mesh quality, what holds each body.
+    Check(check::CheckArgs),
     /// Mesh a bearing case by gmsh.
     Mesh(mesh::MeshArgs),
     /// Write a case as a deck for CalculiX or Abaqus.
@@ -51,6 +59,8 @@ enum Command {
     Study(study::StudyArgs),
     /// The verification ladder: problems with known answers, and how far off the program is.
     Verify(verify::VerifyArgs),
+    /// Print what a shell needs to complete commands, options and their values.
+    Completions(completions::CompletionsArgs),
 }
 
 /// Exit status of the program.
@@ -67,18 +77,27 @@ pub enum Status {
 }
 
 impl Cli {
+    /// The arguments of the process. Where they are wrong, or ask for help, that is printed and the
+    /// process ends.
+    pub fn from_command_line() -> Self {
+        let matches = command().get_matches();
+        Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
+    }
+
     /// Carries out the command; errors are printed.
     pub fn run(self) -> ExitCode {
         let status = match self.command {
             Command::Init(args) => init::run(&args),
             Command::Size(args) => size::run(&args),
             Command::Run(args) => run::run(&args),
+            Command::Check(args) => check::run(&args),
             Command::Mesh(args) => mesh::run(&args),
             Command::Export(args) => export::run(&args),
             Command::Converge(args) => converge::run(&args),
             Command::Study(args) => study::run(&args),
             Command::Sweep(args) => sweep::run(&args),
             Command::Verify(args) => verify::run(&args),
+            Command::Completions(args) => completions::run(&args),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| Status::Done)
                 .map_err(|error| (Status::BadInput, miette::Report::msg(error.to_string()))),

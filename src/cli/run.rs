@@ -12,17 +12,25 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  brinell run case.toml                       tables here, files in results/case
+  brinell run case.toml --mesh h0125          a finer mesh
+  brinell run case.toml --target mises=3%     finer meshes until the stress is that good
+  brinell run case.toml --resume              on from where it was stopped
+
+Exit status: 0 done and converged, 1 solved but a limit missed, 2 bad input, 3 not converged,
+130 interrupted.")]
 pub struct RunArgs {
     /// The case file.
     pub case: PathBuf,
-    /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
-    #[arg(long)]
+    /// Mesh preset of a bearing [default: that of the case].
+    #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
     pub mesh: Option<String>,
-    /// Folder for summary.json and the VTK files; by default results/ and the name of the case.
-    #[arg(long)]
+    /// Folder for summary.json and the VTK files [default: results/ and the name of the case].
+    #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
-    /// Threads to use; by default one a core.
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads to use [default: one a core].
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
     /// Model the whole bearing though it is symmetric.
     #[arg(long)]
@@ -37,7 +45,8 @@ pub struct RunArgs {
     #[arg(long)]
     pub explain: bool,
     /// Refine the mesh until this figure is as good as asked for, such as mises=2%; each mesh
-    /// writes into a folder of its own, level-0 and on.
+    /// writes into a folder of its own, level-0 and on. Figures: mises, plastic-strain, pressure,
+    /// half-width, area, descent.
     #[arg(long, value_name = "FIGURE=PERCENT")]
     pub target: Option<String>,
     /// Go on after the last increment of an earlier run of this case into the same folder.

@@ -17,14 +17,14 @@ pub enum Mesh {
 pub struct StudyArgs {
     /// The study: section-2.6.2.
     pub study: String,
-    /// Only on this mesh; by default on both.
+    /// Only on this mesh [default: on both].
     #[arg(long, value_enum)]
     pub mesh: Option<Mesh>,
-    /// Folder of the results; by default results/ and the name of the study.
-    #[arg(long)]
+    /// Folder of the results [default: results/ and the name of the study].
+    #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
-    /// Threads to use; by default one a core.
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads to use [default: one a core].
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
     /// Compare docs/section-2.6.2.md with this run.
     #[arg(long, conflicts_with = "write")]

@@ -10,12 +10,8 @@ use crate::solve::{Counters, Solution};
 /// One entry for each thing left out.
 pub fn list(case: &Case, scene: &Scene, solution: &Solution, options: &Options) -> Vec<LeftOut> {
     let counters = &solution.counters;
-    let whole = match case.kind {
-        Kind::Bearing(_) => "bearing",
-        Kind::General(_) => "model",
-    };
     let single = [
-        symmetry(scene, counters, whole),
+        symmetry(scene, counters, whole(case)),
         yield_checks(scene, counters),
         path(scene),
         condensation(counters),
@@ -27,6 +23,27 @@ pub fn list(case: &Case, scene: &Scene, solution: &Solution, options: &Options) 
     list.extend(single.into_iter().flatten());
     list.extend(outputs(scene, solution, options));
     list
+}
+
+/// What is known of it before anything is solved.
+pub fn beforehand(case: &Case, scene: &Scene, unknowns: usize) -> Vec<String> {
+    let counters = Counters {
+        equations: unknowns,
+        ..Counters::default()
+    };
+    let mut list = elastic(scene, &counters);
+    list.extend(frictionless(scene, &counters));
+    list.extend(symmetry(scene, &counters, whole(case)));
+    list.extend(path(scene));
+    list.into_iter().map(|item| item.what).collect()
+}
+
+/// What the model is a part of.
+fn whole(case: &Case) -> &'static str {
+    match case.kind {
+        Kind::Bearing(_) => "bearing",
+        Kind::General(_) => "model",
+    }
 }
 
 /// Mirror planes.

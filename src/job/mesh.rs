@@ -7,7 +7,7 @@ use crate::fem::dofs::DofMap;
 use crate::mesh::family::problem_h;
 use crate::mesh::{Mesh, gmsh, msh};
 use crate::output::file::write_atomically;
-use crate::solve::{self, Estimate};
+use crate::solve::{self, Forecast};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -86,9 +86,9 @@ pub fn keep_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
 ///
 /// # Errors
 /// Where the two do not fit, or the case cannot be solved.
-pub fn estimate(case: &Case, mesh: Mesh) -> Result<Estimate, JobError> {
+pub fn forecast(case: &Case, mesh: Mesh) -> Result<Forecast, JobError> {
     let mut scene = case.scene(mesh)?;
-    Ok(solve::estimate(&mut scene)?)
+    Ok(solve::forecast(&mut scene)?)
 }
 
 /// Meshes a bearing by gmsh into the file `kept`.

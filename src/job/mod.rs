@@ -1,5 +1,6 @@
 //! One case from its file to its results on disk: mesh, solve, write, summarise.
 
+mod check;
 mod checkpoint;
 mod clock;
 mod compare;
@@ -24,13 +25,14 @@ use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
+pub use check::check;
 use checkpoint::Checkpoint;
 pub use checkpoint::FILE as CHECKPOINT_FILE;
 use clock::Clock;
 pub use error::JobError;
 pub use export::{Exported, export};
 use folder::Folder;
-pub use mesh::{FILE as MESH_FILE, estimate, find_mesh, keep_mesh, make_mesh, unknowns};
+pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unknowns};
 use record::Recorder;
 use std::path::{Path, PathBuf};
 use std::time::Instant;

@@ -4,6 +4,7 @@
 //! Nothing here knows how a scene is solved. Fields and scalars come from
 //! [`results`](crate::results); here they get names, units and a file format.
 
+pub mod check;
 pub mod encode;
 pub mod fields;
 pub mod file;

@@ -4,7 +4,7 @@ use super::bodies::{self, Bodies, Plan};
 use super::error::SolveError;
 use super::foresight::Expected;
 use super::rows::{ContactRow, penalty};
-use super::size::{is_large, memory};
+use super::size::Size;
 use crate::fem::dofs::{DofMap, FIXED, Source};
 use crate::fem::element::Element;
 use crate::fem::loads;
@@ -16,7 +16,7 @@ use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
-use crate::scene::{PlaneMotion, Scene, SolverKind, Step};
+use crate::scene::{PlaneMotion, Scene, Step};
 
 /// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
 pub struct Model<'a> {
@@ -64,12 +64,9 @@ impl<'a> Model<'a> {
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
         let (mut rows, spare) = expected.split(rows);
         let needed = needed(scene, &all, &rows, &expected.flow);
-        let divided = match scene.controls.solver {
-            SolverKind::Auto => expected.divided || is_large(scene, &all, &needed),
-            SolverKind::Direct => false,
-            SolverKind::Divided => true,
-        };
-        let memory = memory(scene, &all, &needed, divided);
+        let Size {
+            divided, memory, ..
+        } = Size::new(scene, &all, &needed, expected.divided);
         if let Some(available) = available().filter(|available| memory > *available) {
             return Err(SolveError::Memory {
                 unknowns: all.len(),

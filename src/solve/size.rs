@@ -1,7 +1,34 @@
 //! What a model will cost, reckoned before it is made.
 
 use crate::fem::dofs::DofMap;
-use crate::scene::Scene;
+use crate::scene::{Scene, SolverKind};
+
+/// What a model will take, and how it is to be solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Size {
+    /// Divide it, and not condense its bodies?
+    pub divided: bool,
+    /// Bytes in all.
+    pub memory: f64,
+    /// Unknowns that contact or flow acts on.
+    pub kept: f64,
+}
+
+impl Size {
+    /// Of a model that acts on the `needed` vertices; `large` where it was found too large before.
+    pub fn new(scene: &Scene, dofs: &DofMap, needed: &[bool], large: bool) -> Self {
+        let divided = match scene.controls.solver {
+            SolverKind::Auto => large || is_large(scene, dofs, needed),
+            SolverKind::Direct => false,
+            SolverKind::Divided => true,
+        };
+        Self {
+            divided,
+            memory: memory(scene, dofs, needed, divided),
+            kept: kept(dofs, needed),
+        }
+    }
+}
 
 /// Is it better to divide the model than to condense its bodies?
 pub fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool]) -> bool {

@@ -9,8 +9,9 @@
 //! and the descent from there converges with a far smaller constant than from the touch of points.
 
 use super::rows;
+use crate::contact::mortar::Row;
 use crate::geometry::{Vec3, dot, scale, unit};
-use crate::scene::{Partner, PlaneMotion, Scene};
+use crate::scene::{ContactPair, Partner, PlaneMotion, Scene};
 
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
@@ -185,15 +186,23 @@ fn nearest_floating(
 }
 
 /// Distance along the load until the two sides touch.
-fn way_to_touch(scene: &Scene, pair: &crate::scene::ContactPair, direction: Vec3) -> Option<f64> {
+fn way_to_touch(scene: &Scene, pair: &ContactPair, direction: Vec3) -> Option<f64> {
+    let row = nearest_row(scene, pair)?;
+    let lean = dot(row.normal, direction).abs();
+    (lean > 0.1).then(|| row.gap / lean)
+}
+
+/// The row of a pair with the least initial gap; `None` where nothing of the two sides faces each
+/// other.
+pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
     let moduli = vec![1.0; scene.materials.len()];
     let whole = extent(scene);
     let mut reach = 1e-3 * whole;
     while reach < 2.0 * whole {
         let rows = rows::pair_rows(scene, pair, reach, &moduli);
-        if let Some(row) = rows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)) {
-            let lean = dot(row.normal, direction).abs();
-            return (lean > 0.1).then(|| row.gap / lean);
+        let nearest = rows.into_iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
+        if nearest.is_some() {
+            return nearest;
         }
         reach *= 8.0;
     }

@@ -45,11 +45,11 @@ pub fn prepare(sweep: &Sweep, row: &Row, place: &Place) -> Result<Need, JobError
         }
         Kind::General(_) => job::find_mesh(&case, None, &mut |_| {})?,
     };
-    let estimate = job::estimate(&case, mesh)?;
+    let forecast = job::forecast(&case, mesh)?;
     write_atomically(&folder.join(CASE), |out| out.write_all(row.text.as_bytes()))?;
     Ok(Need {
-        unknowns: estimate.unknowns,
-        memory: GROWTH * estimate.memory + BESIDE,
+        unknowns: forecast.unknowns,
+        memory: GROWTH * forecast.memory + BESIDE,
     })
 }
 

@@ -1,0 +1,10 @@
+//! Writes the pages of the book that are made from the code: `cargo run --release --example reference`.
+
+use brinell::{case, cli};
+
+fn main() -> std::io::Result<()> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/book/reference");
+    std::fs::create_dir_all(&folder)?;
+    std::fs::write(folder.join("case.md"), case::keys::page())?;
+    std::fs::write(folder.join("commands.md"), cli::reference::page())
+}

@@ -1,0 +1,210 @@
+//! Keys of every case.
+
+use super::{Keys, key};
+
+pub const ROOT: Keys = Keys {
+    heading: "The top of the file",
+    about: "Before the first table.",
+    keys: &[
+        key(
+            "title",
+            "text",
+            "the name of the file",
+            "heads the tables and the files",
+        ),
+        key(
+            "description",
+            "text",
+            "none",
+            "for readers; printed nowhere",
+        ),
+        key(
+            "units",
+            "`in-kip-ksi`, `in-lbf-psi`, `mm-N-MPa`, `mm-kN-GPa` or `m-N-Pa`",
+            "required",
+            "the units of all answers, and of bare numbers; quantities in other units are converted",
+        ),
+        key(
+            "reference",
+            "`section-2.6.2`, `prototype-1`, `prototype-2`, `chapter-5` or `ncree`",
+            "none",
+            "the published study that the case belongs to: its discrepancies are printed with the answer",
+        ),
+        key(
+            "bearing",
+            "table",
+            "none",
+            "a bearing by its dimensions; without it the case is a general scene",
+        ),
+        key(
+            "steel",
+            "table",
+            "none",
+            "the steel of all bodies, and of single ones",
+        ),
+        key(
+            "mesh",
+            "table",
+            "preset `h025` of a bearing; required in a scene",
+            "the mesh",
+        ),
+        key(
+            "controls",
+            "table",
+            "all defaults",
+            "tolerances and increments",
+        ),
+        key(
+            "comparison",
+            "table",
+            "none",
+            "printed values to set beside the answer; they decide nothing",
+        ),
+    ],
+};
+
+pub const STEEL: Keys = Keys {
+    heading: "[steel]",
+    about: "The default of all bodies; `[steel.NAME]` has what the body NAME has otherwise. Isotropic, \
+            with a straight hardening line: one of `hardening`, `hardening_modulus` and \
+            `tangent_modulus`.",
+    keys: &[
+        key("youngs_modulus", "stress", "required", "E"),
+        key(
+            "poissons_ratio",
+            "share, between -1 and 0.5",
+            "required",
+            "ν",
+        ),
+        key(
+            "yield_stress",
+            "stress",
+            "required unless `elastic`",
+            "in uniaxial tension",
+        ),
+        key(
+            "hardening",
+            "table",
+            "none",
+            "a second point of the uniaxial curve beyond yield",
+        ),
+        key(
+            "hardening_modulus",
+            "stress",
+            "0, perfectly plastic",
+            "H = dσ/dε_p, stress over plastic strain",
+        ),
+        key(
+            "tangent_modulus",
+            "stress, less than E",
+            "none",
+            "E_t = dσ/dε, stress over total strain; 1/E_t = 1/E + 1/H",
+        ),
+        key("elastic", "true or false", "false", "never yields"),
+    ],
+};
+
+pub const HARDENING: Keys = Keys {
+    heading: "steel.hardening",
+    about: "Such as `hardening = { stress = \"138 ksi\", strain = 0.157, strain_is = \"total\" }`.",
+    keys: &[
+        key("stress", "stress", "required", "above the yield stress"),
+        key("strain", "share", "required", "at that stress"),
+        key(
+            "strain_is",
+            "`total` or `plastic`",
+            "`total`",
+            "which strain that is",
+        ),
+    ],
+};
+
+pub const CONTROLS: Keys = Keys {
+    heading: "[controls]",
+    about: "All relative and without units; the defaults suit every case that is shipped.",
+    keys: &[
+        key(
+            "residual",
+            "share, at most 1",
+            "1e-8",
+            "forces that are left over, of the applied force",
+        ),
+        key(
+            "penetration",
+            "share, at most 1",
+            "1e-5",
+            "largest penetration, of the approach of the bodies",
+        ),
+        key(
+            "first_increment",
+            "share, at most 1",
+            "0.25",
+            "first increment of a step, of the step; where nothing depends on the path a step is one \
+             increment",
+        ),
+        key(
+            "smallest_increment",
+            "share, at most `first_increment`",
+            "1e-4",
+            "an increment is not cut back below this",
+        ),
+        key(
+            "iterations",
+            "whole number, 1 or more",
+            "40",
+            "Newton iterations before an increment is cut back",
+        ),
+        key(
+            "plasticity",
+            "true or false",
+            "true",
+            "false keeps every body elastic",
+        ),
+        key(
+            "element",
+            "`bbar`, `enhanced` or `full`",
+            "`bbar`",
+            "element-mean dilatation; incompatible modes, where one or two elements bend; plain, to \
+             compare with other programs",
+        ),
+        key(
+            "solver",
+            "`auto`, `direct` or `divided`",
+            "`auto`",
+            "a factor of the condensed bodies, or many small ones: the least memory",
+        ),
+    ],
+};
+
+pub const COMPARISON: Keys = Keys {
+    heading: "[comparison]",
+    about: "Places are bodies or interfaces, or `overall`, `rollers`, `plates`: `mises = { overall = \
+            \"70 ksi\" }`.",
+    keys: &[
+        key("source", "text", "none", "where the values were printed"),
+        key(
+            "mises_read",
+            "`centroid`, `integration_point` or `nodal`",
+            "`centroid`",
+            "which reading stands beside the printed Mises stress",
+        ),
+        key(
+            "mises",
+            "table of stresses by place",
+            "none",
+            "largest Mises stresses",
+        ),
+        key(
+            "max_pressure",
+            "table of stresses by place",
+            "none",
+            "largest contact pressures",
+        ),
+        key(
+            "descent",
+            "length",
+            "none",
+            "motion of the top face since all interfaces just touched",
+        ),
+    ],
+};

@@ -1,0 +1,270 @@
+//! Keys of a general scene.
+
+use super::{Keys, key};
+
+pub const SCENE: Keys = Keys {
+    heading: "Beside those of every case",
+    about: "Bodies are the physical volumes of the mesh, surfaces its physical surfaces.",
+    keys: &[
+        key(
+            "body",
+            "list of tables",
+            "all bodies of the mesh",
+            "bodies with a steel of their own",
+        ),
+        key(
+            "contact",
+            "list of tables",
+            "none",
+            "pairs of surfaces that may touch",
+        ),
+        key(
+            "support",
+            "list of tables",
+            "none",
+            "surfaces that are held or displaced",
+        ),
+        key(
+            "rigid_plane",
+            "list of tables",
+            "none",
+            "surfaces that move without turning, held, displaced or driven by a force",
+        ),
+        key(
+            "pressure",
+            "list of tables",
+            "none",
+            "pressures on surfaces",
+        ),
+        key(
+            "traction",
+            "list of tables",
+            "none",
+            "forces per area on surfaces",
+        ),
+        key(
+            "step",
+            "list of tables",
+            "one, to the full load",
+            "loading in steps",
+        ),
+        key(
+            "symmetry",
+            "list of `x`, `y`, `z`",
+            "none",
+            "axes whose coordinate plane mirrors the model: the mesh is on one side of it, the \
+             surface in it is supported, and forces are given for the whole",
+        ),
+    ],
+};
+
+pub const FILE_MESH: Keys = Keys {
+    heading: "[mesh] of a scene",
+    about: "A file of gmsh, MSH 4.1 or 2.2, text or binary, plain or gzip, of linear hexahedra.",
+    keys: &[
+        key(
+            "file",
+            "text",
+            "required",
+            "path, relative to the folder of the case",
+        ),
+        key(
+            "unit",
+            "unit of length",
+            "that of the case",
+            "what the coordinates are in",
+        ),
+    ],
+};
+
+pub const FAMILY_MESH: Keys = Keys {
+    heading: "[mesh] that is built in",
+    about: "In place of a file.",
+    keys: &[
+        key("family", "`problem-h`", "required", "which"),
+        key(
+            "level",
+            "whole number, 1 to 8",
+            "2",
+            "2 x 2^level elements across the half-width",
+        ),
+    ],
+};
+
+pub const BODY: Keys = Keys {
+    heading: "[[body]]",
+    about: "Optional: for a steel of its own, or so that a body that is missing from the mesh is told.",
+    keys: &[
+        key("name", "text", "required", "of the physical volume"),
+        key(
+            "steel",
+            "table as [steel]",
+            "[steel]",
+            "what the body has otherwise",
+        ),
+    ],
+};
+
+pub const CONTACT: Keys = Keys {
+    heading: "[[contact]]",
+    about: "A pair of surfaces, or a surface and a rigid plane.",
+    keys: &[
+        key(
+            "name",
+            "text",
+            "`<upper>-<lower>`",
+            "of the interface in all results",
+        ),
+        key(
+            "upper",
+            "surface, or a table with `plane`",
+            "required",
+            "one side",
+        ),
+        key(
+            "lower",
+            "surface, or a table with `plane`",
+            "required",
+            "the other side",
+        ),
+        key(
+            "carrier",
+            "`upper` or `lower`",
+            "the curved side, or the upper one",
+            "the side whose nodes carry the pressure",
+        ),
+        key("friction", "share, 0 or more", "0", "Coulomb's coefficient"),
+        key(
+            "penalty_factor",
+            "share, positive",
+            "1",
+            "multiplies the automatic penalty; the converged answer does not depend on it",
+        ),
+        key(
+            "true_geometry",
+            "true or false",
+            "true",
+            "take surfaces whose nodes lie on a cylinder or sphere as that shape in the gap, not as \
+             their facets",
+        ),
+    ],
+};
+
+pub const PARTNER: Keys = Keys {
+    heading: "contact.upper, contact.lower",
+    about: "A rigid plane in place of a surface: `lower = { plane = { point = [0, 0, 0], normal = [0, 0, \
+            1] } }`.",
+    keys: &[key("plane", "table", "required", "a rigid half space")],
+};
+
+pub const PLANE: Keys = Keys {
+    heading: "contact.upper.plane, contact.lower.plane",
+    about: "The half space behind the plane.",
+    keys: &[
+        key(
+            "point",
+            "list of three lengths",
+            "required",
+            "a point of the plane",
+        ),
+        key(
+            "normal",
+            "list of three shares",
+            "required",
+            "out of the half space; of any length",
+        ),
+    ],
+};
+
+pub const SUPPORT: Keys = Keys {
+    heading: "[[support]]",
+    about: "Holds or displaces the nodes of a surface.",
+    keys: &[
+        key("name", "text", "that of the surface", "for `step.factors`"),
+        key("surface", "text", "required", "of the mesh"),
+        key(
+            "fixed",
+            "some of the letters xyz",
+            "none",
+            "components that stay",
+        ),
+        key(
+            "displacement",
+            "table by axis of lengths",
+            "none",
+            "components that are displaced, at factor one",
+        ),
+    ],
+};
+
+pub const RIGID_PLANE: Keys = Keys {
+    heading: "[[rigid_plane]]",
+    about: "A surface that moves without turning: along each axis all of its nodes alike.",
+    keys: &[
+        key("name", "text", "that of the surface", "for `step.factors`"),
+        key("surface", "text", "required", "of the mesh"),
+        key(
+            "fixed",
+            "some of the letters xyz",
+            "none",
+            "components that stay",
+        ),
+        key(
+            "displacement",
+            "table by axis of lengths",
+            "none",
+            "components that are displaced, at factor one",
+        ),
+        key(
+            "force",
+            "table by axis of forces",
+            "none",
+            "components that are driven by this force on the whole, at factor one",
+        ),
+    ],
+};
+
+pub const LOAD: Keys = Keys {
+    heading: "[[pressure]], [[traction]]",
+    about: "Forces per area, which keep their directions.",
+    keys: &[
+        key("name", "text", "that of the surface", "for `step.factors`"),
+        key("surface", "text", "required", "of the mesh"),
+        key(
+            "value",
+            "stress of a pressure, list of three stresses of a traction",
+            "required",
+            "a pressure is positive in compression",
+        ),
+    ],
+};
+
+pub const AXES: Keys = Keys {
+    heading: "displacement, force",
+    about: "Of supports and rigid planes: `force = { z = \"-40 N\" }`.",
+    keys: &[
+        key("x", "length or force", "free", "along x"),
+        key("y", "length or force", "free", "along y"),
+        key("z", "length or force", "free", "along z"),
+    ],
+};
+
+pub const STEP: Keys = Keys {
+    heading: "[[step]]",
+    about: "Loads and displacements move linearly to these factors, one step after the other.",
+    keys: &[
+        key("name", "text", "required", "of the step in all results"),
+        key(
+            "factor",
+            "share",
+            "1",
+            "of everything that `factors` does not name",
+        ),
+        key(
+            "factors",
+            "table of shares by name of a support, plane or load",
+            "none",
+            "factors of their own",
+        ),
+    ],
+};

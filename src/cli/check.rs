@@ -1,0 +1,59 @@
+//! `brinell check`: a case and its mesh looked at, but not solved.
+
+use super::{CommandResult, Status, read_case, say};
+use crate::job::{self, JobError};
+use crate::output::check::{Check, render};
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit status: 0 ready to run, 1 a run would fail (a body that nothing holds, \
+                        too little memory), 2 bad input. Warnings do not change it."
+)]
+pub struct CheckArgs {
+    /// The case file.
+    pub case: PathBuf,
+    /// Mesh preset of a bearing [default: that of the case].
+    #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
+    pub mesh: Option<String>,
+    /// Model the whole bearing though it is symmetric.
+    #[arg(long)]
+    pub full: bool,
+    /// Keep every body elastic.
+    #[arg(long)]
+    pub elastic: bool,
+    /// Print JSON instead of a table.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Carries out the command.
+pub fn run(args: &CheckArgs) -> CommandResult {
+    let bad = |report: miette::Report| (Status::BadInput, report);
+    let check = checked(args).map_err(|error| bad(error.into()))?;
+    let text = match args.json {
+        true => serde_json::to_string_pretty(&check)
+            .map_err(|error| bad(miette::Report::msg(error.to_string())))?,
+        false => render(&check),
+    };
+    say(text.trim_end());
+    Ok(match check.problems.is_empty() {
+        true => Status::Done,
+        false => Status::Failed,
+    })
+}
+
+fn checked(args: &CheckArgs) -> Result<Check, JobError> {
+    let mut case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
+    if args.elastic {
+        case.set_elastic();
+    }
+    // JSON stands alone on standard output.
+    let mut told = |line: &str| {
+        if !args.json {
+            say(line);
+        }
+    };
+    job::check(&case, &mut told)
+}

@@ -1,0 +1,39 @@
+//! `brinell completions`: what a shell needs to complete commands, options and their values.
+
+use super::{CommandResult, Status};
+use clap::{Args, ValueEnum};
+use clap_complete::{Shell, generate};
+use std::io::Write;
+
+/// A shell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ShellName {
+    Bash,
+    Zsh,
+    Fish,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  brinell completions bash > ~/.local/share/bash-completion/completions/brinell
+  brinell completions zsh > ~/.zfunc/_brinell     # with fpath+=(~/.zfunc) before compinit
+  brinell completions fish > ~/.config/fish/completions/brinell.fish")]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: ShellName,
+}
+
+/// Carries out the command.
+pub fn run(args: &CompletionsArgs) -> CommandResult {
+    let shell = match args.shell {
+        ShellName::Bash => Shell::Bash,
+        ShellName::Zsh => Shell::Zsh,
+        ShellName::Fish => Shell::Fish,
+    };
+    let mut script = Vec::new();
+    generate(shell, &mut super::command(), "brinell", &mut script);
+    // A reader that has gone, such as `head`, stops nothing.
+    let _ = std::io::stdout().write_all(&script);
+    Ok(Status::Done)
+}

@@ -1,0 +1,215 @@
+//! Lines of contact before the load: Hertz's half-width under an even load, and the elements across it.
+
+use crate::analytic::hertz::LineContact;
+use crate::analytic::{DomainError, Elastic, contact_compliance};
+use crate::case::{Case, Kind};
+use crate::geometry::{Vec3, dot, norm, scale, sub};
+use crate::job::JobError;
+use crate::material::Steel;
+use crate::mesh::shape::{Shape, fit};
+use crate::output::check::StripCheck;
+use crate::results::load::full;
+use crate::scene::{ContactPair, Partner, Scene, Side};
+use crate::solve::{Forecast, PairForecast};
+
+/// The lines of `scene`: of each pair of a bearing, and of other pairs whose carrier is a cylinder on a
+/// plane or along another cylinder, if that pair carries the whole load.
+pub fn strips(
+    case: &Case,
+    scene: &Scene,
+    forecast: &Forecast,
+) -> Result<Vec<StripCheck>, JobError> {
+    let pairs = scene.contacts.iter().zip(&forecast.pairs);
+    let strips = pairs.filter_map(|(pair, found)| strip(case, scene, pair, found).transpose());
+    let strips: Result<Vec<StripCheck>, DomainError> = strips.collect();
+    strips.map_err(|error| JobError::ClosedForm {
+        what: "the half-width of the contact".to_owned(),
+        why: error.to_string(),
+    })
+}
+
+/// A line along a cylinder.
+struct Line {
+    axis: Vec3,
+    /// Effective radius, of both sides.
+    radius: f64,
+    /// Length in the whole.
+    length: f64,
+    /// How many there are, and the force normal to the surface that each takes.
+    lines: usize,
+    force: f64,
+}
+
+fn strip(
+    case: &Case,
+    scene: &Scene,
+    pair: &ContactPair,
+    found: &PairForecast,
+) -> Result<Option<StripCheck>, DomainError> {
+    let load = norm(full(scene));
+    let (Some(line), Some((node, _)), true) = (line(case, scene, pair, load), found.at, load > 0.0)
+    else {
+        return Ok(None);
+    };
+    let (Some(compliance), Some(spacing)) = (
+        compliance(scene, pair)?,
+        spacing(scene, pair, node, line.axis),
+    ) else {
+        return Ok(None);
+    };
+    let hertz = LineContact::new(line.force / line.length, line.radius, compliance)?;
+    let elements = hertz.half_width / spacing;
+    Ok(Some(StripCheck {
+        contact: pair.name.clone(),
+        lines: line.lines,
+        line_load: hertz.line_load,
+        half_width: hertz.half_width,
+        peak_pressure: hertz.peak_pressure,
+        spacing,
+        elements,
+        pressure_error: (elements > 1.0).then(|| 0.25 * elements.powi(-2)),
+    }))
+}
+
+fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Line> {
+    let (carrier, other) = match pair.carrier {
+        Side::Upper => (&pair.upper, &pair.lower),
+        Side::Lower => (&pair.lower, &pair.upper),
+    };
+    if let Kind::Bearing(bearing) = &case.kind {
+        let g = &bearing.geometry;
+        let along_y = pair.name.contains("upper_roller");
+        let (lines, force) = match pair.name.contains("intermediate_plate") {
+            // Both slopes of the valley share the load; a displaced roller touches one of them.
+            true if g.is_centred() && g.slope > 0.0 => (2, load / (2.0 * g.slope.cos())),
+            true => (1, load / g.slope.cos()),
+            false => (1, load),
+        };
+        return Some(Line {
+            axis: if along_y {
+                [0.0, 1.0, 0.0]
+            } else {
+                [1.0, 0.0, 0.0]
+            },
+            radius: g.radius(),
+            length: g.length,
+            lines,
+            force,
+        });
+    }
+    let Shape::Cylinder {
+        axis,
+        radius,
+        convex: true,
+        ..
+    } = shape(scene, carrier)
+    else {
+        return None;
+    };
+    let curvature = match shape(scene, other) {
+        Shape::Plane { .. } => 0.0,
+        Shape::Cylinder {
+            axis: second,
+            radius,
+            convex,
+            ..
+        } if dot(axis, second).abs() > 0.999 => match convex {
+            true => 1.0 / radius,
+            false => -1.0 / radius,
+        },
+        _ => return None,
+    };
+    let curvature = 1.0 / radius + curvature;
+    let length = length(scene, carrier, axis);
+    (curvature > 0.0 && length > 0.0).then(|| Line {
+        axis,
+        radius: 1.0 / curvature,
+        length,
+        lines: 1,
+        force: load,
+    })
+}
+
+fn shape(scene: &Scene, partner: &Partner) -> Shape {
+    match partner {
+        Partner::Surface(name) => {
+            (scene.mesh.surface(name)).map_or(Shape::Facets, |surface| fit(&scene.mesh, surface))
+        }
+        Partner::Plane { point, normal } => Shape::Plane {
+            point: *point,
+            normal: *normal,
+        },
+    }
+}
+
+/// Extent of a surface along `axis`, in the whole.
+fn length(scene: &Scene, partner: &Partner, axis: Vec3) -> f64 {
+    let Partner::Surface(name) = partner else {
+        return 0.0;
+    };
+    let nodes = scene
+        .mesh
+        .surface(name)
+        .map(|s| s.nodes())
+        .unwrap_or_default();
+    let along = nodes
+        .iter()
+        .map(|n| dot(scene.mesh.points[*n as usize], axis));
+    let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| {
+        (l.min(c), h.max(c))
+    });
+    let mirrored = scene
+        .mirrors
+        .iter()
+        .any(|mirror| axis[*mirror].abs() > 0.999);
+    let times = if mirrored { 2.0 } else { 1.0 };
+    times * (high - low)
+}
+
+/// C_E of the steels on both sides; a rigid plane does not give.
+fn compliance(scene: &Scene, pair: &ContactPair) -> Result<Option<f64>, DomainError> {
+    let steel = |partner: &Partner| -> Option<Option<&Steel>> {
+        let Partner::Surface(name) = partner else {
+            return Some(None);
+        };
+        let face = scene.mesh.surface(name)?.faces.first()?;
+        let body = scene.mesh.body_of(face.element as usize);
+        scene.materials.get(body).map(Some)
+    };
+    let (Some(upper), Some(lower)) = (steel(&pair.upper), steel(&pair.lower)) else {
+        return Ok(None);
+    };
+    let elastic = |steel: Option<&Steel>| match steel {
+        Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
+        None => Ok(Elastic::RIGID),
+    };
+    contact_compliance(elastic(upper)?, elastic(lower)?).map(Some)
+}
+
+/// Mean distance across `axis` of the carrier's node at first touch from its neighbours.
+fn spacing(scene: &Scene, pair: &ContactPair, node: u32, axis: Vec3) -> Option<f64> {
+    let carrier = match pair.carrier {
+        Side::Upper => &pair.upper,
+        Side::Lower => &pair.lower,
+    };
+    let Partner::Surface(name) = carrier else {
+        return None;
+    };
+    let mesh = &scene.mesh;
+    let mut across = Vec::new();
+    for face in &mesh.surface(name)?.faces {
+        let Some(at) = face.nodes.iter().position(|n| *n == node) else {
+            continue;
+        };
+        for neighbour in [face.nodes[(at + 1) % 4], face.nodes[(at + 3) % 4]] {
+            let edge = sub(mesh.points[neighbour as usize], mesh.points[node as usize]);
+            let along = dot(edge, axis);
+            let aside = norm(sub(edge, scale(axis, along)));
+            // An edge along the line is none across it.
+            if aside > along.abs() {
+                across.push(aside);
+            }
+        }
+    }
+    (!across.is_empty()).then(|| across.iter().sum::<f64>() / across.len() as f64)
+}

@@ -18,7 +18,7 @@ pub struct RunArgs {
     /// Mesh preset of a bearing: report-like, h025, h0125 or resolved.
     #[arg(long)]
     pub mesh: Option<String>,
-    /// Folder for summary.json and the VTK files; by default results/ and the name of the case.
+    /// Folder for summary.json, report.html and the VTK files; by default results/ and the name of the case.
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Threads to use; by default one a core.
@@ -43,6 +43,9 @@ pub struct RunArgs {
     /// Go on after the last increment of an earlier run of this case into the same folder.
     #[arg(long)]
     pub resume: bool,
+    /// Leave out report.html, the page of the run for a browser.
+    #[arg(long)]
+    pub no_report: bool,
     /// Print the tables only.
     #[arg(long, short)]
     pub quiet: bool,
@@ -61,6 +64,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
         ),
         elastic_peaks: !args.no_elastic_peaks,
         resume: args.resume,
+        report: !args.no_report,
     };
     let target = args.target.as_deref().map(str::parse::<Target>).transpose();
     let target = target.map_err(|error| bad(error.into()))?;

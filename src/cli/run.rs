@@ -26,7 +26,8 @@ pub struct RunArgs {
     /// Mesh preset of a bearing [default: that of the case].
     #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
     pub mesh: Option<String>,
-    /// Folder for summary.json and the VTK files [default: results/ and the name of the case].
+    /// Folder for summary.json, report.html and the VTK files [default: results/ and the name of the
+    /// case].
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Threads to use [default: one a core].
@@ -52,6 +53,9 @@ pub struct RunArgs {
     /// Go on after the last increment of an earlier run of this case into the same folder.
     #[arg(long)]
     pub resume: bool,
+    /// Leave out report.html, the page of the run for a browser.
+    #[arg(long)]
+    pub no_report: bool,
     /// Print the tables only.
     #[arg(long, short)]
     pub quiet: bool,
@@ -70,6 +74,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
         ),
         elastic_peaks: !args.no_elastic_peaks,
         resume: args.resume,
+        report: !args.no_report,
     };
     let target = args.target.as_deref().map(str::parse::<Target>).transpose();
     let target = target.map_err(|error| bad(error.into()))?;

@@ -2,7 +2,7 @@
 //! taken for the answer of this one.
 
 use super::{JobError, SUMMARY, checkpoint};
-use crate::output::line_load;
+use crate::output::{line_load, report};
 use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -37,7 +37,7 @@ impl Folder {
             Err(TryLockError::Error(_)) => {}
         }
         let stale = (line_load::FILES.into_iter())
-            .chain([SUMMARY])
+            .chain([SUMMARY, report::FILE])
             .chain((!resume).then_some(checkpoint::FILE));
         for file in stale {
             forget(&path.join(file))?;

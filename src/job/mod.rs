@@ -11,6 +11,7 @@ mod left_out;
 mod limits;
 mod mesh;
 mod record;
+mod report;
 mod sizing;
 
 use crate::case::{Case, Kind};
@@ -22,7 +23,7 @@ use crate::results::State;
 use crate::results::bore::Bore;
 use crate::results::load::applied;
 use crate::results::peaks::{BodyPeaks, peaks};
-use crate::results::recovery::recover;
+use crate::results::recovery::{Recovered, recover};
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
 pub use check::check;
@@ -49,6 +50,8 @@ pub struct Options {
     pub elastic_peaks: bool,
     /// Go on after the last increment of an earlier run of the same scene into the same folder.
     pub resume: bool,
+    /// Write `report.html` beside the summary.
+    pub report: bool,
 }
 
 impl Options {
@@ -169,6 +172,7 @@ fn solve_on(
         },
     };
     let writing = recorder.spent();
+    let history = recorder.into_history();
     let solving = clock.spent().minus(writing);
     if !solution.complete && solution.last.displacement.is_empty() {
         return Err(JobError::Interrupted);
@@ -189,10 +193,17 @@ fn solve_on(
         phases: phases(&solution.counters.timers),
     };
     let second = (elastic.as_deref(), stays.as_deref());
-    let summary = summarise(case, &scene, &solution, second, timing, options)?;
+    let recovered = recover(&scene, reported(&scene, &solution));
+    let fields = (&solution, &recovered);
+    let summary = summarise(case, &scene, fields, second, timing, options)?;
     if let Some(out) = &options.out {
         summary.write(&out.join(SUMMARY))?;
         line_load::write(&summary, out)?;
+        if options.report {
+            let state = reported(&scene, &solution);
+            let answer = (&summary, &scene, state, &recovered);
+            observer.message(&report::write(case, answer, &history, out)?);
+        }
     }
     if let Some(error) = failure {
         return Err(error.into());
@@ -260,13 +271,12 @@ impl Observer for Stoppable<'_> {
 fn summarise(
     case: &Case,
     scene: &Scene,
-    solution: &Solution,
+    (solution, recovered): (&Solution, &Recovered),
     (elastic, stays): (Option<&[BodyPeaks]>, Option<&[[f64; 3]]>),
     timing: Timing,
     options: &Options,
 ) -> Result<Summary, JobError> {
     let state = reported(scene, solution);
-    let recovered = recover(scene, state);
     let units = case.units;
     let mut inputs = SummaryInputs {
         case: &case.title,
@@ -276,7 +286,7 @@ fn summarise(
         unloaded: unloaded(scene, solution),
         stays,
         steps: &solution.states,
-        recovered: &recovered,
+        recovered,
         elastic,
         converged: solution.complete,
         counters: Counters {

@@ -1,11 +1,12 @@
-//! Writes each accepted increment to disk, and what a run can go on from, while it passes the
-//! observer on.
+//! Writes each accepted increment to disk, and what a run can go on from, and keeps the history of
+//! the iterations, while it passes the observer on.
 
 use super::JobError;
 use super::checkpoint::Checkpoint;
 use super::clock::{Clock, Spent};
 use crate::case::Case;
 use crate::output::Series;
+use crate::output::report::history::Iterate;
 use crate::results::State;
 use crate::results::recovery::recover;
 use crate::scene::Scene;
@@ -17,6 +18,7 @@ pub struct Recorder<'o> {
     files: Option<(Series, Checkpoint)>,
     scene: Scene,
     spent: Spent,
+    history: Vec<Iterate>,
 }
 
 impl<'o> Recorder<'o> {
@@ -49,6 +51,7 @@ impl<'o> Recorder<'o> {
                 cpu_s: Some(0.0),
                 ..Spent::default()
             },
+            history: Vec::new(),
         })
     }
 
@@ -56,10 +59,16 @@ impl<'o> Recorder<'o> {
     pub fn spent(&self) -> Spent {
         self.spent
     }
+
+    /// What the iterations told.
+    pub fn into_history(self) -> Vec<Iterate> {
+        self.history
+    }
 }
 
 impl Observer for Recorder<'_> {
     fn iteration(&mut self, iteration: &Iteration) {
+        self.history.push(iterate(iteration));
         self.inner.iteration(iteration);
     }
 
@@ -95,5 +104,23 @@ impl Observer for Recorder<'_> {
 
     fn cancelled(&self) -> bool {
         self.inner.cancelled()
+    }
+}
+
+fn iterate(i: &Iteration) -> Iterate {
+    Iterate {
+        load: i.step as f64 + i.time,
+        iteration: i.iteration,
+        residual: i.residual,
+        energy: i.energy,
+        active: i.active,
+        sticking: i.sticking,
+        slipping: i.slipping,
+        changed: i.changed,
+        violation: i.penetration,
+        flowing: i.flowing,
+        directions: i.directions,
+        refactored: i.refactored,
+        line_search: i.line_search,
     }
 }

@@ -1,5 +1,5 @@
 //! What people and other programs read: the terminal table, `summary.json`, line loads, plots, VTK
-//! files, and decks for other solvers.
+//! files, a page for browsers, and decks for other solvers.
 //!
 //! Nothing here knows how a scene is solved. Fields and scalars come from
 //! [`results`](crate::results); here they get names, units and a file format.
@@ -15,6 +15,7 @@ pub mod line_load;
 pub mod page;
 pub mod plot;
 pub mod pvd;
+pub mod report;
 pub mod series;
 pub mod summary;
 pub mod table;

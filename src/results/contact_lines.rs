@@ -86,7 +86,7 @@ pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> 
 
 /// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
 /// the load.
-fn across(scene: &Scene, axis: usize) -> Option<usize> {
+pub(super) fn across(scene: &Scene, axis: usize) -> Option<usize> {
     let load = direction(scene).map(f64::abs);
     let facing = (0..3).max_by(|a, b| load[*a].total_cmp(&load[*b]))?;
     (0..3).find(|i| *i != axis && *i != facing && axis != facing)

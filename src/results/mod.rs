@@ -7,6 +7,7 @@ pub mod balance;
 pub mod bore;
 pub mod contact_lines;
 pub mod dent;
+pub mod depth;
 pub mod edges;
 pub mod hex;
 pub mod interface;
@@ -17,6 +18,7 @@ pub mod quad;
 pub mod recovery;
 pub mod strain;
 pub mod strip;
+pub mod strip_profile;
 pub mod tensor;
 
 mod fit;

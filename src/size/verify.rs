@@ -75,6 +75,7 @@ fn run(case: &case::Case, out: &Path, observer: &mut dyn Observer) -> Result<Out
         out: Some(out.to_owned()),
         elastic_peaks: true,
         resume,
+        report: true,
     };
     match job::run(case, &options(job::has_checkpoint(out)), observer) {
         Err(JobError::Checkpoint { path, why }) => {

@@ -109,6 +109,7 @@ impl Member {
             out: Some(out.join(self.name).join(mesh)),
             elastic_peaks: true,
             resume: false,
+            report: true,
         };
         if meshes.report_like {
             let mut case = self.case()?;

@@ -96,6 +96,7 @@ fn solve(
         out: Some(folder.to_owned()),
         elastic_peaks: true,
         resume,
+        report: false,
     };
     if !resume {
         // First gone, then ours: a checkpoint is never taken for that of another row.

@@ -21,6 +21,7 @@ fn run(preset: &str) -> Outcome {
         out: None,
         elastic_peaks: false,
         resume: false,
+        report: false,
     };
     job::run(&case, &options, &mut Silent).expect("it converges without tuning")
 }
@@ -185,6 +186,7 @@ fn steel_that_cannot_yield_has_no_limit() {
         out: None,
         elastic_peaks: false,
         resume: false,
+        report: false,
     };
     let outcome = job::run(&case, &options, &mut Silent).expect("it runs");
     let sizing = outcome.summary.sizing.expect("it is a bearing");

@@ -97,6 +97,7 @@ fn a_run_says_what_it_left_out_and_what_that_saved() {
         out: None,
         elastic_peaks: true,
         resume: false,
+        report: false,
     };
     let mut case = centre();
     let rubbing = job::run(&case, &options, &mut Silent).expect("converges");

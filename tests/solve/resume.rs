@@ -37,6 +37,7 @@ fn run(case: &Case, out: &Path, resume: bool, increments: usize) -> Result<Outco
         out: Some(out.to_owned()),
         elastic_peaks: false,
         resume,
+        report: false,
     };
     job::run(case, &options, &mut Patience(increments))
 }

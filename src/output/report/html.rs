@@ -1,0 +1,54 @@
+//! Small pieces of markup that the sections share.
+
+use maud::{Markup, PreEscaped, Render, html};
+
+/// A table: headings, then rows whose first cell names them.
+pub fn table(caption: &str, headings: &[&str], rows: &[Vec<Markup>]) -> Markup {
+    html! {
+        @if !rows.is_empty() {
+            div class="scroll" {
+                table {
+                    @if !caption.is_empty() { caption { (caption) } }
+                    thead { tr { @for heading in headings { th scope="col" { (heading) } } } }
+                    tbody {
+                        @for row in rows {
+                            tr {
+                                @for (k, cell) in row.iter().enumerate() {
+                                    @if k == 0 { th scope="row" { (cell) } } @else { td { (cell) } }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Texts as the cells of a row.
+pub fn row<T: Render, const N: usize>(cells: [T; N]) -> Vec<Markup> {
+    cells.iter().map(Render::render).collect()
+}
+
+/// Sentences below one another, under a heading; nothing where there are none.
+pub fn list(heading: &str, sentences: &[String]) -> Markup {
+    html! {
+        @if !sentences.is_empty() {
+            h3 { (heading) }
+            ul { @for sentence in sentences { li { (sentence) } } }
+        }
+    }
+}
+
+/// Met or missed, in a word and a colour.
+pub fn met(met: bool) -> Markup {
+    match met {
+        true => html! { b class="good" { "yes" } },
+        false => html! { b class="bad" { "NO" } },
+    }
+}
+
+/// Text that may stand inside a script element: nothing in it can end the element.
+pub fn in_script(text: &str) -> Markup {
+    PreEscaped(text.replace('<', "\\u003c"))
+}

@@ -1,0 +1,116 @@
+//! The page from top to bottom.
+
+use super::html::in_script;
+use super::sections::{
+    bodies, certificate, compared, contact, convergence, depth, input, line_load, loading,
+    pictures, pressure_map, run, sizing, space, strip, verdict,
+};
+use super::{Inputs, OutputError};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// Nothing from elsewhere, nothing sent: only what stands in the page itself.
+const POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+
+const STYLE: &str = include_str!("assets/style.css");
+
+/// In the order in which they need each other.
+const SCRIPTS: [&str; 7] = [
+    include_str!("assets/unpack.js"),
+    include_str!("assets/model.js"),
+    include_str!("assets/cut.js"),
+    include_str!("assets/camera.js"),
+    include_str!("assets/renderer.js"),
+    include_str!("assets/view.js"),
+    include_str!("assets/page.js"),
+];
+
+/// A part of the page: its name in addresses, its heading, and what it says.
+struct Section {
+    id: &'static str,
+    heading: &'static str,
+    content: Markup,
+}
+
+pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
+    let summary = inputs.summary;
+    let section = |id, heading, content| Section {
+        id,
+        heading,
+        content,
+    };
+    let space = space::space(inputs)?;
+    let lines = strip::lines(inputs);
+    let sections = [
+        section("peaks", "Peak stresses", bodies::bodies(inputs)),
+        section("sizing", "Sizing rules", sizing::sizing(summary)),
+        section("space", "The parts in space", space.view),
+        section(
+            "pictures",
+            "Mises stress in section",
+            pictures::pictures(inputs, &lines)?,
+        ),
+        section("contact", "Contact", contact::contact(summary)),
+        section(
+            "pressure",
+            "Pressure on the contact surfaces",
+            pressure_map::maps(inputs)?,
+        ),
+        section(
+            "strips",
+            "Across the lines of contact and below them",
+            html! { (strip::charts(inputs, &lines)) (depth::charts(inputs, &lines)) },
+        ),
+        section(
+            "line-load",
+            "Load along the lines of contact",
+            line_load::charts(summary),
+        ),
+        section("compared", "Compared", compared::compared(summary)),
+        section(
+            "certificate",
+            "What the figures are worth",
+            certificate::certificate(summary),
+        ),
+        section("loading", "Load and descent", loading::loading(summary)),
+        section(
+            "convergence",
+            "Convergence",
+            convergence::convergence(inputs),
+        ),
+        section("run", "Assumptions and the run", run::run(inputs)),
+        section("input", "Input", input::input(inputs)),
+    ];
+    // A section that has nothing to say is not there.
+    let sections: Vec<Section> = (sections.into_iter())
+        .filter(|s| !s.content.0.is_empty())
+        .collect();
+    Ok(html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                title { (summary.case) " – Brinell" }
+                // An address that holds nothing, lest a browser look for an icon.
+                link rel="icon" href="data:,";
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (summary.case) }
+                p class="sub" { "Brinell " (summary.brinell_version) " · " (inputs.case.0) }
+                section id="verdict" { (verdict::verdict(inputs)) }
+                nav aria-label="Sections" {
+                    @for s in &sections { a href=(format!("#{}", s.id)) { (s.heading) } }
+                }
+                @for s in &sections {
+                    section id=(s.id) { h2 { (s.heading) } (s.content) }
+                }
+                script type="application/json" id="header" { (in_script(&space.header)) }
+                script type="text/plain" id="arrays" { (PreEscaped(space.arrays)) }
+                script { (PreEscaped("\"use strict\";\n")) @for script in SCRIPTS { (PreEscaped(script)) } }
+            }
+        }
+    })
+}

@@ -1,0 +1,50 @@
+//! The certificate: figures with their estimated errors, by cause.
+
+use crate::certify::Claim;
+use crate::output::report::figures::{number, unit_of, with_error};
+use crate::output::report::html::{row, table};
+use crate::output::summary::Summary;
+use crate::output::text::significant;
+use maud::{Markup, html};
+
+pub fn certificate(summary: &Summary) -> Markup {
+    if summary.certificate.is_empty() {
+        return Markup::default();
+    }
+    let rows: Vec<Vec<Markup>> = (summary.certificate.iter())
+        .map(|claim| {
+            row([
+                html! { (claim.what.name()) },
+                html! { (claim.place) },
+                html! { (with_error(claim.value, claim.error.total())) " " (unit_of(claim.what, &summary.units)) },
+                html! { (relative(claim, claim.error.discretisation)) },
+                html! { (relative(claim, claim.error.penetration)) },
+                html! { (relative(claim, claim.error.increment)) },
+                html! { (claim.note.unwrap_or_default()) },
+            ])
+        })
+        .collect();
+    let headings = [
+        "figure",
+        "where",
+        "value",
+        "of the mesh",
+        "of penetration",
+        "of increments",
+        "remark",
+    ];
+    html! {
+        (table("", &headings, &rows))
+        p class="note" {
+            "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a loaded edge \
+             gets a remark in place of an error."
+        }
+    }
+}
+
+fn relative(claim: &Claim, error: Option<f64>) -> String {
+    match error.filter(|_| claim.value != 0.0) {
+        Some(error) => format!("{} %", significant(100.0 * error / claim.value.abs(), 2)),
+        None => number(None),
+    }
+}

@@ -1,0 +1,47 @@
+//! Figures of this run beside printed ones and Hertz's.
+
+use crate::output::report::figures::{number, with_error};
+use crate::output::report::html::{row, table};
+use crate::output::summary::{Figure, Summary};
+use maud::{Markup, html};
+
+pub fn compared(summary: &Summary) -> Markup {
+    let rows: Vec<Vec<Markup>> = (summary.comparison.iter())
+        .map(|c| {
+            let value = c
+                .value
+                .map_or_else(|| "–".to_string(), |v| with_error(v, c.error));
+            let report = match c.report {
+                Some(Figure::Value(value)) => number(Some(value)),
+                Some(Figure::Range([low, high])) => {
+                    format!("{} to {}", number(Some(low)), number(Some(high)))
+                }
+                None => "–".to_string(),
+            };
+            row([
+                html! { (c.what) },
+                html! { (c.place) },
+                html! { (value) },
+                html! { (report) },
+                html! { (number(c.report_like)) },
+                html! { (number(c.hertz)) },
+            ])
+        })
+        .collect();
+    if rows.is_empty() {
+        return Markup::default();
+    }
+    let headings = [
+        "figure",
+        "where",
+        "this run",
+        "printed",
+        "report-like mesh",
+        "Hertz, even load",
+    ];
+    html! {
+        (table("", &headings, &rows))
+        p class="note" { "Printed: what the case file cites. Hertz: the closed form for a line load spread evenly. \
+                          Comparisons decide nothing." }
+    }
+}

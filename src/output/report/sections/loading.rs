@@ -1,0 +1,61 @@
+//! Load and descent at the ends of the steps, and what stays after unloading.
+
+use crate::output::report::figures::number;
+use crate::output::report::html::{row, table};
+use crate::output::summary::{Summary, Unloaded};
+use crate::output::text::{place, significant};
+use maud::{Markup, html};
+
+pub fn loading(summary: &Summary) -> Markup {
+    let units = &summary.units;
+    let mut before = (0.0, Some(0.0));
+    let rows: Vec<Vec<Markup>> = (summary.load_line.iter())
+        .map(|point| {
+            let slope = point
+                .descent
+                .zip(before.1)
+                .map(|(now, then)| (point.load - before.0) / (now - then));
+            before = (point.load, point.descent);
+            row([
+                html! { (point.step) },
+                html! { (significant(point.load, 4)) },
+                html! { (number(point.descent)) },
+                html! { (number(slope.filter(|s| s.is_finite()))) },
+            ])
+        })
+        .collect();
+    let load = format!("load, {}", units.force);
+    let descent = format!("descent, {}", units.length);
+    let slope = format!("slope, {}/{}", units.force, units.length);
+    html! {
+        (table("", &["end of step", &load, &descent, &slope], &rows))
+        @if let Some(unloaded) = &summary.unloaded { (stays(unloaded, summary)) }
+    }
+}
+
+fn stays(unloaded: &Unloaded, summary: &Summary) -> Markup {
+    let units = &summary.units;
+    let rows: Vec<Vec<Markup>> = (unloaded.dents.0.iter())
+        .map(|(surface, dent)| {
+            row([
+                html! { (surface) },
+                html! { (dent.body) },
+                html! { (significant(dent.depth, 3)) },
+                html! { (place(dent.at)) },
+            ])
+        })
+        .collect();
+    let caption = format!(
+        "Dents that stay, at {} {}",
+        significant(unloaded.applied_load, 3),
+        units.force
+    );
+    let depth = format!("depth, {}", units.length);
+    let at = format!("at, {}", units.length);
+    html! {
+        (table(&caption, &["surface", "body", &depth, &at], &rows))
+        @if !unloaded.elastic_removed {
+            p class="note" { "What the load that is left presses elastically is still in them." }
+        }
+    }
+}

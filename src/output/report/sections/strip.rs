@@ -1,0 +1,196 @@
+//! The pressure across each line of contact where it carries most, against Hertz.
+
+use crate::analytic::hertz::LineContact;
+use crate::analytic::{Elastic, contact_compliance};
+use crate::mesh::shape::{Shape, fit};
+use crate::output::report::Inputs;
+use crate::output::report::drawing::axes::Axis;
+use crate::output::report::drawing::chart::{Chart, Mark, Series, extent, from_zero};
+use crate::output::text::significant;
+use crate::results::contact_lines::contact_lines;
+use crate::results::line_load::Slices;
+use crate::results::strip_profile::{StripProfile, strip_profile};
+use crate::scene::{Partner, Scene, Side};
+use maud::{Markup, html};
+
+/// A line of contact, what was computed across it, and Hertz's contact under the same load per
+/// length.
+#[derive(Debug, Clone)]
+pub struct Line {
+    pub interface: String,
+    /// The axis along which it runs, and its mean coordinate across.
+    pub axis: usize,
+    pub across: f64,
+    pub half_width: f64,
+    pub profile: StripProfile,
+    /// None where the surfaces are not a cylinder on a cylinder or a plane.
+    pub hertz: Option<LineContact>,
+    /// The bodies on the carrier's side and on the other, where there are such.
+    pub bodies: [Option<usize>; 2],
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Line {
+    /// Such as "upper_plate-upper_roller, line at x = 0 in, at y = 4 in".
+    pub fn name(&self, length: &str) -> String {
+        let row = significant(self.profile.at, 3);
+        let along = AXES[self.axis];
+        let across = significant(self.across, 3);
+        format!(
+            "{}, line at {across} {length}, where {along} = {row} {length}",
+            self.interface
+        )
+    }
+}
+
+/// Every line of contact of the modelled part.
+pub fn lines(inputs: &Inputs) -> Vec<Line> {
+    let (scene, state) = (inputs.scene, inputs.state);
+    let mut all = Vec::new();
+    for (pair, contact) in scene.contacts.iter().enumerate() {
+        let Some(axis) = Slices::equal(scene, pair, 1).map(|s| s.axis) else {
+            continue;
+        };
+        for line in contact_lines(scene, state, pair, axis) {
+            let Some(profile) = strip_profile(scene, state, pair, axis, &line) else {
+                continue;
+            };
+            all.push(Line {
+                interface: contact.name.clone(),
+                axis,
+                across: line.across,
+                half_width: line.half_width,
+                hertz: hertz(scene, pair, axis, profile.line_load),
+                profile,
+                bodies: bodies(scene, pair),
+            });
+        }
+    }
+    all
+}
+
+/// The partners of a pair, the carrier first.
+fn partners(scene: &Scene, pair: usize) -> [&Partner; 2] {
+    let contact = &scene.contacts[pair];
+    match contact.carrier {
+        Side::Upper => [&contact.upper, &contact.lower],
+        Side::Lower => [&contact.lower, &contact.upper],
+    }
+}
+
+fn bodies(scene: &Scene, pair: usize) -> [Option<usize>; 2] {
+    partners(scene, pair).map(|partner| match partner {
+        Partner::Surface(name) => {
+            let face = scene.mesh.surface(name)?.faces.first()?;
+            Some(scene.mesh.body_of(face.element as usize))
+        }
+        Partner::Plane { .. } => None,
+    })
+}
+
+/// Hertz's line contact under the load per length `load`; `None` where the surfaces are others.
+fn hertz(scene: &Scene, pair: usize, axis: usize, load: f64) -> Option<LineContact> {
+    let mut curvature = 0.0;
+    for partner in partners(scene, pair) {
+        let Partner::Surface(name) = partner else {
+            continue;
+        };
+        curvature += match fit(&scene.mesh, scene.mesh.surface(name)?) {
+            Shape::Plane { .. } => 0.0,
+            Shape::Cylinder {
+                axis: along,
+                radius,
+                convex,
+                ..
+            } if along[axis].abs() > 1.0 - 1e-6 => match convex {
+                true => 1.0 / radius,
+                false => -1.0 / radius,
+            },
+            _ => return None,
+        };
+    }
+    let elastic = bodies(scene, pair).map(|body| match body {
+        Some(body) => {
+            let steel = &scene.materials[body];
+            Elastic::new(steel.youngs_modulus, steel.poissons_ratio).ok()
+        }
+        None => Some(Elastic::RIGID),
+    });
+    let compliance = contact_compliance(elastic[0]?, elastic[1]?).ok()?;
+    LineContact::new(load, 1.0 / curvature, compliance).ok()
+}
+
+/// A diagram a line.
+pub fn charts(inputs: &Inputs, lines: &[Line]) -> Markup {
+    if lines.is_empty() {
+        return Markup::default();
+    }
+    html! {
+        h3 { "Pressure across the strip" }
+        p class="note" {
+            "Across each line where it carries most, along the surface from the centre of pressure. Hertz: an \
+             elastic half space under the same load per length there."
+        }
+        div class="pair" { @for line in lines { (chart(inputs, line).draw()) } }
+    }
+}
+
+fn chart(inputs: &Inputs, line: &Line) -> Chart {
+    let units = &inputs.summary.units;
+    let computed = line.profile.points.clone();
+    let largest = computed.iter().map(|p| p.1).fold(0.0, f64::max);
+    let load = significant(line.profile.line_load, 4);
+    let mut series = vec![Series {
+        name: format!(
+            "computed, nodes: p max {} {}, half-width {} {}",
+            significant(largest, 4),
+            units.stress,
+            significant(line.half_width, 3),
+            units.length
+        ),
+        mark: Mark::LineAndDots,
+        colour: 0,
+        points: computed,
+    }];
+    if let Some(hertz) = &line.hertz {
+        series.push(Series {
+            name: format!(
+                "Hertz for {load} {}: p0 {} {}, a {} {}",
+                units.line_load(),
+                significant(hertz.peak_pressure, 4),
+                units.stress,
+                significant(hertz.half_width, 3),
+                units.length
+            ),
+            mark: Mark::Line,
+            colour: 1,
+            points: ellipse(hertz),
+        });
+    }
+    let all = || series.iter().flat_map(|s| s.points.iter());
+    let x = Axis::linear(
+        format!("distance from the centre, {}", units.length),
+        extent(all().map(|p| p.0)),
+    );
+    let y = Axis::linear(
+        format!("pressure, {}", units.stress),
+        from_zero(all().map(|p| p.1)),
+    );
+    Chart {
+        title: line.name(&units.length),
+        axes: [x, y],
+        series,
+    }
+}
+
+/// Dense where it is steep.
+fn ellipse(hertz: &LineContact) -> Vec<(f64, f64)> {
+    const POINTS: u32 = 60;
+    let place = |k: u32| -(std::f64::consts::PI * f64::from(k) / f64::from(POINTS)).cos();
+    let points = (0..=POINTS).map(place).filter_map(|share| {
+        let x = share * hertz.half_width;
+        Some((x, hertz.pressure(x).ok()?))
+    });
+    points.collect()
+}

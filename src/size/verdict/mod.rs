@@ -57,6 +57,8 @@ pub enum Standing {
     /// Missed, but by less than the estimated error.
     MissedWithinError,
     Missed,
+    /// Not to be told on this mesh.
+    Open,
     /// Beside a loaded edge, where a figure belongs to the mesh.
     NotJudged,
 }

@@ -109,8 +109,8 @@ fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> 
         checks.push(Check {
             value: Some(flow.at_edges),
             remark: Some(
-                "beside a loaded edge: a square end yields there on any mesh that is fine enough, \
-                 and is dented a little; a rounded or crowned --end is not square"
+                "beside a loaded edge, such as a square end of a roller: elastic stress has no bound \
+                 there, so a little flow and a dent are found on any mesh that is fine enough"
                     .to_string(),
             ),
             ..bare(Kind::EdgePlasticStrain, body)

@@ -24,7 +24,11 @@ pub fn page(verdict: &Verdict) -> String {
         "# Verdict: {}\n\n\
          Load {} {}, steel of {} {}, displacement {} {}; rollers {} x {} {}, wall {}, plates {}; mesh `{}`, \
          Brinell {}.\n\n```text\n{}```\n",
-        if verdict.met { "met" } else { "MISSED" },
+        match (verdict.met, verdict.open) {
+            (true, 0) => "met".to_string(),
+            (true, open) => format!("no limit missed, {open} open"),
+            (false, _) => "MISSED".to_string(),
+        },
         n(verdict.load),
         units.force,
         n(verdict.yield_stress),
@@ -161,7 +165,7 @@ fn conclusion(verdict: &Verdict) -> String {
         ),
         (
             Standing::Open,
-            "open: this mesh cannot tell, a finer one (--mesh resolved) may",
+            "open: this mesh cannot tell; brinell run with --target mises=3% refines it",
         ),
         (
             Standing::NotJudged,

@@ -40,7 +40,7 @@ enum Command {
     /// Write a commented case file to begin with.
     Init(init::InitArgs),
     /// Size a bearing for a load, a steel and a displacement; with --verify, solve it and judge it.
-    Size(size::SizeArgs),
+    Size(Box<size::SizeArgs>),
     /// Solve one case: tables to the terminal, summary.json and VTK files to a folder.
     Run(run::RunArgs),
     /// Look at a case and its mesh without solving: cost, gaps, mesh quality, what holds each body.

@@ -37,13 +37,13 @@ when it is given again. Exit status: 0 all limits met, 1 one missed, 2 bad input
 130 interrupted.")]
 pub struct SizeArgs {
     /// Vertical load P on the bearing, factored, such as "210 kip".
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub load: String,
     /// Yield stress of rollers and plates, such as "175 ksi".
-    #[arg(long = "yield")]
+    #[arg(long = "yield", allow_hyphen_values = true)]
     pub yield_stress: String,
     /// Displacement capacity 2 D_r of the bearing, such as "3 in"; a roller travels half as far.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub capacity: String,
     /// Solve the recommended bearing at s = 0 and s = D_r, and hold every part and every line of
     /// contact against its limit.
@@ -57,46 +57,46 @@ pub struct SizeArgs {
     #[arg(long, value_name = "DESIGNS", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=9))]
     pub tries: u8,
     /// Diameter D, instead of a series.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub diameter: Option<String>,
     /// Final length L', instead of what the rule asks for.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub length: Option<String>,
     /// Wall over diameter [default: 0.25].
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     pub wall: Option<f64>,
     /// Thickness of the plates [default: 4/3 of the wall].
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub plate: Option<String>,
     /// Slope of the V [default: 4 deg].
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub slope: Option<String>,
     /// Coefficient of friction [default: 0.1].
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     pub friction: Option<f64>,
     /// Lever δ of rolling friction, (2-3) [default: 0.002 in].
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub rolling_lever: Option<String>,
     /// Ends of the rollers: square, "radius 1 mm" or "crown 20 µm" [default: square].
     #[arg(long)]
     pub end: Option<String>,
     /// Young's modulus [default: 29500 ksi].
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub modulus: Option<String>,
     /// Poisson's ratio [default: 0.3].
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     pub poisson: Option<f64>,
     /// Slope of the stress-strain line beyond yield [default: a hundredth of the modulus].
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub tangent_modulus: Option<String>,
     /// Allowed contact pressure over the yield stress [default: 1.65, (2-49)].
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     pub limit: Option<f64>,
     /// What determines the length of the rollers [default: eccentric].
     #[arg(long, value_enum)]
     pub rule: Option<RuleName>,
-    /// Ask the rule for so many times the load [default: 1.25 with eccentric, else 1].
-    #[arg(long)]
+    /// Ask the rule for so many times the load [default: 1.4 with eccentric, else 1].
+    #[arg(long, allow_negative_numbers = true)]
     pub margin: Option<f64>,
     /// Mesh preset of the cases: report-like, h025, h0125 or resolved [default: h0125].
     #[arg(long)]

@@ -76,9 +76,10 @@ pub struct Request {
 /// Wall over diameter: section 2.6.2, which asks for a finite-element analysis below it.
 pub const WALL: f64 = 0.25;
 
-/// What statics do not see (the ring and the plates bend, ends press harder) costs about so much:
-/// with it the bearings that were tried stay elastic.
-pub const ECCENTRIC_MARGIN: f64 = 1.25;
+/// For what statics do not see: the ring and the plates bend, and ends press harder. With margins of
+/// 1.25 to 1.5 seven bearings (20 to 1485 kip, 50 to 240 ksi), solved by this program on `h0125`, kept p0
+/// within 90 % of its limit and the elastic Mises stress within 93 % of yield, away from edges.
+pub const ECCENTRIC_MARGIN: f64 = 1.4;
 
 impl Request {
     /// A request with the defaults of the reference study for all that is left open.

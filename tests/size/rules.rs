@@ -122,7 +122,10 @@ fn length_for_an_eccentric_load() {
 /// z = 1 + 1.5 tan 4° + 3 / cos 4° + 3, e = 1.5 + 2 z tan 2°.
 #[test]
 fn an_eccentric_load_by_hand() {
-    let request = Request::new(UnitSystem::InKipKsi, 210.0, 175.0, 3.0);
+    let request = Request {
+        margin: Setting::or(Some(1.25), 1.0),
+        ..Request::new(UnitSystem::InKipKsi, 210.0, 175.0, 3.0)
+    };
     let c = Candidate::new(&request, 6.0).unwrap();
     let degrees = |angle: f64| angle.to_radians();
     let [tan4, cos4, tan2] = [degrees(4.0).tan(), degrees(4.0).cos(), degrees(2.0).tan()];

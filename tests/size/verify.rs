@@ -92,7 +92,7 @@ fn a_verdict_on_every_part_and_line() {
             let most = summary["bodies"][body]["peeq_max"].as_f64().unwrap();
             let away = strain["value"].as_f64().unwrap();
             assert!(away <= most);
-            assert_eq!(strain["standing"] == "missed", away > 0.0);
+            assert_eq!(strain["standing"] == "met", away == 0.0);
         }
         missed |= checks
             .iter()
@@ -128,7 +128,9 @@ fn missed_is_consistent(check: &Value) {
         return;
     };
     let standing = check["standing"].as_str().unwrap();
-    assert_eq!(standing.starts_with("missed"), value > limit, "{check}");
+    if standing != "open" {
+        assert_eq!(standing.starts_with("missed"), value > limit, "{check}");
+    }
 }
 
 /// A roller that is far too small: status 1, the misses by name, what would help, and with --tries the
@@ -166,7 +168,7 @@ fn a_failure_says_what_would_help() {
     let assert = brinell(folder.path(), &size(&tries)).code(0);
     contains(
         &assert.get_output().stdout,
-        &["VERDICT: FAILED", "VERDICT: all limits are met"],
+        &["VERDICT: FAILED", "VERDICT: no limit is missed"],
     );
     assert!(out.join("design-1/verdict.json").is_file());
     assert!(out.join("design-2/centre/summary.json").is_file());

@@ -72,8 +72,7 @@ impl Advice {
             None => format!("proposes none: {}", proposal.why),
         };
         if within {
-            why += "; some miss by less than their estimated error: a finer mesh, --mesh resolved, may \
-                    clear them";
+            why += "; some miss by less than their estimated error: a finer mesh may clear them";
         }
         if solution {
             why +=

@@ -3,6 +3,7 @@
 use crate::job::Outcome;
 use crate::results::edges::LoadedEdges;
 use crate::results::hex::centre;
+use crate::results::tensor::mises;
 
 /// Largest equivalent plastic strain of a body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -10,6 +11,9 @@ pub struct Flow {
     /// Beside loaded edges of contact surfaces, such as square ends of rollers.
     pub at_edges: f64,
     pub away: f64,
+    /// Largest Mises stress of the mean stress of an element that flows away from edges; zero where
+    /// none does.
+    pub mean_mises: f64,
 }
 
 /// One for each body, in the order of the mesh.
@@ -19,16 +23,20 @@ pub fn flows(outcome: &Outcome) -> Vec<Flow> {
     let of_body = |elements: std::ops::Range<usize>| {
         let mut flow = Flow::default();
         for element in elements {
-            let strain = state.peeq_of(element).iter().copied().fold(0.0, f64::max);
+            let points = state.peeq_of(element);
+            let strain = points.iter().copied().fold(0.0, f64::max);
             if strain == 0.0 {
                 continue;
             }
-            let at = centre(&scene.mesh.corners(element));
-            let side = match edges.are_near(&at) {
-                true => &mut flow.at_edges,
-                false => &mut flow.away,
-            };
-            *side = side.max(strain);
+            if edges.are_near(&centre(&scene.mesh.corners(element))) {
+                flow.at_edges = flow.at_edges.max(strain);
+                continue;
+            }
+            flow.away = flow.away.max(strain);
+            let stress = &state.stress[element];
+            let sum = |part: usize| stress.iter().map(|s| s[part]).sum::<f64>();
+            let mean = std::array::from_fn(|part| sum(part) / stress.len() as f64);
+            flow.mean_mises = flow.mean_mises.max(mises(&mean));
         }
         flow
     };

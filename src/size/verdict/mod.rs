@@ -57,6 +57,8 @@ pub enum Standing {
     /// Missed, but by less than the estimated error.
     MissedWithinError,
     Missed,
+    /// Not to be told on this mesh.
+    Open,
     /// Beside a loaded edge, where a figure belongs to the mesh.
     NotJudged,
 }
@@ -117,7 +119,10 @@ pub struct Placed {
 /// The verdict on a design.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Verdict {
+    /// Is no limit missed?
     pub met: bool,
+    /// Limits of which the mesh cannot tell.
+    pub open: usize,
     pub units: UnitLabels,
     pub brinell_version: &'static str,
     pub load: f64,
@@ -185,8 +190,10 @@ impl Verdict {
             true => None,
             false => Some(Advice::new(request, &positions)?),
         };
+        let checks = positions.iter().flat_map(|p| &p.checks);
         Ok(Self {
             met,
+            open: checks.filter(|c| c.standing == Standing::Open).count(),
             units: proposal.units.clone(),
             brinell_version: env!("CARGO_PKG_VERSION"),
             load: request.load,
@@ -211,5 +218,23 @@ impl Verdict {
         write_atomically(&folder.join("verdict.md"), |out| {
             out.write_all(table::page(self).as_bytes())
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_shows_how_sure_a_limit_is_met() {
+        let of = |value, error| Standing::of(value, error, 100.0);
+        assert_eq!(of(90.0, Some(5.0)), Standing::Met);
+        assert_eq!(of(96.0, Some(5.0)), Standing::MetWithinError);
+        assert_eq!(of(100.0, None), Standing::Met);
+        assert_eq!(of(104.0, Some(5.0)), Standing::MissedWithinError);
+        assert_eq!(of(106.0, Some(5.0)), Standing::Missed);
+        assert_eq!(of(100.1, None), Standing::Missed);
+        assert!(of(f64::NAN, Some(5.0)).is_missed());
+        assert!(!Standing::Open.is_missed() && !Standing::NotJudged.is_missed());
     }
 }

@@ -5,7 +5,7 @@ use super::{Check, Kind, Standing};
 use crate::certify::{Claim, Quantity};
 use crate::job::Outcome;
 use crate::output::Summary;
-use crate::output::text::significant;
+use crate::output::text::{percent, significant};
 use crate::size::Proposal;
 
 pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
@@ -17,7 +17,7 @@ pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
     let stress = (bodies.iter()).map(|(body, flow)| mises(summary, body, *flow, limit));
     let strain = bodies
         .iter()
-        .flat_map(|(body, flow)| strains(summary, body, *flow));
+        .flat_map(|(body, flow)| strains(summary, body, *flow, limit));
     stress.chain(strain).collect()
 }
 
@@ -77,8 +77,13 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
     check
 }
 
+/// An element flows as such, and not only at single integration points, where its mean stress is so near
+/// to yield: the elements of bearings that do yield have 0.97 and more, those that overshoot 0.7 to 0.8.
+const RESOLVED: f64 = 0.9;
+
 /// Plastic strain away from loaded edges, and what there is beside them.
-fn strains(summary: &Summary, body: &str, flow: Flow) -> Vec<Check> {
+fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> {
+    let resolved = flow.mean_mises >= RESOLVED * limit;
     let certified = claim(summary, body, &[Quantity::PeakPlasticStrain]);
     // The certificate is about the largest of all.
     let own = certified.filter(|_| flow.away >= flow.at_edges);
@@ -86,18 +91,26 @@ fn strains(summary: &Summary, body: &str, flow: Flow) -> Vec<Check> {
         value: Some(flow.away),
         error: own.and_then(|claim| claim.error.discretisation),
         limit: Some(0.0),
-        standing: match flow.away > 0.0 {
-            true => Standing::Missed,
-            false => Standing::Met,
+        standing: match (flow.away > 0.0, resolved) {
+            (false, _) => Standing::Met,
+            (true, false) => Standing::Open,
+            (true, true) => Standing::Missed,
         },
+        remark: (flow.away > 0.0 && !resolved).then(|| {
+            format!(
+                "integration points of elements whose mean stress is at most {} of yield: such points \
+                 overshoot where a strip of contact ends, so this mesh cannot tell",
+                percent(flow.mean_mises / limit)
+            )
+        }),
         ..bare(Kind::PlasticStrain, body)
     }];
     if flow.at_edges > 0.0 {
         checks.push(Check {
             value: Some(flow.at_edges),
             remark: Some(
-                "beside a loaded edge: a square end yields there on any mesh that is fine enough, \
-                 and is dented a little; a rounded or crowned --end is not square"
+                "beside a loaded edge, such as a square end of a roller: elastic stress has no bound \
+                 there, so a little flow and a dent are found on any mesh that is fine enough"
                     .to_string(),
             ),
             ..bare(Kind::EdgePlasticStrain, body)

@@ -24,7 +24,11 @@ pub fn page(verdict: &Verdict) -> String {
         "# Verdict: {}\n\n\
          Load {} {}, steel of {} {}, displacement {} {}; rollers {} x {} {}, wall {}, plates {}; mesh `{}`, \
          Brinell {}.\n\n```text\n{}```\n",
-        if verdict.met { "met" } else { "MISSED" },
+        match (verdict.met, verdict.open) {
+            (true, 0) => "met".to_string(),
+            (true, open) => format!("no limit missed, {open} open"),
+            (false, _) => "MISSED".to_string(),
+        },
         n(verdict.load),
         units.force,
         n(verdict.yield_stress),
@@ -48,6 +52,7 @@ fn said(standing: Standing) -> &'static str {
         Standing::MetWithinError => "yes, within ±",
         Standing::MissedWithinError => "NO, within ±",
         Standing::Missed => "NO",
+        Standing::Open => "open",
         Standing::NotJudged => "not judged",
     }
 }
@@ -145,7 +150,7 @@ fn conclusion(verdict: &Verdict) -> String {
     let mut text = match missed.as_slice() {
         [] => {
             let nearest = checks().max_by(by_share).map_or_else(String::new, named);
-            format!("VERDICT: all limits are met; the nearest is that on {nearest} of it\n")
+            format!("VERDICT: no limit is missed; the nearest is that on {nearest} of it\n")
         }
         missed => {
             let words = format!("VERDICT: FAILED, limits missed: {}", missed.join("; "));
@@ -153,22 +158,24 @@ fn conclusion(verdict: &Verdict) -> String {
         }
     };
     // Writing to a string cannot fail.
-    match count(Standing::MetWithinError) {
-        0 => {}
-        n => {
-            let _ = writeln!(
-                text,
-                "  {n} met by less than the estimated error: a finer mesh would tell"
-            );
-        }
-    }
-    match count(Standing::NotJudged) {
-        0 => {}
-        n => {
-            let _ = writeln!(
-                text,
-                "  {n} beside loaded edges not judged: what is found there belongs to the mesh"
-            );
+    let remarks = [
+        (
+            Standing::MetWithinError,
+            "met by less than the estimated error",
+        ),
+        (
+            Standing::Open,
+            "open: this mesh cannot tell; brinell run with --target mises=3% refines it",
+        ),
+        (
+            Standing::NotJudged,
+            "beside loaded edges, not judged: what is found there belongs to the mesh",
+        ),
+    ];
+    for (standing, words) in remarks {
+        let n = count(standing);
+        if n > 0 {
+            let _ = writeln!(text, "  {n} {words}");
         }
     }
     if let Some(advice) = &verdict.advice {

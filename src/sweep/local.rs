@@ -4,6 +4,7 @@
 //! checkpoint, when that closes: when the sweep is stopped, and when it is killed.
 
 use super::budget::Budget;
+use super::children::Children;
 use super::error::SweepError;
 use super::one;
 use super::place::Place;
@@ -12,9 +13,7 @@ use super::record::{Record, Status};
 use super::rows::{Row, Sweep};
 use super::table;
 use std::collections::{BTreeMap, VecDeque};
-use std::fs::OpenOptions;
-use std::path::PathBuf;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::Child;
 use std::time::Duration;
 
 /// Is told how a sweep goes on, and may stop it.
@@ -24,9 +23,6 @@ pub trait Watcher {
     /// Asked all the time.
     fn stopped(&self) -> bool;
 }
-
-/// Where what a run prints goes.
-const LOG: &str = "run.log";
 
 /// Rows that are prepared ahead of those that run, to find one that fits beside them.
 const AHEAD: usize = 4;
@@ -58,11 +54,10 @@ pub fn run(
         .iter()
         .filter(|row| !records.contains_key(&row.number));
     let mut run = Run {
-        program: std::env::current_exe().map_err(|error| SweepError::Start { error })?,
+        children: Children::new(sweep, place, resume)?,
         sweep,
         place,
         budget,
-        resume,
         watcher,
         pending: left.collect(),
         ready: Vec::new(),
@@ -74,11 +69,10 @@ pub fn run(
 }
 
 struct Run<'s> {
-    program: PathBuf,
+    children: Children<'s>,
     sweep: &'s Sweep,
     place: &'s Place,
     budget: Budget,
-    resume: bool,
     watcher: &'s mut dyn Watcher,
     /// Not prepared yet; prepared; begun.
     pending: VecDeque<&'s Row>,
@@ -159,29 +153,8 @@ impl<'s> Run<'s> {
 
     fn launch(&mut self, row: &'s Row, need: Need) -> Result<(), SweepError> {
         let left = self.pending.len() + self.ready.len() + self.running.len() + 1;
-        let path = self.place.row(row).join(LOG);
-        let mut how = OpenOptions::new();
-        let how = how.create(true).write(true);
-        let how = how.append(self.resume).truncate(!self.resume);
-        let log = how
-            .open(&path)
-            .map_err(|error| SweepError::folder(&path, error))?;
-        let failed = |error| SweepError::Start { error };
-        let mut command = Command::new(&self.program);
-        command.arg("sweep").arg(&self.sweep.file);
-        command.arg("--out").arg(&self.place.0);
-        command.arg("--row").arg(row.number.to_string());
         let threads = self.budget.threads_of(need.memory, left);
-        command
-            .arg("--threads")
-            .arg(threads.to_string())
-            .arg("--leash");
-        if self.resume {
-            command.arg("--resume");
-        }
-        command.stdin(Stdio::piped());
-        command.stdout(log.try_clone().map_err(failed)?).stderr(log);
-        let process = command.spawn().map_err(failed)?;
+        let process = self.children.start(row, threads)?;
         self.running.push(Running { row, need, process });
         Ok(())
     }
@@ -195,7 +168,7 @@ impl<'s> Run<'s> {
                 None => at += 1,
                 Some(status) => {
                     let row = self.running.remove(at).row;
-                    let record = what_came(self.place, row, status)?;
+                    let record = self.children.what_came(row, status)?;
                     self.ended(record)?;
                 }
             }
@@ -221,23 +194,4 @@ impl<'s> Run<'s> {
     fn write(&self) -> Result<(), SweepError> {
         table::write(self.place, &self.sweep.columns, self.records.values())
     }
-}
-
-/// What came of a row whose process has ended: its own word, where it left one.
-fn what_came(place: &Place, row: &Row, status: ExitStatus) -> Result<Record, SweepError> {
-    const INTERRUPTED: i32 = 130;
-    if let Some(record) = Record::read(place, row)
-        && (record.status.is_final() || status.code().is_some())
-    {
-        return Ok(record);
-    }
-    let record = match status.code() {
-        Some(INTERRUPTED) => Record::without(row, Status::Interrupted, "stopped"),
-        _ => {
-            let message = format!("{status}; see rows/{}/{LOG}", row.name);
-            Record::without(row, Status::Crashed, message)
-        }
-    };
-    record.write(place, row)?;
-    Ok(record)
 }

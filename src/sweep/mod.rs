@@ -1,16 +1,18 @@
 //! Many cases from one: a case, a table of parameters, and a row of results for each.
 //!
 //! Rows are made and read first ([`read`], [`Sweep::validate`]). Each is solved in a process of its
-//! own ([`one`]), started here ([`local`]) or by Slurm ([`slurm`]); what came of it is kept beside
-//! it ([`Record`]), and the table is made from that.
+//! own ([`run_row`]), started here ([`run`]) or by Slurm ([`emit`]); what came of it is kept beside it
+//! ([`Record`]), and the table is made from that.
 
 mod budget;
 mod cells;
+mod children;
 mod collect;
 mod error;
 mod figures;
 mod file;
 mod local;
+mod mesh_files;
 mod one;
 mod parameter;
 mod place;
@@ -20,6 +22,7 @@ mod record;
 mod rows;
 mod slurm;
 mod table;
+mod validate;
 
 pub use budget::Budget;
 pub use collect::collect;

@@ -1,12 +1,12 @@
 //! The rows of a sweep: one case each.
 
-use super::error::{RowError, SweepError};
+use super::error::SweepError;
 use super::file::{self, Settings};
-use crate::case::{self, Case, CaseError, ErrorKind, variant};
+use super::mesh_files::MeshFiles;
+use crate::case::{self, Case, CaseError, variant};
 use crate::hash::Fnv;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use toml::{Table, Value};
+use toml::Value;
 
 /// A sweep, its rows made out of the case.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,8 +18,8 @@ pub struct Sweep {
     /// The keys that are varied, in order.
     pub columns: Vec<String>,
     pub rows: Vec<Row>,
-    base: String,
-    fixed: Settings,
+    pub(super) base: String,
+    pub(super) fixed: Settings,
 }
 
 /// One run of a sweep.
@@ -47,7 +47,7 @@ pub fn read(path: &Path) -> Result<Sweep, SweepError> {
         path: plan.case.clone(),
         error,
     })?;
-    let mut meshes = Meshes::new(&plan.case);
+    let mut meshes = MeshFiles::new(&plan.case);
     let varying = varying(&plan.columns, &plan.rows);
     let row = |(at, parameters): (usize, &Settings)| {
         let text = meshes.absolute(text(&base, &[&plan.fixed, parameters]));
@@ -80,46 +80,6 @@ impl Sweep {
         case::parse(&self.case.to_string_lossy(), &row.text)
     }
 
-    /// What is wrong with a row: a key has no place in the case, or the case makes no sense.
-    fn wrong(&self, row: &Row) -> Option<CaseError> {
-        let set = self.fixed.iter().chain(&row.parameters);
-        for (key, _) in set {
-            if !variant::has_place(&self.base, key) {
-                let message = format!("the case {} has no place for `{key}`", self.case.display());
-                return Some(CaseError::new(ErrorKind::UnknownKey, message));
-            }
-        }
-        // The lines that are marked are those of the row, not of the case.
-        let name = format!("{} with row {}", self.case.display(), row.number);
-        case::parse(&name, &row.text).err()
-    }
-
-    /// Reads the case of every row; nothing is solved.
-    ///
-    /// # Errors
-    /// [`SweepError::Rows`] with the first few rows that are wrong.
-    pub fn validate(&self) -> Result<(), SweepError> {
-        const TOLD: usize = 5;
-        let rows = self.rows.iter();
-        let wrong = rows.filter_map(|row| Some((row, self.wrong(row)?)));
-        let wrong: Vec<(&Row, CaseError)> = wrong.collect();
-        if wrong.is_empty() {
-            return Ok(());
-        }
-        let all = self.rows.len();
-        let count = wrong.len();
-        let error = |(row, error): (&Row, CaseError)| RowError {
-            row: row.number,
-            place: self.place(row, &error),
-            error,
-        };
-        Err(SweepError::Rows {
-            wrong: count,
-            all,
-            errors: wrong.into_iter().take(TOLD).map(error).collect(),
-        })
-    }
-
     /// Row `number`, counted from 1.
     ///
     /// # Errors
@@ -130,24 +90,6 @@ impl Sweep {
             row: number,
             rows: self.rows.len(),
         })
-    }
-
-    /// The column and value that are to blame for `error`: the one that it names, or the one that
-    /// is wrong by itself; all of them where it takes several.
-    fn place(&self, row: &Row, error: &CaseError) -> String {
-        let message = error.to_string();
-        let alone = |parameter: &&(String, Value)| {
-            let one = vec![(*parameter).clone()];
-            let is_wrong =
-                |settings: &[&Settings]| case::parse("", &text(&self.base, settings)).is_err();
-            is_wrong(&[&self.fixed, &one]) && !is_wrong(&[&self.fixed])
-        };
-        let parameters = || row.parameters.iter();
-        let named = parameters().find(|(key, _)| message.contains(key.as_str()));
-        match named.or_else(|| parameters().find(alone)) {
-            Some((key, value)) => format!("column `{key}`, value {value}"),
-            None => row.said(),
-        }
     }
 }
 
@@ -170,7 +112,8 @@ fn plain(value: &Value) -> String {
     }
 }
 
-fn text(base: &str, settings: &[&Settings]) -> String {
+/// The case `base` with these settings.
+pub fn text(base: &str, settings: &[&Settings]) -> String {
     let set = settings.iter().copied().flatten().cloned().collect();
     variant::changed(base, &set)
 }
@@ -202,47 +145,4 @@ fn name(number: usize, parameters: &Settings, varying: &[String]) -> String {
         .chain(words)
         .collect();
     parts.join("-").chars().take(LONGEST).collect()
-}
-
-/// Mesh files that rows name.
-struct Meshes {
-    /// Folder of the case that is varied.
-    folder: PathBuf,
-    /// Hashes of their content.
-    known: BTreeMap<PathBuf, u64>,
-}
-
-impl Meshes {
-    fn new(case: &Path) -> Self {
-        let folder = case.parent().unwrap_or(Path::new(""));
-        Self {
-            folder: std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()),
-            known: BTreeMap::new(),
-        }
-    }
-
-    /// `text` with the absolute path of its mesh file: the case of a row stands in another folder.
-    fn absolute(&self, text: String) -> String {
-        let Some(file) = mesh_file(&text).filter(|file| file.is_relative()) else {
-            return text;
-        };
-        let path = self.folder.join(file).to_string_lossy().into_owned();
-        let set = BTreeMap::from([("mesh.file".to_owned(), Value::String(path))]);
-        variant::changed(&text, &set)
-    }
-
-    /// A hash of the mesh file's content; zero where there is none.
-    fn content(&mut self, text: &str) -> u64 {
-        let Some(file) = mesh_file(text) else {
-            return 0;
-        };
-        let hash = |path: &PathBuf| std::fs::read(path).map_or(0, |bytes| Fnv::of(&bytes));
-        *self.known.entry(file).or_insert_with_key(hash)
-    }
-}
-
-fn mesh_file(text: &str) -> Option<PathBuf> {
-    let case = text.parse::<Table>().ok()?;
-    let file = case.get("mesh")?.get("file")?.as_str()?;
-    Some(PathBuf::from(file))
 }

@@ -1,0 +1,88 @@
+//! The processes of rows: how they are started, and what came of one that has ended.
+
+use super::error::SweepError;
+use super::place::Place;
+use super::record::{Record, Status};
+use super::rows::{Row, Sweep};
+use std::fs::OpenOptions;
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitStatus, Stdio};
+
+/// Where what a run prints goes.
+const LOG: &str = "run.log";
+
+/// Starts runs of rows by this program itself.
+pub struct Children<'s> {
+    program: PathBuf,
+    sweep: &'s Sweep,
+    place: &'s Place,
+    resume: bool,
+}
+
+impl<'s> Children<'s> {
+    /// # Errors
+    /// [`SweepError::Start`] where the program cannot find itself.
+    pub fn new(sweep: &'s Sweep, place: &'s Place, resume: bool) -> Result<Self, SweepError> {
+        Ok(Self {
+            program: std::env::current_exe().map_err(|error| SweepError::Start { error })?,
+            sweep,
+            place,
+            resume,
+        })
+    }
+
+    /// Starts a run of `row`, which stops when its standard input is closed.
+    ///
+    /// # Errors
+    /// Where its log cannot be written or the process cannot be started.
+    pub fn start(&self, row: &Row, threads: usize) -> Result<Child, SweepError> {
+        let path = self.place.row(row).join(LOG);
+        let mut how = OpenOptions::new();
+        let how = how.create(true).write(true);
+        let how = how.append(self.resume).truncate(!self.resume);
+        let log = how
+            .open(&path)
+            .map_err(|error| SweepError::folder(&path, error))?;
+        let failed = |error| SweepError::Start { error };
+        let mut command = Command::new(&self.program);
+        command.arg("sweep").arg(&self.sweep.file);
+        command.arg("--out").arg(&self.place.0);
+        command.arg("--row").arg(row.number.to_string());
+        command
+            .arg("--threads")
+            .arg(threads.to_string())
+            .arg("--leash");
+        if self.resume {
+            command.arg("--resume");
+        }
+        command.stdin(Stdio::piped());
+        command.stdout(log.try_clone().map_err(failed)?).stderr(log);
+        command.spawn().map_err(failed)
+    }
+
+    /// What came of a row whose process has ended: its own word, where it left one.
+    ///
+    /// # Errors
+    /// Where that of a crashed row cannot be written.
+    pub fn what_came(&self, row: &Row, status: ExitStatus) -> Result<Record, SweepError> {
+        const INTERRUPTED: i32 = 130;
+        // What is not final may have been left by an earlier run.
+        let stopped = status.code() == Some(INTERRUPTED);
+        let fits = |record: &Record| {
+            let own = status.code().is_some() && stopped == (record.status == Status::Interrupted);
+            record.status.is_final() || own
+        };
+        if let Some(record) = Record::read(self.place, row).filter(fits) {
+            return Ok(record);
+        }
+        let record = match stopped {
+            true => Record::without(row, Status::Interrupted, "stopped"),
+            false => {
+                let message = format!("{status}; see rows/{}/{LOG}", row.name);
+                Record::without(row, Status::Crashed, message)
+            }
+        };
+        record.write(self.place, row)?;
+        Ok(record)
+    }
+}

@@ -383,12 +383,25 @@ fn a_body_that_nothing_can_hold_is_named() {
 fn a_run_that_fails_leaves_no_older_answer() {
     let folder = folder(SCENE, &blocks(0.0, 0.0));
     brinell(folder.path(), "run scene.toml --out out").code(0);
-    let files = ["summary.json", "line-load.csv", "line-load.svg"];
+    let files = [
+        "summary.json",
+        "report.html",
+        "line-load.csv",
+        "line-load.svg",
+    ];
     let left = |name: &&str| folder.path().join("out").join(name).exists();
     assert!(files.iter().all(left));
     std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
     brinell(folder.path(), "run scene.toml --out out").code(2);
     assert!(!files.iter().any(left));
+}
+
+#[test]
+fn the_page_of_a_run_is_left_out_where_it_is_not_wanted() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    brinell(folder.path(), "run scene.toml --out out --no-report").code(0);
+    assert!(folder.path().join("out/summary.json").exists());
+    assert!(!folder.path().join("out/report.html").exists());
 }
 
 #[test]

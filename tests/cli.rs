@@ -383,7 +383,12 @@ fn a_body_that_nothing_can_hold_is_named() {
 fn a_run_that_fails_leaves_no_older_answer() {
     let folder = folder(SCENE, &blocks(0.0, 0.0));
     brinell(folder.path(), "run scene.toml --out out").code(0);
-    let files = ["summary.json", "line-load.csv", "line-load.svg"];
+    let files = [
+        "summary.json",
+        "report.html",
+        "line-load.csv",
+        "line-load.svg",
+    ];
     let left = |name: &&str| folder.path().join("out").join(name).exists();
     assert!(files.iter().all(left));
     std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
@@ -410,6 +415,14 @@ fn a_full_disk_is_named_and_leaves_nothing_half_written() {
     }
     brinell(folder.path(), "run scene.toml --out out --resume").code(0);
     assert!(!collected(&out, "scene.pvd").is_empty());
+}
+
+#[test]
+fn the_page_of_a_run_is_left_out_where_it_is_not_wanted() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    brinell(folder.path(), "run scene.toml --out out --no-report").code(0);
+    assert!(folder.path().join("out/summary.json").exists());
+    assert!(!folder.path().join("out/report.html").exists());
 }
 
 #[test]

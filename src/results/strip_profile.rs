@@ -35,22 +35,30 @@ pub fn strip_profile(
     let field = state.contacts.get(pair)?;
     let point = |i: usize| scene.mesh.points[field.nodes[i] as usize];
     let same = 1e-6 * (line.at.last()? - line.at.first()?);
-    let here = |i: &usize| (point(*i)[axis] - at).abs() <= same && field.gap[*i].is_finite();
-    let mut row: Vec<usize> = (0..field.nodes.len()).filter(here).collect();
-    row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
-    let presses = |k: usize| row.get(k).is_some_and(|i| field.pressure[*i] > 0.0);
-    let off = |k: &usize| (point(row[*k])[across] - line.across).abs();
-    let pressing = (0..row.len()).filter(|k| presses(*k));
+    let in_row = |i: &usize| (point(*i)[axis] - at).abs() <= same;
+    let off = |i: &usize| (point(*i)[across] - line.across).abs();
+    let pressing = (0..field.nodes.len()).filter(|i| in_row(i) && field.pressure[*i] > 0.0);
     let nearest = pressing.min_by(|a, b| off(a).total_cmp(&off(b)))?;
-    let (mut first, mut last) = (nearest, nearest);
-    while first > 0 && presses(first - 1) {
-        first -= 1;
+    // The node next to node `i` of the row, across a face.
+    let beside = |i: usize, up: bool| {
+        let faces = carrier(scene, pair)?.faces.iter();
+        let around = faces.filter(|face| face.nodes.contains(&field.nodes[i]));
+        let nodes = around.flat_map(|face| face.nodes);
+        let mut places = nodes.filter_map(|n| field.nodes.binary_search(&n).ok());
+        places.find(|k| *k != i && in_row(k) && (point(*k)[across] > point(i)[across]) == up)
+    };
+    // As far as it presses, and to the first open node on either side.
+    let mut run = vec![nearest];
+    for up in [false, true] {
+        let mut end = nearest;
+        while let Some(next) = beside(end, up).filter(|_| field.pressure[end] > 0.0) {
+            run.insert(if up { run.len() } else { 0 }, next);
+            end = next;
+        }
     }
-    while presses(last + 1) {
-        last += 1;
-    }
-    let mirrored = scene.mirrors.contains(&across) && point(row[first])[across].abs() <= same;
-    let run = &row[first.saturating_sub(1)..(last + 2).min(row.len())];
+    let edge = point(*run.first()?)[across];
+    let mirrored = scene.mirrors.contains(&across) && edge.abs() <= same;
+    let run = run.as_slice();
     let mut points = along_surface(run, &point, axis, |i| field.pressure[i].max(0.0));
     let centre = if mirrored { 0.0 } else { centroid(&points) };
     let place = between(run, &points, centre, &point)?;

@@ -9,5 +9,6 @@ mod dent;
 mod interface;
 mod line_load;
 mod recovery;
+mod strip_profile;
 mod summary;
 mod vtk_readback;

@@ -2,19 +2,36 @@
 
 use maud::{Markup, PreEscaped, Render, html};
 
+/// Begins the heading of a column of words, which stand flush left as the first column does.
+const WORDS: char = '<';
+
 /// A table: headings, then rows whose first cell names them.
 pub fn table(caption: &str, headings: &[&str], rows: &[Vec<Markup>]) -> Markup {
+    let class = |k: usize| {
+        let words = headings.get(k).is_some_and(|h| h.starts_with(WORDS));
+        words.then_some("left")
+    };
     html! {
         @if !rows.is_empty() {
             div class="scroll" {
                 table {
                     @if !caption.is_empty() { caption { (caption) } }
-                    thead { tr { @for heading in headings { th scope="col" { (heading) } } } }
+                    thead {
+                        tr {
+                            @for (k, heading) in headings.iter().enumerate() {
+                                th scope="col" class=[class(k)] { (heading.trim_start_matches(WORDS)) }
+                            }
+                        }
+                    }
                     tbody {
                         @for row in rows {
                             tr {
                                 @for (k, cell) in row.iter().enumerate() {
-                                    @if k == 0 { th scope="row" { (cell) } } @else { td { (cell) } }
+                                    @if k == 0 {
+                                        th scope="row" { (cell) }
+                                    } @else {
+                                        td class=[class(k)] { (cell) }
+                                    }
                                 }
                             }
                         }

@@ -8,6 +8,7 @@ uniform mat4 matrix;
 uniform vec3 mirror;
 uniform float exaggeration;
 uniform vec3 field;
+uniform float nearer;
 out vec3 still;
 out vec3 now;
 out float share;
@@ -16,6 +17,7 @@ void main() {
   now = mirror * (place + exaggeration * moved);
   share = dot(field, fields);
   gl_Position = matrix * vec4(now, 1.0);
+  gl_Position.z -= nearer;
 }`;
 
 const FRAGMENT = `#version 300 es
@@ -44,7 +46,7 @@ void main() {
   }
   vec3 normal = normalize(cross(dFdx(now), dFdy(now)));
   if (dot(normal, eye) < 0.0) normal = -normal;
-  float light = 0.62 + 0.38 * max(dot(normal, lamp), 0.0);
+  float light = 0.80 + 0.20 * max(dot(normal, lamp), 0.0);
   float value = clamp(share * stretch, 0.0, 1.0);
   vec3 paint = texture(colours, vec2((value * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   if (share < threshold) paint = vec3(0.80, 0.81, 0.82);
@@ -61,6 +63,9 @@ class Renderer {
     this.program = makeProgram(gl);
     this.uniforms = new Proxy({}, { get: (_, name) => gl.getUniformLocation(this.program, name) });
     this.skin = this.upload(model);
+    const { low, high } = model.header;
+    // Whatever is in the picture is nearer than this to its middle.
+    this.reach = 4 * Math.hypot(...high.map((h, k) => Math.max(Math.abs(h), Math.abs(low[k]))));
     this.cuts = new Map();
     this.probe = this.makeProbe();
     gl.useProgram(this.program);
@@ -72,8 +77,6 @@ class Renderer {
       gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
     }
     gl.enable(gl.DEPTH_TEST);
-    gl.enable(gl.POLYGON_OFFSET_FILL);
-    gl.polygonOffset(1, 1);
   }
 
   // Points and, for each body, its lists of corners, in one vertex array.
@@ -141,7 +144,10 @@ class Renderer {
     gl.uniform1f(this.uniforms.body, -1);
     this.each(state, (ranges, [triangles, mesh, edges]) => {
       gl.uniform4f(this.uniforms.ink, 0, 0, 0, 0);
+      gl.uniform1f(this.uniforms.nearer, 0);
       this.elements(gl.TRIANGLES, triangles);
+      // Lines lie in the faces: a little before them they are seen.
+      gl.uniform1f(this.uniforms.nearer, (0.0012 * camera.height) / this.reach);
       if (state.mesh) {
         gl.uniform4f(this.uniforms.ink, 0.35, 0.37, 0.4, 1);
         this.elements(gl.LINES, mesh);
@@ -153,10 +159,8 @@ class Renderer {
 
   prepare(camera, state) {
     const { gl, canvas, uniforms } = this;
-    const { low, high } = this.model.header;
-    const reach = 3 * Math.hypot(...high.map((h, k) => Math.max(Math.abs(h), Math.abs(low[k]))));
     gl.useProgram(this.program);
-    gl.uniformMatrix4fv(uniforms.matrix, false, camera.matrix(canvas.width / canvas.height, reach));
+    gl.uniformMatrix4fv(uniforms.matrix, false, camera.matrix(canvas.width / canvas.height, this.reach));
     gl.uniform1f(uniforms.exaggeration, state.exaggeration);
     gl.uniform3fv(uniforms.field, [0, 1, 2].map((k) => (k === state.field ? 1 : 0)));
     gl.uniform1f(uniforms.stretch, state.stretch);
@@ -221,6 +225,7 @@ class Renderer {
     this.prepare(camera, state);
     this.each(state, (body, [triangles]) => {
       gl.uniform1f(this.uniforms.body, body);
+      gl.uniform1f(this.uniforms.nearer, 0);
       this.elements(gl.TRIANGLES, triangles);
     });
     const pixel = new Float32Array(4);

@@ -54,8 +54,10 @@ class View {
     if (deep < 0.2 * wide) this.camera.turn = -1.75;
     if (wide < 0.2 * deep) this.camera.turn = -3.3;
     if (Math.min(wide, deep) < 0.2 * Math.max(wide, deep)) this.camera.tilt = 0.2;
-    const scale = whole ? 1.35 : 1;
-    this.camera.height = 0.98 * scale * Math.max(high[up] - low[up] + 0.5 * (wide + deep), 1e-9);
+    const times = (axis) => (whole && mirrors.includes(axis) ? 2 : 1);
+    const flat = Math.hypot(times(a) * wide, times(b) * deep);
+    const seen = (high[up] - low[up]) * Math.cos(this.camera.tilt) + flat * Math.sin(this.camera.tilt);
+    this.camera.height = 1.08 * Math.max(seen, 0.8 * flat, 1e-9);
     this.changed();
   }
 

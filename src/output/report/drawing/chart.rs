@@ -73,10 +73,10 @@ impl Chart {
         let line = path(&places);
         html! {
             g class=(class(series)) {
-                @if series.mark != Mark::Dots { path class="line" d=(line); }
+                @if series.mark != Mark::Dots { path class="line" d=(line) {} }
                 @if matches!(series.mark, Mark::Dots | Mark::LineAndDots) {
                     @for [u, v] in &places {
-                        circle cx=(format!("{u:.1}")) cy=(format!("{v:.1}")) r="2.6";
+                        circle cx=(format!("{u:.1}")) cy=(format!("{v:.1}")) r="2.6" {}
                     }
                 }
             }
@@ -107,8 +107,8 @@ fn swatch(series: &Series) -> Markup {
     html! {
         svg class="swatch" viewBox="0 0 30 10" aria-hidden="true" {
             g class=(class(series)) {
-                @if series.mark != Mark::Dots { path class="line" d="M0 5H30"; }
-                @if matches!(series.mark, Mark::Dots | Mark::LineAndDots) { circle cx="15" cy="5" r="3"; }
+                @if series.mark != Mark::Dots { path class="line" d="M0 5H30" {} }
+                @if matches!(series.mark, Mark::Dots | Mark::LineAndDots) { circle cx="15" cy="5" r="3" {} }
             }
         }
     }

@@ -73,12 +73,12 @@ impl Painting {
                 svg viewBox=(format!("0 0 {width} {height}")) role="img" aria-label=(self.title)
                     style=(format!("max-width:{:.0}px", 1.15 * width)) {
                     clipPath id=(clip) {
-                        rect x=(place.left) y=(place.top) width=(place.width) height=(place.height);
+                        rect x=(place.left) y=(place.top) width=(place.width) height=(place.height) {}
                     }
                     image x=(place.left) y=(place.top) width=(place.width) height=(place.height)
-                        preserveAspectRatio="none" href=(image);
+                        preserveAspectRatio="none" href=(image) {}
                     g clip-path=(format!("url(#{clip})")) {
-                        path class="outline" d=(self.outline(&place));
+                        path class="outline" d=(self.outline(&place)) {}
                         @for label in &self.labels {
                             @let [u, v] = place.at(axes, (label.at[0], label.at[1]));
                             text class="part" x=(format!("{u:.1}")) y=(format!("{v:.1}")) text-anchor="middle" { (label.text) }
@@ -125,12 +125,12 @@ impl Painting {
         html! {
             linearGradient id=(format!("scale-{name}")) x1="0" y1="1" x2="0" y2="0" {
                 @for k in 0..=16 {
-                    stop offset=(format!("{:.4}", f64::from(k) / 16.0)) stop-color=(colours::css(f64::from(k) / 16.0));
+                    stop offset=(format!("{:.4}", f64::from(k) / 16.0)) stop-color=(colours::css(f64::from(k) / 16.0)) {}
                 }
             }
             g class="axes" {
                 rect class="scale" x=(left) y=(place.top) width=(SCALE_WIDTH) height=(place.height)
-                    style=(format!("fill:url(#scale-{name})"));
+                    style=(format!("fill:url(#scale-{name})")) {}
                 @for (value, name) in ticks {
                     text x=(left + SCALE_WIDTH + 6.0)
                         y=(format!("{:.1}", place.top + (1.0 - axis.share(value)) * place.height + 4.0)) { (name) }

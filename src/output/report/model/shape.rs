@@ -221,7 +221,7 @@ fn scalars(
             field(
                 "contact pressure",
                 &units.stress,
-                "on the surface of each pair that carries it",
+                "on the surface of each pair that carries it; hide the body before it",
             ),
         ),
         (

@@ -81,8 +81,12 @@ impl Plane {
 }
 
 impl Slice {
-    /// Together with its image at the opposite coordinates along the page.
+    /// Together with its image at the opposite coordinates along the page; the seam is no edge.
     pub fn mirrored(mut self) -> Self {
+        let at = |ends: &[[f64; 2]; 2]| ends.map(|[u, _]| u.abs());
+        let reach = self.outlines.iter().flat_map(at).fold(0.0, f64::max);
+        let seam = |ends: &[[f64; 2]; 2]| at(ends).iter().all(|u| *u <= 1e-6 * reach);
+        self.outlines.retain(|ends| !seam(ends));
         let images: Vec<Patch> = (self.patches.iter())
             .map(|patch| Patch {
                 corners: patch.corners.iter().map(|[u, v]| [-u, *v]).collect(),

@@ -26,12 +26,12 @@ pub fn certificate(summary: &Summary) -> Markup {
         .collect();
     let headings = [
         "figure",
-        "where",
+        "<where",
         "value",
         "of the mesh",
         "of penetration",
         "of increments",
-        "remark",
+        "<remark",
     ];
     html! {
         (table("", &headings, &rows))

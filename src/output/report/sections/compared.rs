@@ -33,7 +33,7 @@ pub fn compared(summary: &Summary) -> Markup {
     }
     let headings = [
         "figure",
-        "where",
+        "<where",
         "this run",
         "printed",
         "report-like mesh",

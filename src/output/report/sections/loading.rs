@@ -53,7 +53,7 @@ fn stays(unloaded: &Unloaded, summary: &Summary) -> Markup {
     let depth = format!("depth, {}", units.length);
     let at = format!("at, {}", units.length);
     html! {
-        (table(&caption, &["surface", "body", &depth, &at], &rows))
+        (table(&caption, &["surface", "<body", &depth, &at], &rows))
         @if !unloaded.elastic_removed {
             p class="note" { "What the load that is left presses elastically is still in them." }
         }

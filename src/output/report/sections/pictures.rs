@@ -136,12 +136,13 @@ fn stack(inputs: &Inputs, view: &View, slices: &[(String, Slice)]) -> Painting {
         range.start - little..range.end + little
     };
     let labels = slices.iter().map(|(name, slice)| {
-        let corners = || slice.patches.iter().flat_map(|p| &p.corners);
-        let ([u, v], count) = corners().fold(([0.0; 2], 0.0), |([u, v], count), c| {
-            ([u + c[0], v + c[1]], count + 1.0)
+        let middle = [0, 1].map(|k| {
+            let corners = slice.patches.iter().flat_map(|p| &p.corners);
+            let ends = extent(corners.map(|c| c[k]));
+            0.5 * (ends.start + ends.end)
         });
         Label {
-            at: [u / count, v / count],
+            at: middle,
             text: name.clone(),
         }
     });

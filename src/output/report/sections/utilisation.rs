@@ -16,8 +16,6 @@ pub struct Utilisation {
     pub error: Option<f64>,
     /// What the limit is.
     pub against: &'static str,
-    /// Does it count for the largest?
-    pub counts: bool,
 }
 
 impl Utilisation {
@@ -37,14 +35,13 @@ pub fn utilisations(inputs: &Inputs) -> Vec<Utilisation> {
     all
 }
 
-/// The largest that counts.
+/// The largest.
 pub fn largest(all: &[Utilisation]) -> Option<&Utilisation> {
-    let counted = all.iter().filter(|u| u.counts && u.share().is_finite());
+    let counted = all.iter().filter(|u| u.share().is_finite());
     counted.max_by(|a, b| a.share().total_cmp(&b.share()))
 }
 
-/// The elastic peak where the body has yielded; the one away from loaded edges beside a peak that
-/// belongs to the mesh.
+/// The elastic peak where the body has yielded, away from loaded edges where it lies at one.
 fn mises(inputs: &Inputs) -> Vec<Utilisation> {
     let claims = &inputs.summary.certificate;
     let mut all = Vec::new();
@@ -57,21 +54,16 @@ fn mises(inputs: &Inputs) -> Vec<Utilisation> {
             Some(peak) => (Some(peak), of(Quantity::ElasticMisesAway)),
             None => (of(Quantity::PeakMises), of(Quantity::MisesAway)),
         };
-        for found in [peak, away].into_iter().flatten() {
-            let at_edge = peak == Some(found) && away.is_some();
-            all.push(Utilisation {
-                what: found.what.name().to_string(),
-                place: body.name.clone(),
-                value: found.value,
-                limit: steel.yield_stress,
-                error: found.error.total(),
-                against: match at_edge {
-                    true => "yield; at a loaded edge, a figure of this mesh",
-                    false => "yield",
-                },
-                counts: !at_edge,
-            });
-        }
+        // A peak at a loaded edge is a figure of the mesh.
+        let Some(found) = away.or(peak) else { continue };
+        all.push(Utilisation {
+            what: found.what.name().to_string(),
+            place: body.name.clone(),
+            value: found.value,
+            limit: steel.yield_stress,
+            error: found.error.total(),
+            against: "yield",
+        });
     }
     all
 }
@@ -81,7 +73,7 @@ fn lines(inputs: &Inputs) -> Vec<Utilisation> {
     let Some(sizing) = &summary.sizing else {
         return Vec::new();
     };
-    let mut all: Vec<Utilisation> = Vec::new();
+    let mut all = Vec::new();
     for line in &sizing.lines {
         let Some(limit) = line.limit else { continue };
         let (at, unit) = (significant(line.across, 3), &summary.units.length);
@@ -92,30 +84,7 @@ fn lines(inputs: &Inputs) -> Vec<Utilisation> {
             limit,
             error: None,
             against: "1.65 yield, (2-49)",
-            counts: true,
         });
-    }
-    for line in &sizing.lines {
-        let computed = claim(
-            &summary.certificate,
-            Quantity::PeakPressure,
-            &line.interface,
-        );
-        let (Some(limit), Some(computed)) = (line.limit, computed) else {
-            continue;
-        };
-        let known = |u: &Utilisation| u.place == line.interface;
-        if !all.iter().any(known) {
-            all.push(Utilisation {
-                what: "peak pressure, computed".to_string(),
-                place: line.interface.clone(),
-                value: computed.value,
-                limit,
-                error: computed.error.total(),
-                against: "1.65 yield, beside (2-49)",
-                counts: false,
-            });
-        }
     }
     all
 }

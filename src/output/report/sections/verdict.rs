@@ -44,7 +44,8 @@ pub fn verdict(inputs: &Inputs) -> Markup {
             (used(&all, &inputs.summary.units.stress))
             p class="note" {
                 "Errors are the certificate's estimates of this mesh, of the right size and no bounds; a dash \
-                 where there is none. Mises stresses are nodal averages, elastic where steel has yielded."
+                 where there is none. Mises stresses are nodal averages, elastic where steel has yielded, and \
+                 away from loaded edges, where they have no bound."
             }
         }
     }
@@ -231,12 +232,12 @@ fn used(all: &[Utilisation], stress: &str) -> Markup {
     let limit = format!("limit, {stress}");
     let headings = [
         "figure",
-        "where",
+        "<where",
         &value,
         &limit,
         "of the limit",
         "error",
-        "limit is",
+        "<limit",
     ];
     table("", &headings, &rows)
 }

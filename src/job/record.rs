@@ -5,8 +5,8 @@ use super::JobError;
 use super::checkpoint::Checkpoint;
 use super::clock::{Clock, Spent};
 use crate::case::Case;
-use crate::output::Series;
 use crate::output::report::history::Iterate;
+use crate::output::{Series, UnitLabels, paraview};
 use crate::results::State;
 use crate::results::recovery::recover;
 use crate::scene::Scene;
@@ -26,7 +26,7 @@ impl<'o> Recorder<'o> {
     /// an earlier run that goes on from `restart`.
     ///
     /// # Errors
-    /// Where the earlier run's collection cannot be read.
+    /// Where the earlier run's collection cannot be read, or the file of views not be written.
     pub fn new(
         case: &Case,
         files: Option<(&Path, Checkpoint)>,
@@ -42,7 +42,13 @@ impl<'o> Recorder<'o> {
             Some(restart) => Series::resume(out, &stem, restart.after()),
             None => Ok(Series::new(out, &stem)),
         };
-        let files = files.map(|(out, checkpoint)| Ok::<_, JobError>((series(out)?, checkpoint)));
+        let files = files.map(|(out, checkpoint)| {
+            let series = series(out)?;
+            let units = case.units;
+            let units = UnitLabels::new(units.length(), units.force(), units.stress());
+            paraview::write(out, series.name(), &case.title, &units, &scene)?;
+            Ok::<_, JobError>((series, checkpoint))
+        });
         Ok(Self {
             files: files.transpose()?,
             inner,

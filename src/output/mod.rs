@@ -13,6 +13,7 @@ pub mod inp;
 pub mod left_out;
 pub mod line_load;
 pub mod page;
+pub mod paraview;
 pub mod plot;
 pub mod pvd;
 pub mod report;

@@ -41,6 +41,11 @@ impl Series {
         }
     }
 
+    /// What its files are called by.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// Goes on with the series of an earlier run after the increment `after` (its step, and share of
     /// that): later files leave the collection and are written over. Without an earlier collection
     /// the series is new.

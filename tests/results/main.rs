@@ -8,6 +8,7 @@ mod deck;
 mod dent;
 mod interface;
 mod line_load;
+mod paraview;
 mod recovery;
 mod strip_profile;
 mod summary;

@@ -207,6 +207,17 @@ impl Deck<'_> {
         Ok(())
     }
 
+    /// Node sets of the supports and rigid planes, in the order of the mesh.
+    pub(super) fn held_sets(&self) -> impl Iterator<Item = &str> {
+        let scene = self.scene;
+        let supports = scene.supports.iter().map(|s| s.surface.as_str());
+        let planes = scene.rigid_planes.iter().map(|p| p.surface.as_str());
+        let held: BTreeSet<&str> = supports.chain(planes).collect();
+        let surfaces = scene.mesh.surfaces.iter().enumerate();
+        let held = surfaces.filter(move |(_, s)| held.contains(s.name.as_str()));
+        held.map(|(index, _)| self.names.surface(index))
+    }
+
     /// Everything that is prescribed, at the factors `factor` of supports and planes by name.
     pub(super) fn boundary(
         &self,

@@ -94,7 +94,7 @@ impl Deck<'_> {
         Ok(())
     }
 
-    /// Fields at the end of the step: displacement, nodal stress, plastic strain, contact.
+    /// At the end of the step: displacement, nodal stress, plastic strain, contact, reactions.
     fn requests(&self, out: &mut dyn Write) -> io::Result<()> {
         const LAST: &str = "FREQUENCY=9999";
         writeln!(out, "*NODE FILE,{LAST}\nU")?;
@@ -102,6 +102,9 @@ impl Deck<'_> {
         let plastic = self.scene.controls.plasticity && steels.iter().any(|s| !s.is_elastic());
         let fields = if plastic { "S,PEEQ" } else { "S" };
         writeln!(out, "*EL FILE,{LAST}\n{fields}")?;
+        for set in self.held_sets() {
+            writeln!(out, "*NODE PRINT,NSET={set},TOTALS=YES,{LAST}\nRF")?;
+        }
         if self.pairs.is_empty() {
             return Ok(());
         }

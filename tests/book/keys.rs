@@ -44,7 +44,17 @@ fn all_read_inline(keys: &Keys, others: &[(&str, &str)], place: impl Fn(&str) ->
 
 #[test]
 fn keys_of_every_case_are_read() {
-    all_read(&keys::ROOT, &[("units", "\"m-N-Pa\"")], str::to_string);
+    let others = [
+        ("units", "\"m-N-Pa\""),
+        ("mesh", "{ file = \"a.msh\" }"),
+        (
+            "steel",
+            "{ youngs_modulus = 1, poissons_ratio = 0.3, elastic = true }",
+        ),
+    ];
+    all_read(&keys::ROOT, &others, |l| {
+        format!("{l}[[pressure]]\nsurface = \"a\"\nvalue = 1\n")
+    });
     all_read(&keys::SCENE, &[], |l| {
         format!("{SCENE}mesh = {{ file = \"a.msh\" }}\n{l}")
     });

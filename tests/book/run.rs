@@ -3,8 +3,8 @@
 //! Each page has a folder of its own, with the cases and meshes of the repository in it. `sh` blocks
 //! are run there in their order, `brinell` and `cargo run --release --` being the program under test.
 //! After the language may stand: `slow` (only with `--ignored`), `exit-2` (the status that the
-//! last command ends with), `ci` (what runs these tests: not run here). A `toml` block with a file name
-//! is written to it; every `toml` block of a whole case is read as one. A `text` block is an excerpt of what the
+//! last command ends with), `ci` (what runs these tests: not run here). A block with a file name is
+//! written to it; every `toml` block of a whole case is read as one. A `text` block is an excerpt of what the
 //! commands before it printed, unless it says `sample`.
 
 use crate::blocks::{Block, blocks};
@@ -64,6 +64,7 @@ impl Page {
         let mut printed: Option<String> = None;
         for block in blocks {
             let at = format!("{}, line {}", self.name, block.line);
+            self.write(block);
             match block.language() {
                 "sh" if block.is("ci") => {}
                 "sh" if block.is("slow") && !slow => printed = None,
@@ -98,6 +99,7 @@ impl Page {
             .current_dir(self.folder.path())
             .env("PATH", path)
             .env("NO_COLOR", "1")
+            .env("LC_ALL", "C.UTF-8")
             .stdin(Stdio::null())
             .output()
             .map_err(|error| error.to_string())?;
@@ -114,14 +116,17 @@ impl Page {
         }
     }
 
-    /// Writes a block with a file name; what is no case is told.
-    fn toml(&self, block: &Block) -> Option<String> {
-        let file = block.info.iter().find(|word| word.ends_with(".toml"));
-        if let Some(file) = file {
+    /// Writes a block with a file name.
+    fn write(&self, block: &Block) {
+        if let Some(file) = block.info.iter().find(|word| word.contains('.')) {
             std::fs::write(self.folder.path().join(file), &block.text).unwrap();
         }
-        let whole = block.text.contains("units =") && !block.is("wrong");
-        let read = || brinell::case::parse(file.map_or("case.toml", |f| f), &block.text);
+    }
+
+    /// What is wrong with a whole case.
+    fn toml(&self, block: &Block) -> Option<String> {
+        let whole = block.text.contains("units =");
+        let read = || brinell::case::parse("case.toml", &block.text);
         whole.then(read)?.err().map(|error| error.to_string())
     }
 }

@@ -13,10 +13,14 @@ use crate::output::text::{percent, significant};
 use crate::scene::Scene;
 use crate::solve::{Forecast, forecast};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// Elements with a smaller scaled Jacobian, or a larger aspect ratio, are worth a warning.
 const POOR_JACOBIAN: f64 = 0.1;
 const POOR_ASPECT: f64 = 100.0;
+
+/// Gaps and ways of less than this share of the largest coordinate are none.
+const ROUNDING: f64 = 1e-9;
 
 /// Looks at `case` on the mesh that it would be solved on, which gmsh makes where there is none.
 ///
@@ -25,9 +29,11 @@ const POOR_ASPECT: f64 = 100.0;
 /// contradict each other.
 pub fn check(case: &Case, say: &mut dyn FnMut(&str)) -> Result<Check, JobError> {
     let mesh = find_mesh(case, None, say)?;
-    let source = match (&case.kind, mesh.source.is_empty()) {
-        (Kind::Bearing(_), true) => "the template, by gmsh".to_string(),
-        _ => mesh.source.clone(),
+    // What gmsh has just made was kept nowhere.
+    let made = matches!(case.kind, Kind::Bearing(_)) && !Path::new(&mesh.source).exists();
+    let source = match made {
+        true => "of the template, by gmsh".to_string(),
+        false => mesh.source.clone(),
     };
     let mut scene = case.scene(mesh)?;
     let bodies = bodies(&scene);
@@ -84,12 +90,14 @@ fn bodies(scene: &Scene) -> Vec<BodyCheck> {
 }
 
 fn contacts(scene: &Scene, forecast: &Forecast) -> Vec<ContactCheck> {
+    let rounding = ROUNDING * size(&scene.mesh);
+    let rounded = |gap: f64| if gap.abs() <= rounding { 0.0 } else { gap };
     let pairs = scene.contacts.iter().zip(&forecast.pairs);
     let checked = pairs.map(|(pair, found)| ContactCheck {
         name: pair.name.clone(),
         friction: pair.friction,
-        gap: found.gap,
-        gap_at_touch: found.gap_at_touch,
+        gap: found.gap.map(rounded),
+        gap_at_touch: found.gap_at_touch.map(rounded),
         at: found.at.map(|(node, _)| scene.mesh.points[node as usize]),
         likely: found.likely,
         within_reach: found.within_reach,
@@ -148,7 +156,11 @@ fn needs(scene: &Scene, forecast: &Forecast) -> Vec<String> {
         needs.push(format!("friction: {}", rubbing.join(", ")));
     }
     for closing in &forecast.closings {
-        let [x, y, z] = closing.shift.map(|c| significant(c, 3));
+        let rounding = ROUNDING * size(&scene.mesh);
+        let way = closing
+            .shift
+            .map(|c| if c.abs() <= rounding { 0.0 } else { c });
+        let [x, y, z] = way.map(|c| significant(c, 3));
         needs.push(format!(
             "first touch: {} moved by [{x}, {y}, {z}]",
             closing.body
@@ -191,7 +203,7 @@ fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
             Some(_) if contact.within_reach == 0 => list.push(format!(
                 "{name}: nothing is within reach, so this pair carries nothing"
             )),
-            Some(gap) if gap < -1e-9 * size(mesh) => list.push(format!(
+            Some(gap) if gap < 0.0 => list.push(format!(
                 "{name}: the surfaces overlap by {} {} before the load",
                 significant(-gap, 3),
                 check.units.length
@@ -202,8 +214,8 @@ fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
     for strip in &check.strips {
         if strip.pressure_error.is_none() {
             list.push(format!(
-                "{}: nodes are {} times as far apart as the strip of contact is wide to either \
-                 side: pressures and stresses below it will belong to the mesh",
+                "{}: the nodes are {} half-widths of the contact strip apart: pressures and stresses \
+                 below it will belong to the mesh",
                 strip.contact,
                 significant(1.0 / strip.elements, 2)
             ));

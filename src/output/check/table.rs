@@ -74,7 +74,7 @@ fn contacts(check: &Check) -> String {
         "nodes likely to close",
         "of",
     ]);
-    let gap = |gap: Option<f64>| gap.map_or_else(|| "-".to_string(), |gap| format!("{gap:.1e}"));
+    let gap = |gap: Option<f64>| gap.map_or_else(|| "-".to_string(), |gap| significant(gap, 2));
     for contact in &check.contacts {
         table.row([
             contact.name.clone(),
@@ -128,12 +128,16 @@ fn cost(cost: &Cost, machine: &Machine) -> String {
         None => "what is left is not known".to_string(),
     };
     let [least, most] = cost.wall_s.map(seconds);
+    let time = match least == most {
+        true => format!("about {most}"),
+        false => format!("{least} to {most}"),
+    };
     format!(
         "Cost, estimated\n  \
          unknowns   {}, contact acts on {} of them\n  \
          solver     {}\n  \
          memory     {}; {memory}\n  \
-         time       {least} to {most} on {} threads, a rough figure: about {:.0} iterations\n",
+         time       {time} on {} threads, a rough figure: about {:.0} iterations\n",
         cost.unknowns,
         cost.contact_unknowns,
         cost.solver,

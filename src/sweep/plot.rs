@@ -221,8 +221,14 @@ mod tests {
         };
         assert_eq!(panel.axes[0], "b.wall, in");
         assert_eq!(panel.title, "largest Mises, nodal, ksi");
-        assert_eq!(panel.lines[0].points, [(0.5, 40.0), (1.0, 30.0)]);
-        assert_eq!(panel.lines[1].points, [(0.5, 60.0), (1.0, 50.0)]);
+        for (line, peaks) in panel.lines.iter().zip([[40.0, 30.0], [60.0, 50.0]]) {
+            assert_eq!(line.points.len(), 2);
+            for (point, expected) in line.points.iter().zip([0.5, 1.0].into_iter().zip(peaks)) {
+                // 25.4 mm are an inch but for rounding.
+                assert!((point.0 - expected.0).abs() < 1e-12, "{point:?}");
+                assert_eq!(point.1, expected.1);
+            }
+        }
     }
 
     #[test]

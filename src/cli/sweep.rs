@@ -18,8 +18,8 @@ pub enum Scheduler {
 
 /// Many cases from one: a table of parameters to a row of results each, here or by Slurm.
 ///
-/// The sweep file names a case, and what is varied: every combination of [grid], the rows of [[row]],
-/// or those of a CSV file, under keys of the case such as bearing.load. All rows are read before the
+/// The sweep file names a case, and what is varied: every combination of a grid, the rows of a
+/// list, or those of a CSV file, under keys of the case such as bearing.load. All rows are read before the
 /// first one is run. Each runs in a process and a folder of its own; table.csv and table.jsonl have a
 /// line for each that has ended, and a plot over each parameter is drawn.
 #[derive(Debug, Args)]

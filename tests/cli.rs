@@ -406,7 +406,7 @@ fn a_full_disk_is_named_and_leaves_nothing_half_written() {
         .current_dir(folder.path())
         .assert()
         .code(2);
-    says(&run, &["cannot write out/scene_0001.vtu", "File too large"]);
+    says(&run, &["cannot write out/scene", "File too large"]);
     let out = folder.path().join("out");
     let left = std::fs::read_dir(&out).unwrap().flatten();
     for entry in left {

@@ -158,8 +158,8 @@ mod tests {
                 "[[step]]\nname = \"load\"\nfactor",
             ),
             (
-                "# [[pressure]]\n# surface = \"upper_top\"\n# value",
-                "[[pressure]]\nsurface = \"upper_top\"\nvalue",
+                "# [[pressure]]\n# surface = \"upper_side\"\n# value",
+                "[[pressure]]\nsurface = \"upper_side\"\nvalue",
             ),
         ];
         for (from, to) in changes {

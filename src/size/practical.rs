@@ -7,10 +7,11 @@
 
 use crate::units::UnitSystem;
 
-/// R20 of ISO 3 (1973), rounded as there.
+/// R20 of ISO 3 (1973), rounded as there, in hundredths: whole numbers divide to the decimal fraction
+/// that people write.
 const R20: [f64; 20] = [
-    1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1,
-    8.0, 9.0,
+    100.0, 112.0, 125.0, 140.0, 160.0, 180.0, 200.0, 224.0, 250.0, 280.0, 315.0, 355.0, 400.0,
+    450.0, 500.0, 560.0, 630.0, 710.0, 800.0, 900.0,
 ];
 
 /// Eighths of an octave.
@@ -21,11 +22,11 @@ const FINENESS: f64 = 32.0;
 
 /// Practical diameters of `least` and more, ascending without end.
 pub fn diameters(units: UnitSystem, least: f64) -> impl Iterator<Item = f64> {
-    let (base, sizes): (f64, &'static [f64]) = match in_inches(units) {
-        true => (2.0, &OCTAVE),
-        false => (10.0, &R20),
+    let (base, sizes, finer): (f64, &'static [f64], i32) = match in_inches(units) {
+        true => (2.0, &OCTAVE, 0),
+        false => (10.0, &R20, 2),
     };
-    let first = least.log(base).floor() as i32;
+    let first = least.log(base).floor() as i32 - finer;
     // Rounding in the logarithm may lose a size at the seam.
     (first - 1..)
         .flat_map(move |power| sizes.iter().map(move |size| scaled(*size, base, power)))

@@ -8,10 +8,12 @@
 
 mod bearing;
 mod ccx;
+mod fields;
 mod frd;
 mod page;
 mod problem_h;
 mod process;
+mod reactions;
 mod reading;
 mod slice;
 mod subject;
@@ -28,17 +30,24 @@ cargo bench --bench against-calculix -- SCENARIO... [--write] [--repeat N] [--no
   problem-h    which mesh reaches 1 % and 0.3 % on problem H, and at what cost
   slice        problem H extruded to 181 thousand unknowns, elastic
   all          all four
+  centre-fields, offset-fields
+               displacements, reactions and Mises stresses of the exported bearing, node by node;
+               fails where they differ by more than is allowed
 
   --write          put the tables into docs/performance.md
   --repeat N       run each short run N times, for the median [default: 3]
   --no-spooles     leave out CalculiX with its direct solver on large meshes
-  --no-iterative   leave out CalculiX with its iterative solver on the bearing";
+  --no-iterative   leave out CalculiX with its iterative solver on the bearing
+  --contact-stiffness K
+                   of the decks of the fields, ksi/in [default: that of brinell export]";
 
 /// What was asked for.
 pub struct Options {
     pub repeat: usize,
     pub spooles: bool,
     pub iterative: bool,
+    /// Of the decks whose fields are compared.
+    pub stiffness: Option<String>,
     write: bool,
 }
 
@@ -57,6 +66,8 @@ impl Options {
 }
 
 const SCENARIOS: [&str; 4] = ["centre", "centre-100k", "problem-h", "slice"];
+/// What is compared node by node.
+const FIELDS: [&str; 2] = ["centre-fields", "offset-fields"];
 /// Element sizes of about 100 thousand unknowns, over those of `h0125`.
 const SCALE_100K: f64 = 0.68;
 
@@ -75,6 +86,7 @@ fn read_arguments() -> Result<(Options, Vec<&'static str>), String> {
         repeat: 3,
         spooles: true,
         iterative: true,
+        stiffness: None,
         write: false,
     };
     let mut scenarios = Vec::new();
@@ -90,8 +102,12 @@ fn read_arguments() -> Result<(Options, Vec<&'static str>), String> {
                 let number = words.next().and_then(|n| n.parse().ok());
                 options.repeat = number.filter(|n| *n > 0).ok_or("--repeat wants a number")?;
             }
+            "--contact-stiffness" => {
+                let wanted = "--contact-stiffness wants a number";
+                options.stiffness = Some(words.next().ok_or(wanted)?);
+            }
             "all" => scenarios.extend(SCENARIOS),
-            word => match SCENARIOS.into_iter().find(|s| *s == word) {
+            word => match SCENARIOS.into_iter().chain(FIELDS).find(|s| *s == word) {
                 Some(scenario) => scenarios.push(scenario),
                 None => return Err(format!("`{word}` is not understood\n\n{USAGE}")),
             },
@@ -117,6 +133,8 @@ fn run(options: &Options, scenarios: &[&str]) -> Result<(), String> {
             "centre" => bearing::run(options, &folder, 1.0)?,
             "centre-100k" => bearing::run(options, &folder, SCALE_100K)?,
             "problem-h" => problem_h::run(options, &folder)?,
+            "centre-fields" => fields::run(options, &folder, &fields::CENTRE)?,
+            "offset-fields" => fields::run(options, &folder, &fields::OFFSET)?,
             _ => slice::run(options, &folder)?,
         };
         println!("\n{tables}");

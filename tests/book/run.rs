@@ -6,6 +6,8 @@
 //! last command ends with), `ci` (what runs these tests: not run here). A block with a file name is
 //! written to it; every `toml` block of a whole case is read as one. A `text` block is an excerpt of what the
 //! commands before it printed, unless it says `sample`.
+//!
+//! `BRINELL_BOOK_PAGE=tutorials/first-run` runs the pages only that have this in their path.
 
 use crate::blocks::{Block, blocks};
 use crate::output::missing;
@@ -26,7 +28,9 @@ fn slow_blocks_run() {
 
 fn every_page(slow: bool) {
     let mut wrong = Vec::new();
-    for name in std::iter::once("README.md".to_string()).chain(tutorials()) {
+    let wanted = std::env::var("BRINELL_BOOK_PAGE").unwrap_or_default();
+    let pages = std::iter::once("README.md".to_string()).chain(tutorials());
+    for name in pages.filter(|name| name.contains(&wanted)) {
         let blocks = blocks(&read(&name));
         // Where nothing is slow, the quick test has run it all.
         if slow && !blocks.iter().any(|block| block.is("slow")) {

@@ -23,7 +23,7 @@ pub fn state(
     State {
         step: point.step,
         time: point.time,
-        contacts: contact_fields(model, history, evaluation),
+        contacts: contact_fields(model, history, evaluation, &displacement),
         planes: plane_fields(model, history, point, &displacement),
         displacement,
         stress,
@@ -64,7 +64,12 @@ pub fn stresses(
         .unzip()
 }
 
-fn contact_fields(model: &Model, history: &History, evaluation: &Evaluation) -> Vec<ContactField> {
+fn contact_fields(
+    model: &Model,
+    history: &History,
+    evaluation: &Evaluation,
+    u: &[[f64; 3]],
+) -> Vec<ContactField> {
     let scene = model.scene;
     let mut fields: Vec<ContactField> = scene
         .contacts
@@ -106,6 +111,13 @@ fn contact_fields(model: &Model, history: &History, evaluation: &Evaluation) -> 
             .global(&answer.traction)
             .map(|v| sign * v * row.row.area);
         field.acts_at[at] = acts_at(&scene.mesh.points, &row.row, &field.nodes);
+    }
+    // Rows that were left out are open; the pressure of a strip falls to zero at the first of them.
+    for row in &model.spare {
+        let field = &mut fields[row.pair];
+        if let Ok(at) = field.nodes.binary_search(&row.row.node) {
+            field.gap[at] = row.row.gap - row.relative(u)[0];
+        }
     }
     fields
 }

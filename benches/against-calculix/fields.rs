@@ -3,9 +3,10 @@
 use crate::page::{Table, number};
 use crate::{Options, ccx, frd, reactions, subject};
 use brinell::case;
-use brinell::geometry::{norm, sub};
+use brinell::geometry::{dot, norm, sub};
 use brinell::job::{self, Outcome};
 use brinell::material::mises;
+use brinell::results::load;
 use brinell::results::recovery::recover;
 use brinell::scene::PlaneMotion;
 use brinell::solve::Silent;
@@ -114,6 +115,8 @@ struct Compared {
     /// Of Mises stresses away from contact, as shares of the largest there: the largest, and the one
     /// that 99 in 100 nodes stay below.
     mises: [f64; 2],
+    /// The node of that largest difference.
+    worst: usize,
     /// Mises stresses of both programs by node.
     pairs: Vec<[f64; 2]>,
     /// Is a node away from contact?
@@ -135,10 +138,16 @@ impl Compared {
             .collect();
         let kept = || pairs.iter().zip(&away).filter(|(_, away)| **away);
         let largest = kept().map(|(pair, _)| pair[0]).fold(0.0, f64::max);
-        let mut differences: Vec<f64> = kept().map(|([a, b], _)| (b - a).abs() / largest).collect();
-        differences.sort_by(f64::total_cmp);
+        let nodes = (0..points.len()).filter(|n| away[*n]);
+        let mut differences: Vec<(f64, usize)> = nodes
+            .map(|n| ((pairs[n][1] - pairs[n][0]).abs() / largest, n))
+            .collect();
+        differences.sort_by(|a, b| a.0.total_cmp(&b.0));
         let last = differences.len().saturating_sub(1);
-        let at = |share: f64| differences.get((share * last as f64) as usize).copied();
+        let at = |share: f64| {
+            let found = differences.get((share * last as f64) as usize);
+            found.map_or(f64::NAN, |(difference, _)| *difference)
+        };
         let nodes = state.displacement.iter().zip(&theirs.displacement);
         let errors: Vec<f64> = nodes.map(|(a, b)| norm(sub(*a, *b))).collect();
         let most = state
@@ -152,7 +161,8 @@ impl Compared {
                 errors.iter().copied().fold(0.0, f64::max) / most,
                 (squares / errors.len() as f64).sqrt() / most,
             ],
-            mises: [1.0, 0.99].map(|share| at(share).unwrap_or(f64::NAN)),
+            mises: [1.0, 0.99].map(at),
+            worst: differences.last().map_or(0, |(_, node)| *node),
             pairs,
             away,
             theirs: theirs.displacement.clone(),
@@ -205,9 +215,10 @@ impl Compared {
             if let Some(force_on) = forces.sets.get(&support.surface.to_uppercase())
                 && support.components.iter().all(Option::is_some)
             {
-                let load = ours.summary.applied_load / brinell::results::load::copies(scene);
-                let name = format!("`{}`, along the load, {force}", support.surface);
-                table.row(&beside(name, load, norm(*force_on).abs()));
+                let load = ours.summary.applied_load / load::copies(scene);
+                let name = format!("`{}`, against the load, {force}", support.surface);
+                let against = -dot(*force_on, load::direction(scene));
+                table.row(&beside(name, load, against));
             }
         }
         for body in &scene.mesh.bodies {
@@ -243,12 +254,15 @@ impl Compared {
             ninety_nine,
         ));
         let kept = self.away.iter().filter(|a| **a).count();
+        let [x, y, z] = scene.mesh.points[self.worst].map(|x| number(x, 4));
+        let [ours, theirs] = self.pairs[self.worst].map(|m| number(m, 4));
         let verdict = match self.within(subject) {
             true => "Within what is allowed",
             false => "NOT within what is allowed",
         };
         format!(
-            "{}\n{}\n{verdict}; {kept} of {} nodes are away from contact, by {AWAY} {length} or more.\n",
+            "{}\n{}\nThe largest difference of Mises is at {x} {y} {z} {length}: {ours} and {theirs} {stress}.\n\
+             {verdict}; {kept} of {} nodes are away from contact, by {AWAY} {length} or more.\n",
             table.render(),
             differences.render(),
             self.away.len()

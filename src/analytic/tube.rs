@@ -98,8 +98,10 @@ impl Tube {
         let p = error::non_negative("pressure", pressure)?;
         let r = self.inside(r)?;
         let share = self.inner_radius / self.outer_radius;
-        let mean = p * share * share / ((1.0 - share) * (1.0 + share));
-        Ok((mean, mean * (self.outer_radius / r).powi(2)))
+        let unit = p / ((1.0 - share) * (1.0 + share));
+        // Each from a share of at most one: b/r of the mean has no bound.
+        let part = |share: f64| unit * share * share;
+        Ok((part(share), part(self.inner_radius / r)))
     }
 
     fn inside(&self, r: f64) -> Result<f64, DomainError> {

@@ -30,7 +30,7 @@ fn finite<T: std::fmt::Debug, E>(answer: Result<T, E>) -> Result<(), TestCaseErr
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
 
     #[test]
     fn contacts(p in number(), r in number(), s in number(), c in number(), x in number()) {
@@ -101,7 +101,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(2_000))]
 
     #[test]
     fn rings(ri in number(), ro in number(), p in number(), e in number(), r in number(),

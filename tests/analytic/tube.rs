@@ -235,3 +235,15 @@ proptest! {
         prop_assert!((tube.front(p).unwrap() / c - 1.0).abs() < 1e-7);
     }
 }
+
+/// A hole in a boundless body: -p and p at the bore, p (a/r)² off it. (b/r)² has no number here.
+#[test]
+fn a_bore_in_a_boundless_body() {
+    let steel = BilinearSteel::new(210.0, 0.24, 0.0).unwrap();
+    let tube = Tube::new(1e-82, 1e83, steel).unwrap();
+    for (r, share) in [(1e-82, 1.0), (1e-80, 1e-4)] {
+        let stress = tube.elastic_stress(2.0, 0.3, r).unwrap();
+        close("hoop", stress.hoop, 2.0 * share, 1e-12);
+        close("radial", stress.radial, -2.0 * share, 1e-12);
+    }
+}

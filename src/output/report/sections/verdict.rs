@@ -71,20 +71,19 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
             vec![format!("{missed}.")],
         );
     }
-    let mut rest = vec!["It has converged, and every check is within its limit.".to_string()];
     let missed = missed_rules(summary);
-    if summary.sizing.is_some() {
-        rest.push(match missed.is_empty() {
-            true => "The sizing rules (2-49) to (2-51) are met.".to_string(),
-            false => format!("The sizing rules are not met: {}.", missed.join("; ")),
-        });
-    }
     let flows = (summary.bodies.0.iter()).max_by(|a, b| a.1.peeq_max.total_cmp(&b.1.peeq_max));
     let flows = flows.filter(|(_, body)| body.peeq_max > 0.0);
     let yields = inputs.scene.materials.iter().any(|m| !m.is_elastic());
+    let mut rest = Vec::new();
+    if !missed.is_empty() {
+        rest.push(format!("{}.", missed.join("; ")));
+    } else if summary.sizing.is_some() {
+        rest.push("The sizing rules (2-49) to (2-51) are met.".to_string());
+    }
     match flows {
         Some((name, body)) => rest.push(format!(
-            "Steel yields: plastic strain up to {} in {name}.",
+            "Plastic strain is up to {} in {name}.",
             significant(body.peeq_max, 2)
         )),
         None if yields && inputs.scene.controls.plasticity => {
@@ -92,11 +91,17 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
         }
         None => rest.push("Steel is taken as elastic.".to_string()),
     }
-    let grade = match missed.is_empty() && flows.is_none() {
-        true => Grade::Good,
-        false => Grade::Care,
+    rest.push("The solution has converged, and every check of it is within its limit.".to_string());
+    let (grade, head) = match (missed.is_empty(), flows) {
+        (false, None) => (Grade::Bad, "Solved; the sizing rules are not met."),
+        (false, Some(_)) => (
+            Grade::Bad,
+            "Solved; the sizing rules are not met, and steel yields.",
+        ),
+        (true, Some(_)) => (Grade::Care, "Solved; steel yields."),
+        (true, None) => (Grade::Good, "Solved."),
     };
-    (grade, "The answer is sound.", rest)
+    (grade, head, rest)
 }
 
 /// The sizing rules that are missed, in words.

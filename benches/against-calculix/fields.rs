@@ -3,12 +3,13 @@
 use crate::page::{Table, number};
 use crate::{Options, ccx, frd, reactions, subject};
 use brinell::case;
+use brinell::contact::search::FacetTree;
 use brinell::geometry::{dot, norm, sub};
 use brinell::job::{self, Outcome};
 use brinell::material::mises;
 use brinell::results::load;
 use brinell::results::recovery::recover;
-use brinell::scene::PlaneMotion;
+use brinell::scene::{Partner, PlaneMotion};
 use brinell::solve::Silent;
 use std::path::{Path, PathBuf};
 
@@ -45,6 +46,8 @@ const CLOSING: f64 = 0.85;
 /// than this: about ten half-widths of the strips, which is also further than what yields beside a
 /// square end of a roller.
 const AWAY: f64 = 0.3;
+/// Faces lie over each other if they are no further apart than this along z, and overlap across it.
+const OVER: [f64; 3] = [-1e-6, -1e-6, 0.01];
 /// A plane of symmetry goes through nodes as near as this.
 const ON_PLANE: f64 = 1e-6;
 
@@ -69,13 +72,13 @@ pub fn run(options: &Options, folder: &Path, subject: &Subject) -> Result<String
     subject::export(&path, folder, &more)?;
     let theirs = ccx::run(folder, "case", ours.scene.mesh.points.len(), 2, 1)?;
     let deck = std::fs::read_to_string(folder.join("case.inp")).map_err(|e| e.to_string())?;
-    let stated = deck.lines().find(|line| line.starts_with("** Contact:"));
+    let stated = deck.lines().skip_while(|l| !l.starts_with("** Contact:"));
+    let stated: Vec<&str> = stated.map_while(|l| l.strip_prefix("** ")).collect();
     let forces = reactions::read(&folder.join("case.dat"))?;
-    let stated = stated.map_or("no contact", |line| line.trim_start_matches("** "));
     let compared = Compared::new(&ours, &theirs.fields);
     let table = compared.table(&ours, &forces, subject);
     match compared.within(subject) {
-        true => Ok(format!("{table}\n{stated}\n")),
+        true => Ok(format!("{table}\n{}\n", stated.join("\n"))),
         false => Err(table),
     }
 }
@@ -262,7 +265,8 @@ impl Compared {
         };
         format!(
             "{}\n{}\nThe largest difference of Mises is at {x} {y} {z} {length}: {ours} and {theirs} {stress}.\n\
-             {verdict}; {kept} of {} nodes are away from contact, by {AWAY} {length} or more.\n",
+             {verdict}; {kept} of {} nodes are further than {AWAY} {length}\n\
+             from every face that contact loads.\n",
             table.render(),
             differences.render(),
             self.away.len()
@@ -274,9 +278,11 @@ fn is_driven(motion: &[PlaneMotion; 3]) -> bool {
     motion.iter().any(|m| matches!(m, PlaneMotion::Driven(_)))
 }
 
-/// Of each node: is it further than [`AWAY`] from every node that presses in either program?
+/// Of each node: is it further than [`AWAY`] from every node that presses in either program, and from
+/// every face, of either body, that such a node's pressure reaches?
 fn away(ours: &Outcome, theirs: &frd::Fields) -> Vec<bool> {
-    let points = &ours.scene.mesh.points;
+    let mesh = &ours.scene.mesh;
+    let points = &mesh.points;
     let mut presses: Vec<bool> = theirs.pressure.iter().map(|p| *p > 0.0).collect();
     presses.resize(points.len(), false);
     for field in &ours.state().contacts {
@@ -284,7 +290,25 @@ fn away(ours: &Outcome, theirs: &frd::Fields) -> Vec<bool> {
             presses[*node as usize] |= *pressure > 0.0;
         }
     }
-    let pressed: Vec<_> = points.iter().zip(&presses).filter(|(_, p)| **p).collect();
+    let partners = (ours.scene.contacts.iter()).flat_map(|pair| [&pair.upper, &pair.lower]);
+    let surfaces = partners.filter_map(|partner| match partner {
+        Partner::Surface(name) => mesh.surface(name),
+        Partner::Plane { .. } => None,
+    });
+    let faces: Vec<_> = surfaces.flat_map(|s| &s.faces).collect();
+    let corners: Vec<_> = faces.iter().map(|face| face.corners(mesh)).collect();
+    let tree = FacetTree::new(&corners);
+    let mut reached = presses.clone();
+    for (face, corners) in faces.iter().zip(&corners) {
+        if face.nodes.iter().any(|n| presses[*n as usize]) {
+            for other in tree.near(corners, OVER) {
+                for node in faces[other].nodes {
+                    reached[node as usize] = true;
+                }
+            }
+        }
+    }
+    let pressed: Vec<_> = points.iter().zip(&reached).filter(|(_, p)| **p).collect();
     let far = |point: &[f64; 3]| pressed.iter().all(|(p, _)| norm(sub(*point, **p)) > AWAY);
     points.iter().map(far).collect()
 }

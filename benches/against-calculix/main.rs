@@ -4,7 +4,8 @@
 //!
 //! Both programs read their mesh from a file and write their results; the mesh is made before. The
 //! time of the processor is that of all threads, the memory the largest resident set. `--write`
-//! puts the tables into `docs/performance.md`.
+//! puts the tables into `docs/performance.md`, and what is compared node by node into
+//! `docs/cross-check.md`.
 
 mod bearing;
 mod ccx;
@@ -34,7 +35,7 @@ cargo bench --bench against-calculix -- SCENARIO... [--write] [--repeat N] [--no
                displacements, reactions and Mises stresses of the exported bearing, node by node;
                fails where they differ by more than is allowed
 
-  --write          put the tables into docs/performance.md
+  --write          put the tables into docs/performance.md and docs/cross-check.md
   --repeat N       run each short run N times, for the median [default: 3]
   --no-spooles     leave out CalculiX with its direct solver on large meshes
   --no-iterative   leave out CalculiX with its iterative solver on the bearing
@@ -139,7 +140,11 @@ fn run(options: &Options, scenarios: &[&str]) -> Result<(), String> {
         };
         println!("\n{tables}");
         if options.write {
-            page::write(scenario, &format!("{machine}\n\n{tables}"))?;
+            let page = match FIELDS.contains(scenario) {
+                true => page::CROSS_CHECK,
+                false => page::PERFORMANCE,
+            };
+            page::write(page, scenario, &format!("{machine}\n\n{tables}"))?;
         }
     }
     Ok(())

@@ -1,9 +1,10 @@
-//! Tables, and the page that holds them.
+//! Tables, and the pages that hold them.
 
 use std::path::Path;
 
-/// The page, from the root of the project.
-const PAGE: &str = "docs/performance.md";
+/// The pages, from the root of the project.
+pub const PERFORMANCE: &str = "docs/performance.md";
+pub const CROSS_CHECK: &str = "docs/cross-check.md";
 
 /// A Markdown table.
 pub struct Table {
@@ -62,17 +63,17 @@ pub fn machine(ccx: &str) -> String {
     )
 }
 
-/// Puts `text` between the markers of `scenario` in the page.
+/// Puts `text` between the markers of `scenario` in `page`.
 ///
 /// # Errors
 /// Where the page cannot be read or written, or has no such markers.
-pub fn write(scenario: &str, text: &str) -> Result<(), String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(PAGE);
-    let failed = |e: std::io::Error| format!("{PAGE}: {e}");
-    let page = std::fs::read_to_string(&path).map_err(failed)?;
+pub fn write(page: &str, scenario: &str, text: &str) -> Result<(), String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
+    let failed = |e: std::io::Error| format!("{page}: {e}");
+    let old = std::fs::read_to_string(&path).map_err(failed)?;
     let [begin, end] = ["begin", "end"].map(|word| format!("<!-- {word} {scenario} -->"));
-    let missing = || format!("{PAGE} has no place for {scenario}: {begin} ... {end}");
-    let (head, rest) = page.split_once(&begin).ok_or_else(missing)?;
+    let missing = || format!("{page} has no place for {scenario}: {begin} ... {end}");
+    let (head, rest) = old.split_once(&begin).ok_or_else(missing)?;
     let (_, tail) = rest.split_once(&end).ok_or_else(missing)?;
     std::fs::write(&path, format!("{head}{begin}\n\n{text}\n{end}{tail}")).map_err(failed)
 }

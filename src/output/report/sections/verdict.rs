@@ -212,7 +212,7 @@ fn sizing_card(summary: &Summary) -> Markup {
             "no steel of this case can yield",
         ),
         (true, true) => card("Sizing rules", Some(Grade::Good), "met", rules),
-        (true, false) => card("Sizing rules", Some(Grade::Care), "NOT met", rules),
+        (true, false) => card("Sizing rules", Some(Grade::Bad), "NOT met", rules),
     }
 }
 

@@ -1,23 +1,24 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
+mod adapt;
+mod keep;
+
 use super::counters::Counters;
 use super::diagnosis::{At, describe, diagnose};
 use super::error::SolveError;
-use super::evaluate::{Evaluation, History};
-use super::foresight::{Expected, Unforeseen};
+use super::evaluate::History;
+use super::foresight::Expected;
 use super::model::{Model, can_yield};
 use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
 use super::path::Path;
-use super::restart::{Kept, Restart, plastic_of};
-use super::rows::{ContactRow, contact_rows};
+use super::restart::{Kept, Restart};
+use super::rows::contact_rows;
 use super::start::{self, Closing};
-use super::state;
 use super::timers::{Phase, Timers};
-use crate::contact::law::{Node, Status};
-use crate::results::{Energy, State};
+use crate::contact::law::Node;
+use crate::results::State;
 use crate::scene::Scene;
-use std::collections::BTreeMap;
 
 /// What a solved scene leaves behind.
 #[derive(Debug, Clone)]
@@ -194,27 +195,6 @@ impl<'a, 'o> Run<'a, 'o> {
             .collect()
     }
 
-    /// Takes up what a run before has left.
-    fn go_on_from(&mut self, restart: &Restart) {
-        let timers = self.counters.timers;
-        (self.point, self.history) = restart.place(&self.model);
-        self.counters = restart.counters;
-        self.counters.measure(&self.model);
-        self.counters.timers.add(&timers);
-        self.size = restart.size;
-        self.path = restart.path.place(&self.model);
-        self.finished.clone_from(&restart.finished);
-        let model = &self.model;
-        self.states = (restart.finished.iter().map(|kept| kept.restore(model))).collect();
-        self.last = restart.last.restore(model);
-        let (step, time) = restart.after();
-        self.observer.message(&format!(
-            "goes on after {:.3} % of step `{}`",
-            100.0 * time,
-            model.scene.steps[step].name
-        ));
-    }
-
     /// Returns false where the observer cancelled.
     fn all_steps(&mut self) -> Result<bool, SolveError> {
         let done = usize::from(self.point.time >= 1.0);
@@ -366,191 +346,5 @@ impl<'a, 'o> Run<'a, 'o> {
                 (node.closed, node.sticks) = (true, true);
             }
         }
-    }
-
-    /// What happens where the model was not prepared for it, now or in the next increment.
-    fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
-        let model = &self.model;
-        let look = || Unforeseen::new(model, trial, 1.0 + next);
-        self.counters.timers.time(Phase::Recover, look)
-    }
-
-    /// Prepares the model anew; the next increment starts from `guess`.
-    fn prepare_for(
-        &mut self,
-        unforeseen: Unforeseen,
-        guess: Option<&Point>,
-    ) -> Result<(), SolveError> {
-        let (integrate, flow_only) = (unforeseen.is_approach(), unforeseen.is_flow_only());
-        let known = flow_only && self.model.keeps(&unforeseen.flow);
-        self.expected.learn(unforeseen);
-        if known {
-            self.check_more_elements();
-            self.guess = guess.cloned();
-        } else {
-            self.rebuild(integrate, guess)?;
-        }
-        let c = &self.counters;
-        self.observer.message(&format!(
-            "{} contact nodes may close, {} elements yield: {} of {} unknowns kept",
-            c.contact_rows,
-            self.model.yielding.len(),
-            c.kept_equations,
-            c.equations,
-        ));
-        Ok(())
-    }
-
-    /// An element that flows only has to be looked at, where its nodes were not condensed.
-    fn check_more_elements(&mut self) {
-        let old = self.model.yielding.clone();
-        self.model.watch(&self.expected.flow);
-        self.history.watch(&old, &self.model.yielding);
-        self.path.watch(&old, &self.model.yielding);
-        self.counters.watched_elements = self.model.yielding.len();
-    }
-
-    /// Prepares the model for what is expected now, and carries the state over.
-    fn rebuild(&mut self, integrate: bool, guess: Option<&Point>) -> Result<(), SolveError> {
-        let key = |r: &ContactRow| (r.pair, r.row.node);
-        let all = |model: &Model, p: &Point| model.displacement(&p.x, p.step, p.time);
-        let accepted = all(&self.model, &self.point);
-        let guess = guess.map(|p| (p.clone(), all(&self.model, p)));
-        let rows = self.model.rows.iter().enumerate();
-        let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
-
-        self.expected.divided = self.model.is_divided();
-        // Two models at once would be twice the memory.
-        self.solver = LinearSolver::default();
-        self.model.release();
-        let (scene, expected) = (self.model.scene, &self.expected);
-        let (model, timers) = (&mut self.model, &mut self.counters.timers);
-        let model = timers.time(Phase::Prepare, || {
-            let rows = if integrate {
-                contact_rows(scene, expected.reach)
-            } else {
-                let mut rows = std::mem::take(&mut model.rows);
-                rows.append(&mut model.spare);
-                rows.sort_by_key(key);
-                rows
-            };
-            Model::new(scene, expected, rows)
-        })?;
-        let map: Vec<Option<usize>> = model
-            .rows
-            .iter()
-            .map(|r| old.get(&key(r)).copied())
-            .collect();
-        fn carry<T: Copy + Default>(map: &[Option<usize>], from: &[T]) -> Vec<T> {
-            map.iter()
-                .map(|i| i.map_or(T::default(), |i| from[i]))
-                .collect()
-        }
-        let point = |point: &Point, u: &[[f64; 3]]| Point {
-            x: model.unknowns(u),
-            nodes: carry(&map, &point.nodes),
-            ..*point
-        };
-        self.point = point(&self.point, &accepted);
-        self.guess = guess.map(|(p, u)| point(&p, &u));
-        self.history.slip_origin = model
-            .rows
-            .iter()
-            .zip(&map)
-            .map(|(r, i)| {
-                i.map_or_else(
-                    || {
-                        let d = r.relative(&accepted);
-                        [d[1], d[2]]
-                    },
-                    |i| self.history.slip_origin[i],
-                )
-            })
-            .collect();
-        self.history.slip = carry(&map, &self.history.slip);
-        self.history.watch(&self.model.yielding, &model.yielding);
-        self.path.watch(&self.model.yielding, &model.yielding);
-        self.counters.measure(&model);
-        self.model = model;
-        Ok(())
-    }
-
-    fn accept(
-        &mut self,
-        trial: Point,
-        evaluation: &Evaluation,
-        last: bool,
-    ) -> Result<(), SolveError> {
-        for answer in &evaluation.plastic {
-            self.history.plastic[answer.index] = Some(answer.points.clone());
-        }
-        for (index, (answer, d)) in evaluation
-            .contact
-            .iter()
-            .zip(&evaluation.relative)
-            .enumerate()
-        {
-            if answer.status == Status::Slip {
-                self.history.slip[index] += d[1].hypot(d[2]);
-            }
-            for i in 0..2 {
-                self.history.slip_origin[index][i] += d[1 + i];
-            }
-        }
-        let mut accepted = trial;
-        for (node, answer) in accepted.nodes.iter_mut().zip(&evaluation.contact) {
-            node.multiplier = answer.traction;
-            node.origin = [0.0; 2];
-        }
-        self.point = accepted;
-        let mut timers = self.counters.timers;
-        let state = timers.time(Phase::Recover, || {
-            let (model, point) = (&self.model, &self.point);
-            let u = model.kept_displacement(&point.x, point.step, point.time);
-            let path = self.path.advance(model, &self.history.plastic, &u);
-            let mut state = state::state(model, &self.history, point, evaluation, path);
-            let before = match self.last.displacement.is_empty() {
-                true => Some(Energy::default()),
-                false => self.last.energy,
-            };
-            state.energy = before.and_then(|energy| energy.after(model, &self.last, &state));
-            state
-        });
-        self.counters.timers = timers;
-        self.observer
-            .increment(&state)
-            .map_err(SolveError::Observer)?;
-        if last {
-            let plastic = plastic_of(&self.model, &self.history.plastic);
-            self.finished.push(Kept::new(&state, plastic));
-            self.states.push(state.clone());
-        }
-        self.last = state;
-        Ok(())
-    }
-
-    fn checkpoint(&mut self) -> Result<(), SolveError> {
-        let (model, history, point) = (&self.model, &self.history, &self.point);
-        let (finished, last, size) = (&self.finished, &self.last, self.size);
-        let (expected, counters, path) = (&self.expected, &self.counters, &self.path);
-        let make = || {
-            let last = Kept::new(last, plastic_of(model, &history.plastic));
-            let expected = Expected {
-                divided: model.is_divided(),
-                ..expected.clone()
-            };
-            Restart::new(
-                model,
-                history,
-                point,
-                (finished, last),
-                expected,
-                (size, path.keep(model)),
-                *counters,
-            )
-        };
-        self.observer
-            .checkpoint(&make)
-            .map_err(SolveError::Observer)
     }
 }

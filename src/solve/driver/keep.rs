@@ -1,0 +1,114 @@
+//! What an accepted increment leaves, and going on from there.
+
+use super::Run;
+use crate::contact::law::Status;
+use crate::results::Energy;
+use crate::solve::error::SolveError;
+use crate::solve::evaluate::Evaluation;
+use crate::solve::foresight::Expected;
+use crate::solve::newton::Point;
+use crate::solve::restart::{Kept, Restart, plastic_of};
+use crate::solve::state;
+use crate::solve::timers::Phase;
+
+impl Run<'_, '_> {
+    /// Takes up what a run before has left.
+    pub(super) fn go_on_from(&mut self, restart: &Restart) {
+        let timers = self.counters.timers;
+        (self.point, self.history) = restart.place(&self.model);
+        self.counters = restart.counters;
+        self.counters.measure(&self.model);
+        self.counters.timers.add(&timers);
+        self.size = restart.size;
+        self.path = restart.path.place(&self.model);
+        self.finished.clone_from(&restart.finished);
+        let model = &self.model;
+        self.states = (restart.finished.iter().map(|kept| kept.restore(model))).collect();
+        self.last = restart.last.restore(model);
+        let (step, time) = restart.after();
+        self.observer.message(&format!(
+            "goes on after {:.3} % of step `{}`",
+            100.0 * time,
+            model.scene.steps[step].name
+        ));
+    }
+
+    pub(super) fn accept(
+        &mut self,
+        trial: Point,
+        evaluation: &Evaluation,
+        last: bool,
+    ) -> Result<(), SolveError> {
+        for answer in &evaluation.plastic {
+            self.history.plastic[answer.index] = Some(answer.points.clone());
+        }
+        for (index, (answer, d)) in evaluation
+            .contact
+            .iter()
+            .zip(&evaluation.relative)
+            .enumerate()
+        {
+            if answer.status == Status::Slip {
+                self.history.slip[index] += d[1].hypot(d[2]);
+            }
+            for i in 0..2 {
+                self.history.slip_origin[index][i] += d[1 + i];
+            }
+        }
+        let mut accepted = trial;
+        for (node, answer) in accepted.nodes.iter_mut().zip(&evaluation.contact) {
+            node.multiplier = answer.traction;
+            node.origin = [0.0; 2];
+        }
+        self.point = accepted;
+        let mut timers = self.counters.timers;
+        let state = timers.time(Phase::Recover, || {
+            let (model, point) = (&self.model, &self.point);
+            let u = model.kept_displacement(&point.x, point.step, point.time);
+            let path = self.path.advance(model, &self.history.plastic, &u);
+            let mut state = state::state(model, &self.history, point, evaluation, path);
+            let before = match self.last.displacement.is_empty() {
+                true => Some(Energy::default()),
+                false => self.last.energy,
+            };
+            state.energy = before.and_then(|energy| energy.after(model, &self.last, &state));
+            state
+        });
+        self.counters.timers = timers;
+        self.observer
+            .increment(&state)
+            .map_err(SolveError::Observer)?;
+        if last {
+            let plastic = plastic_of(&self.model, &self.history.plastic);
+            self.finished.push(Kept::new(&state, plastic));
+            self.states.push(state.clone());
+        }
+        self.last = state;
+        Ok(())
+    }
+
+    pub(super) fn checkpoint(&mut self) -> Result<(), SolveError> {
+        let (model, history, point) = (&self.model, &self.history, &self.point);
+        let (finished, last, size) = (&self.finished, &self.last, self.size);
+        let (expected, counters, path) = (&self.expected, &self.counters, &self.path);
+        let make = || {
+            let last = Kept::new(last, plastic_of(model, &history.plastic));
+            let expected = Expected {
+                divided: model.is_divided(),
+                ..expected.clone()
+            };
+            Restart::new(
+                model,
+                history,
+                point,
+                (finished, last),
+                expected,
+                (size, path.keep(model)),
+                *counters,
+            )
+        };
+        self.observer
+            .checkpoint(&make)
+            .map_err(SolveError::Observer)
+    }
+}

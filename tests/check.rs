@@ -236,3 +236,29 @@ fn completions_know_commands_and_presets() {
         .unwrap();
     assert_eq!(String::from_utf8_lossy(&answer.stdout).trim(), "check");
 }
+
+/// The displaced bearing takes more than half a gigabyte; a limit like that of a shared machine leaves less.
+#[test]
+fn too_little_memory_is_told_before_and_refused_by_a_run() {
+    let case = "cases/section-2.6.2/initial-offset-2.5.toml";
+    let folder = tempfile::tempdir().unwrap();
+    let under_limit = |line: &str| {
+        let mut shell = Command::new("sh");
+        shell
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .env("RAYON_NUM_THREADS", "2")
+            .args(["-c", &format!("ulimit -v 600000 && exec \"$0\" {line}")])
+            .arg(env!("CARGO_BIN_EXE_brinell"));
+        assert_cmd::Command::from_std(shell).assert()
+    };
+    let run = under_limit(&format!("check {case} --json")).code(1);
+    let check: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    let left = check["machine"]["memory_bytes"].as_f64().unwrap();
+    assert!(left < 6.1e8, "{left}");
+    let problem = check["problems"][0].as_str().unwrap();
+    assert!(problem.contains("GB of memory are needed"), "{problem}");
+    let out = folder.path().display();
+    let run = under_limit(&format!("run {case} --out {out}")).code(2);
+    let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(said.contains("GB are left"), "{said}");
+}

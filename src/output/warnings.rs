@@ -29,8 +29,9 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
             "largest strain {strain}: small-strain theory is in doubt above {limit}"
         ));
     }
-    for (name, body) in &summary.bodies.0 {
-        body_warnings(name, body, &mut warn);
+    let bodies = summary.bodies.0.iter();
+    for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
+        warn(format!("{}: {text}", names.join(", ")));
     }
     for (name, roller) in &summary.rollers.0 {
         if roller.bore_mises.is_none() {
@@ -78,7 +79,24 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
     list
 }
 
-fn body_warnings(name: &str, body: &BodySummary, warn: &mut impl FnMut(String)) {
+/// The sentences, each with all the names that it holds for.
+fn together<'a>(
+    of_names: impl Iterator<Item = (&'a str, Vec<String>)>,
+) -> Vec<(Vec<&'a str>, String)> {
+    let mut list: Vec<(Vec<&str>, String)> = Vec::new();
+    for (name, texts) in of_names {
+        for text in texts {
+            match list.iter_mut().find(|(_, known)| *known == text) {
+                Some((names, _)) => names.push(name),
+                None => list.push((vec![name], text)),
+            }
+        }
+    }
+    list
+}
+
+fn of_body(body: &BodySummary) -> Vec<String> {
+    let mut list = Vec::new();
     let singular: Vec<&str> = ["centroid", "integration point", "nodal"]
         .into_iter()
         .zip(body.at_singular_edge.each())
@@ -86,15 +104,16 @@ fn body_warnings(name: &str, body: &BodySummary, warn: &mut impl FnMut(String)) 
         .collect();
     if !singular.is_empty() {
         let measures = singular.join(", ");
-        warn(format!(
-            "{name}: the peak ({measures}) sits on a loaded edge, such as a square roller end; \
-             there elastic stress has no bound, so the value belongs to this mesh, not to the part"
+        list.push(format!(
+            "the peak ({measures}) sits on a loaded edge, such as a square roller end; there \
+             elastic stress has no bound, so the value belongs to this mesh, not to the part"
         ));
     }
     if body.peeq_max > 0.0 && body.elastic_mises_max.is_none() {
-        warn(format!(
-            "{name}: the peak has yielded, so it says nothing about the mesh; the elastic peak is \
-             not known"
-        ));
+        list.push(
+            "the peak has yielded, so it says nothing about the mesh; the elastic peak is not known"
+                .to_string(),
+        );
     }
+    list
 }

@@ -268,6 +268,24 @@ fn an_unconverged_run_says_so_first() {
 }
 
 #[test]
+fn what_holds_for_two_bodies_is_said_once() {
+    let (scene, state) = loaded();
+    let mut summary = summarise(&scene, &state);
+    for (index, (_, body)) in summary.bodies.0.iter_mut().enumerate() {
+        body.at_singular_edge.nodal = index < 2;
+        body.at_singular_edge.centroid = false;
+        body.at_singular_edge.integration_point = false;
+    }
+    let [first, second] = [0, 1].map(|b| summary.bodies.0[b].0.clone());
+    let warnings = brinell::output::warnings::warnings(&summary);
+    let edges = warnings.iter().filter(|w| w.0.contains("loaded edge"));
+    let edges: Vec<_> = edges.collect();
+    assert_eq!(edges.len(), 1, "{warnings:?}");
+    let names = format!("{first}, {second}: the peak (nodal) sits");
+    assert!(edges[0].0.starts_with(&names), "{:?}", edges[0]);
+}
+
+#[test]
 fn an_unwritable_place_is_named() {
     let (scene, state) = loaded();
     let folder = tempfile::tempdir().unwrap();

@@ -72,9 +72,10 @@ pub struct ExportArgs {
     #[arg(long, value_enum, default_value = "surface-to-surface")]
     pub contact: Contact,
     /// How far the closing step moves what the load steps drive by force, in the length of the
-    /// case. Best a little less than the descent under the load of the first step [default: the
-    /// shortening of a solid block, safely too little]. Where pressure alone drives, the bodies
-    /// start with this overlap instead [default: just touching].
+    /// case. Nine tenths of the descent save increments in a symmetric bearing; in a displaced one
+    /// CalculiX then loses its way [default: the shortening of a solid block, safely too little].
+    /// Where pressure alone drives, the bodies start with this overlap instead [default: just
+    /// touching].
     #[arg(long, value_name = "LENGTH")]
     pub closing: Option<f64>,
     /// First increment of the load steps, as a share of the step [default: that of the case].

@@ -9,7 +9,7 @@ use brinell::job::{self, Outcome};
 use brinell::material::mises;
 use brinell::results::load;
 use brinell::results::recovery::recover;
-use brinell::scene::{Partner, PlaneMotion};
+use brinell::scene::{PlaneMotion, Scene};
 use brinell::solve::Silent;
 use std::path::{Path, PathBuf};
 
@@ -39,8 +39,6 @@ const INCREMENT: &str = "0.25";
 const AWAY: f64 = 0.3;
 /// Faces lie over each other if they are no further apart than this along z, and overlap across it.
 const OVER: [f64; 3] = [-1e-6, -1e-6, 0.01];
-/// A plane of symmetry goes through nodes as near as this.
-const ON_PLANE: f64 = 1e-6;
 
 /// Solves the case by both programs and compares.
 ///
@@ -118,7 +116,7 @@ impl Compared {
         let recovered = recover(scene, state);
         let pairs: Vec<[f64; 2]> = (0..points.len())
             .map(|n| {
-                let mirrored = mirrored(&scene.mirrors, &points[n], theirs.stress[n]);
+                let mirrored = mirrored(scene, &points[n], theirs.stress[n]);
                 [recovered.mises_nodal[n], mises(&mirrored)]
             })
             .collect();
@@ -186,11 +184,8 @@ impl Compared {
             let Some(theirs) = forces.pairs.get(&name) else {
                 continue;
             };
-            let sign = if pair.carrier == brinell::scene::Side::Lower {
-                1.0
-            } else {
-                -1.0
-            };
+            // Theirs is on the carrier, ours on the lower body.
+            let sign = -pair.carrier.sign();
             for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
                 let sum: f64 = field.force.iter().map(|f| f[axis]).sum();
                 let name = format!("{}, {letter}, {force}", pair.name);
@@ -273,11 +268,8 @@ fn away(ours: &Outcome, theirs: &frd::Fields) -> Vec<bool> {
             presses[*node as usize] |= *pressure > 0.0;
         }
     }
-    let partners = (ours.scene.contacts.iter()).flat_map(|pair| [&pair.upper, &pair.lower]);
-    let surfaces = partners.filter_map(|partner| match partner {
-        Partner::Surface(name) => mesh.surface(name),
-        Partner::Plane { .. } => None,
-    });
+    let partners = (ours.scene.contacts.iter()).flat_map(|pair| pair.carrier_first());
+    let surfaces = partners.filter_map(|partner| partner.surface(mesh));
     let faces: Vec<_> = surfaces.flat_map(|s| &s.faces).collect();
     let corners: Vec<_> = faces.iter().map(|face| face.corners(mesh)).collect();
     let tree = FacetTree::new(&corners);
@@ -298,11 +290,11 @@ fn away(ours: &Outcome, theirs: &frd::Fields) -> Vec<bool> {
 
 /// The average of a stress at `point` with its images in the planes of symmetry that go through it,
 /// as Brinell averages: shear across such a plane vanishes.
-fn mirrored(mirrors: &[usize], point: &[f64; 3], mut stress: [f64; 6]) -> [f64; 6] {
+fn mirrored(scene: &Scene, point: &[f64; 3], mut stress: [f64; 6]) -> [f64; 6] {
     // Of xx yy zz xy yz zx.
     const ACROSS: [[usize; 2]; 3] = [[3, 5], [3, 4], [4, 5]];
-    for axis in mirrors.iter().filter(|a| point[**a].abs() < ON_PLANE) {
-        for component in ACROSS[*axis] {
+    for axis in scene.mirrors_through(point) {
+        for component in ACROSS[axis] {
             stress[component] = 0.0;
         }
     }

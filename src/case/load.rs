@@ -5,10 +5,9 @@ use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::source::Located;
+use crate::geometry::AXES;
 use crate::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, TractionValue};
 use crate::units::Dimension;
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// What acts on the surfaces of a scene. Each entry is marked at its surface.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -31,6 +31,11 @@ pub struct Claim {
     pub note: Option<&'static str>,
 }
 
+/// The claim of `what` at `place`.
+pub fn claim<'c>(claims: &'c [Claim], what: Quantity, place: &str) -> Option<&'c Claim> {
+    claims.iter().find(|c| c.what == what && c.place == place)
+}
+
 /// What a claim is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]

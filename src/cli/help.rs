@@ -16,7 +16,7 @@ pub const EXAMPLES: &str = "Examples:
 const GROUPS: [(&str, &[&str]); 5] = [
     ("Begin", &["size", "init", "check", "mesh"]),
     ("Solve", &["run", "sweep"]),
-    ("Hand over", &["report", "export"]),
+    ("Hand over", &["export"]),
     ("Trust", &["converge", "verify", "study", "hertz"]),
     ("Shell", &["completions", "help"]),
 ];

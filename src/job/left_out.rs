@@ -2,6 +2,7 @@
 
 use super::Options;
 use crate::case::{Case, Kind};
+use crate::geometry::AXES;
 use crate::material::j2::PlasticPoint;
 use crate::output::left_out::LeftOut;
 use crate::scene::Scene;
@@ -52,7 +53,7 @@ fn symmetry(scene: &Scene, counters: &Counters, whole: &str) -> Option<LeftOut> 
     if mirrors.is_empty() {
         return None;
     }
-    let axes: Vec<&str> = mirrors.iter().map(|a| ["x", "y", "z"][*a % 3]).collect();
+    let axes: Vec<&str> = mirrors.iter().map(|a| AXES[*a % 3]).collect();
     let part = ["whole", "half", "quarter", "eighth"][mirrors.len().min(3)];
     let copies = 1usize << mirrors.len();
     let images = |node: &[f64; 3]| copies >> scene.mirrors_through(node).count();

@@ -280,7 +280,7 @@ fn summarise(
     let units = case.units;
     let mut inputs = SummaryInputs {
         case: &case.title,
-        units: UnitLabels::new(units.length(), units.force(), units.stress()),
+        units: UnitLabels::of(units),
         scene,
         state,
         unloaded: unloaded(scene, solution),

@@ -44,8 +44,7 @@ impl<'o> Recorder<'o> {
         };
         let files = files.map(|(out, checkpoint)| {
             let series = series(out)?;
-            let units = case.units;
-            let units = UnitLabels::new(units.length(), units.force(), units.stress());
+            let units = UnitLabels::of(case.units);
             paraview::write(out, series.name(), &case.title, &units, &scene)?;
             Ok::<_, JobError>((series, checkpoint))
         });

@@ -1,5 +1,6 @@
 //! Names of units, for reading only: nothing is ever converted here.
 
+use crate::units::UnitSystem;
 use serde::Serialize;
 
 /// What the case calls its units; figures come in these units.
@@ -18,6 +19,11 @@ impl UnitLabels {
             force: force.to_string(),
             stress: stress.to_string(),
         }
+    }
+
+    /// Of a system of units.
+    pub fn of(units: UnitSystem) -> Self {
+        Self::new(units.length(), units.force(), units.stress())
     }
 
     pub fn area(&self) -> String {

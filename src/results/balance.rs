@@ -2,8 +2,7 @@
 
 use super::State;
 use super::load::{copies, direction, whole};
-use super::quad::dot;
-use crate::geometry::cross;
+use crate::geometry::{cross, dot};
 use crate::mesh::Surface;
 use crate::scene::{Partner, Scene, Side};
 

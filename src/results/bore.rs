@@ -9,8 +9,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::State;
 use super::load::{direction, face_corners};
-use super::quad::{area_vector, corner, cross, derivatives, dot, norm, sub};
+use super::quad::{area_vector, corner, derivatives};
 use super::recovery::Recovered;
+use crate::geometry::{cross, dot, norm, sub};
 use crate::mesh::Surface;
 use crate::scene::Scene;
 

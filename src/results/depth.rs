@@ -1,7 +1,7 @@
 //! A nodal field along a straight line into a body.
 
-use super::quad::{cross, dot, sub};
 use super::recovery::Recovered;
+use crate::geometry::{cross, dot, sub};
 use crate::mesh::surface::FACES;
 use crate::scene::Scene;
 

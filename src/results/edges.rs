@@ -10,7 +10,7 @@ use super::State;
 use super::hex::{diagonal, distance};
 use super::peaks::{Peak, Place};
 use crate::mesh::{Mesh, Surface};
-use crate::scene::{Partner, Scene, Side};
+use crate::scene::Scene;
 
 /// Positions of the nodes on boundaries of contact surfaces that carry pressure, in the state.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -25,15 +25,8 @@ const REACH: f64 = 0.02;
 
 /// The surface whose nodes carry the pressure of a pair; `None` where the mesh has none.
 pub fn carrier(scene: &Scene, pair: usize) -> Option<&Surface> {
-    let pair = scene.contacts.get(pair)?;
-    let partner = match pair.carrier {
-        Side::Upper => &pair.upper,
-        Side::Lower => &pair.lower,
-    };
-    match partner {
-        Partner::Surface(name) => scene.mesh.surface(name),
-        Partner::Plane { .. } => None,
-    }
+    let [carrier, _] = scene.contacts.get(pair)?.carrier_first();
+    carrier.surface(&scene.mesh)
 }
 
 impl LoadedEdges {

@@ -3,8 +3,8 @@
 use super::edges::carrier;
 use super::hex::distance;
 use super::load::{copies, direction, whole};
-use super::quad::{dot, norm};
 use super::{ContactField, State};
+use crate::geometry::{dot, norm};
 use crate::scene::Scene;
 
 /// How many nodes of the modelled part of a carrier surface are open, stick and slip.

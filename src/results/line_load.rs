@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::State;
 use super::edges::carrier;
 use super::load::{copies, direction};
-use super::quad::dot;
+use crate::geometry::dot;
 use crate::mesh::Surface;
 use crate::mesh::shape::{Shape, fit};
 use crate::scene::{Partner, Scene};

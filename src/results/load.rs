@@ -1,7 +1,8 @@
 //! The applied load of a scene, and what a force on the modelled part is for the whole.
 
-use super::quad::{area, area_vector, dot, integrate, norm};
+use super::quad::{area, area_vector, integrate};
 use super::{PlaneField, State};
+use crate::geometry::{dot, norm};
 use crate::mesh::Mesh;
 use crate::scene::{PlaneMotion, Scene, TractionValue};
 
@@ -93,6 +94,14 @@ pub fn direction(scene: &Scene) -> [f64; 3] {
     } else {
         [0.0, 0.0, -1.0]
     }
+}
+
+/// The axis next to the load.
+pub fn upright(scene: &Scene) -> usize {
+    let along = direction(scene).map(f64::abs);
+    (0..3)
+        .max_by(|a, b| along[*a].total_cmp(&along[*b]))
+        .unwrap_or(2)
 }
 
 /// Load on the whole along [`direction`]: the applied forces at the time of `state`, or, where

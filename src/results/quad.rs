@@ -1,5 +1,7 @@
 //! Integrals over bilinear faces in space.
 
+use crate::geometry::{cross, norm, sub};
+
 /// Natural coordinates of the corners of a face.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
@@ -59,26 +61,6 @@ pub fn area(nodes: &[[f64; 3]; 4]) -> f64 {
 /// Integral of the unit normal over a face, exact also where the face is warped.
 pub fn area_vector(nodes: &[[f64; 3]; 4]) -> [f64; 3] {
     cross(sub(nodes[2], nodes[0]), sub(nodes[3], nodes[1])).map(|x| 0.5 * x)
-}
-
-pub(super) fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-pub(super) fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 #[cfg(test)]

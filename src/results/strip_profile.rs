@@ -3,7 +3,8 @@
 use super::State;
 use super::contact_lines::{ContactLine, across};
 use super::edges::carrier;
-use super::quad::{area_vector, norm, sub};
+use super::quad::area_vector;
+use crate::geometry::{norm, sub};
 use crate::scene::Scene;
 
 /// The pressure of one row of nodes across a line of contact.

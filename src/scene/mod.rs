@@ -3,9 +3,10 @@
 //! A scene knows nothing of bearings, case files or units: all numbers are in one consistent
 //! unit system, whatever it is.
 
+use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::geometry::planes_through;
 use crate::material::Steel;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Surface};
 use serde::Serialize;
 
 /// Everything the solver needs.
@@ -37,6 +38,21 @@ impl Scene {
         let full = self.steps.iter().position(|step| step.factor >= 1.0);
         full.unwrap_or(0)
     }
+
+    /// C_E of Hertz's contact between the steels of `pair`; a rigid plane does not give.
+    ///
+    /// # Errors
+    /// [`DomainError`] where both sides are rigid, or a steel is none.
+    pub fn compliance(&self, pair: &ContactPair) -> Result<f64, DomainError> {
+        let elastic = |partner: &Partner| {
+            let body = partner.body(&self.mesh);
+            match body.and_then(|body| self.materials.get(body)) {
+                Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
+                None => Ok(Elastic::RIGID),
+            }
+        };
+        contact_compliance(elastic(&pair.upper)?, elastic(&pair.lower)?)
+    }
 }
 
 /// Two surfaces, or a surface and a rigid plane, that may touch.
@@ -57,6 +73,16 @@ pub struct ContactPair {
     pub true_geometry: bool,
 }
 
+impl ContactPair {
+    /// Both partners, the one that carries the pressure first.
+    pub fn carrier_first(&self) -> [&Partner; 2] {
+        match self.carrier {
+            Side::Upper => [&self.upper, &self.lower],
+            Side::Lower => [&self.lower, &self.upper],
+        }
+    }
+}
+
 /// One side of a contact pair.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Partner {
@@ -66,11 +92,37 @@ pub enum Partner {
     Plane { point: [f64; 3], normal: [f64; 3] },
 }
 
+impl Partner {
+    /// The surface of `mesh` that this is; `None` for a plane, and where there is none.
+    pub fn surface<'m>(&self, mesh: &'m Mesh) -> Option<&'m Surface> {
+        match self {
+            Self::Surface(name) => mesh.surface(name),
+            Self::Plane { .. } => None,
+        }
+    }
+
+    /// The body of `mesh` that it bounds.
+    pub fn body(&self, mesh: &Mesh) -> Option<usize> {
+        let face = self.surface(mesh)?.faces.first()?;
+        Some(mesh.body_of(face.element as usize))
+    }
+}
+
 /// Which partner of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Side {
     Upper,
     Lower,
+}
+
+impl Side {
+    /// Turns a force between a carrier on this side and the other side into that on the lower body.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Upper => 1.0,
+            Self::Lower => -1.0,
+        }
+    }
 }
 
 /// Prescribed displacement components on a surface: constant, or linear in position.

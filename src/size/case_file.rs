@@ -172,10 +172,7 @@ fn end(units: UnitSystem, end: RollerEnd) -> String {
 fn exactly(units: UnitSystem, value: f64, dimension: Dimension) -> String {
     let reads_back = |text: &String| super::request::quantity(text, units, dimension) == Ok(value);
     let unit = units.unit(dimension);
-    let shown = match dimension {
-        Dimension::ANGLE => value.to_degrees(),
-        _ => value,
-    };
+    let shown = units.shown(value, dimension);
     // Fifteen digits and fewer undo what converting did to the last ones.
     let rounded = (5..16).filter_map(|digits| format!("{shown:.digits$e}").parse::<f64>().ok());
     rounded

@@ -47,7 +47,7 @@ impl Proposal {
         let why = why(request, &candidates, recommended);
         let units = request.units;
         Ok(Self {
-            units: UnitLabels::new(units.length(), units.force(), units.stress()),
+            units: UnitLabels::of(units),
             assumptions: assumptions(request),
             request: request.clone(),
             candidates,

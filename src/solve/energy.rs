@@ -13,7 +13,7 @@ use crate::fem::loads;
 use crate::geometry::dot;
 use crate::material::{Elastic, mises};
 use crate::results::{Energy, State};
-use crate::scene::{PlaneMotion, Side};
+use crate::scene::PlaneMotion;
 use rayon::prelude::*;
 
 impl Energy {
@@ -145,11 +145,8 @@ fn at_contacts(model: &Model, before: &State, after: &State) -> (f64, f64) {
             let moved = moved(before, after, *node as usize);
             (0..3).for_each(|i| closed[i] += coefficient[i] * moved[i]);
         }
-        let sign = match model.scene.contacts[row.pair].carrier {
-            Side::Upper => 0.5,
-            Side::Lower => -0.5,
-        };
-        let force = [0, 1, 2].map(|i| sign * (was[i] + now[i]));
+        let sign = model.scene.contacts[row.pair].carrier.sign();
+        let force = [0, 1, 2].map(|i| 0.5 * sign * (was[i] + now[i]));
         let normal = dot(force, row.row.normal) * dot(closed, row.row.normal);
         contact += normal;
         friction += dot(force, closed) - normal;

@@ -6,7 +6,7 @@ use super::holding::{FreeMotion, free_motions};
 use super::model::{can_yield, needed};
 use super::rows::{ContactRow, contact_rows};
 use super::size::Size;
-use super::start::{self, Closing, close_gaps, nearest_row};
+use super::start::{Closing, nearest_row, touch};
 use crate::fem::dofs::DofMap;
 use crate::geometry::Vec3;
 use crate::scene::Scene;
@@ -61,7 +61,7 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
         pairs.map(|pair| nearest_row(scene, pair)).collect()
     };
     let before = least(scene);
-    let closings = close_gaps(scene, 1e-10 * start::extent(scene));
+    let closings = touch(scene);
     let after = match closings.is_empty() {
         true => before.clone(),
         false => least(scene),
@@ -70,12 +70,7 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
     if dofs.is_empty() {
         return Err(SolveError::NothingFree);
     }
-    let expected = Expected {
-        reach: start::reach(scene),
-        contact: start::likely_gap(scene),
-        flow: Vec::new(),
-        divided: false,
-    };
+    let expected = Expected::at_start(scene);
     let (rows, spare) = expected.split(contact_rows(scene, expected.reach));
     let of = |rows: &[ContactRow], pair: usize| rows.iter().filter(|r| r.pair == pair).count();
     let pairs = (scene.contacts.iter().zip(before).zip(after)).enumerate();

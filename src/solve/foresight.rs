@@ -8,7 +8,9 @@
 use super::model::{Model, can_yield};
 use super::newton::Point;
 use super::rows::ContactRow;
+use super::start;
 use crate::material::mises;
+use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +41,16 @@ pub struct Unforeseen {
 }
 
 impl Expected {
+    /// What is known before anything is solved, the bodies of `scene` in touch.
+    pub fn at_start(scene: &Scene) -> Self {
+        Self {
+            reach: start::reach(scene),
+            contact: start::likely_gap(scene),
+            flow: Vec::new(),
+            divided: false,
+        }
+    }
+
     /// Prepares for what was unforeseen, with some margin.
     pub fn learn(&mut self, unforeseen: Unforeseen) {
         if let Some(approach) = unforeseen.approach {

@@ -3,7 +3,7 @@
 use crate::contact::law::Law;
 use crate::contact::mortar::{self, Opposite, Row};
 use crate::mesh::{Face, Mesh};
-use crate::scene::{ContactPair, Partner, Scene, Side};
+use crate::scene::{ContactPair, Partner, Scene};
 
 /// Penalty over the stiffness of the material next to the contact, at a user factor of one.
 ///
@@ -61,13 +61,7 @@ pub fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
 /// Rows of one pair.
 pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) -> Vec<Row> {
     let mesh = &scene.mesh;
-    let (carrier, other) = match pair.carrier {
-        Side::Upper => (&pair.upper, &pair.lower),
-        Side::Lower => (&pair.lower, &pair.upper),
-    };
-    let Partner::Surface(carrier) = carrier else {
-        return Vec::new();
-    };
+    let [carrier, other] = pair.carrier_first();
     let opposite = match other {
         Partner::Surface(name) => mesh.surface(name).map(Opposite::Surface),
         Partner::Plane { point, normal } => Some(Opposite::Plane {
@@ -75,7 +69,7 @@ pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) 
             normal: *normal,
         }),
     };
-    let (Some(carrier), Some(opposite)) = (mesh.surface(carrier), opposite) else {
+    let (Some(carrier), Some(opposite)) = (carrier.surface(mesh), opposite) else {
         return Vec::new();
     };
     mortar::rows(&mortar::Pair {

@@ -81,7 +81,12 @@ fn travel(scene: &Scene) -> f64 {
 /// How often a body is moved at most.
 const ROUNDS: usize = 12;
 
-/// Moves floating bodies into touch and reports what was moved.
+/// Moves floating bodies into touch, as close as a solution asks for, and reports what was moved.
+pub fn touch(scene: &mut Scene) -> Vec<Closing> {
+    close_gaps(scene, 1e-10 * extent(scene))
+}
+
+/// Moves floating bodies into touch to `tolerance` and reports what was moved.
 pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
     let Some(direction) = load_direction(scene) else {
         return Vec::new();

@@ -7,7 +7,7 @@ use super::restart::{Plastic, plastic_of};
 use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
 use crate::results::{ContactField, PathError, PlaneField, State};
-use crate::scene::{Partner, PlaneMotion, Side};
+use crate::scene::PlaneMotion;
 use rayon::prelude::*;
 
 /// The accepted state in the terms of the scene.
@@ -75,19 +75,9 @@ fn contact_fields(
         .contacts
         .iter()
         .map(|pair| {
-            let carrier = match pair.carrier {
-                Side::Upper => &pair.upper,
-                Side::Lower => &pair.lower,
-            };
-            let nodes = match carrier {
-                Partner::Surface(name) => scene
-                    .mesh
-                    .surface(name)
-                    .map(|s| s.nodes())
-                    .unwrap_or_default(),
-                Partner::Plane { .. } => Vec::new(),
-            };
-            ContactField::open(nodes)
+            let [carrier, _] = pair.carrier_first();
+            let nodes = carrier.surface(&scene.mesh).map(|s| s.nodes());
+            ContactField::open(nodes.unwrap_or_default())
         })
         .collect();
     for (index, row) in model.rows.iter().enumerate() {
@@ -96,10 +86,7 @@ fn contact_fields(
             continue;
         };
         let (answer, d) = (&evaluation.contact[index], &evaluation.relative[index]);
-        let sign = match scene.contacts[row.pair].carrier {
-            Side::Upper => 1.0,
-            Side::Lower => -1.0,
-        };
+        let sign = scene.contacts[row.pair].carrier.sign();
         let [pressure, s, t] = answer.traction;
         field.pressure[at] = pressure;
         field.gap[at] = -d[0];

@@ -1,6 +1,6 @@
 //! What is read from each run of the study.
 
-use crate::certify::{Claim, Quantity};
+use crate::certify::{Claim, Quantity, claim};
 use crate::output::Summary;
 use crate::output::summary::{BodySummary, Demand, LineSummary, RollerSummary};
 
@@ -43,7 +43,7 @@ pub const ROWS: [Row; 26] = [
         plain(Some(100.0 * sum(|b| b.yielded_volume) / sum(|b| b.volume)))
     }),
     row("descent, 1e-3 in", |s| {
-        scaled(claim(s, Quantity::Descent, "overall"), 1e3)
+        scaled(claim(&s.certificate, Quantity::Descent, "overall"), 1e3)
     }),
     row("stiffness, kip/in", |s| plain(s.stiffness)),
     row("bore Mises, recovered, ksi", |s| {
@@ -53,16 +53,16 @@ pub const ROWS: [Row; 26] = [
         bore(s, |roller| roller.bore_mises_nodal)
     }),
     row("p0, flat side, ksi", |s| {
-        scaled(claim(s, Quantity::PeakPressure, FLAT), 1.0)
+        scaled(claim(&s.certificate, Quantity::PeakPressure, FLAT), 1.0)
     }),
     row("p0, V side, ksi", |s| {
-        scaled(claim(s, Quantity::PeakPressure, VALLEY), 1.0)
+        scaled(claim(&s.certificate, Quantity::PeakPressure, VALLEY), 1.0)
     }),
     row("half-width, flat side, in", |s| {
-        scaled(claim(s, Quantity::HalfWidth, FLAT), 1.0)
+        scaled(claim(&s.certificate, Quantity::HalfWidth, FLAT), 1.0)
     }),
     row("contact area, flat side, in²", |s| {
-        scaled(claim(s, Quantity::ContactArea, FLAT), 1.0)
+        scaled(claim(&s.certificate, Quantity::ContactArea, FLAT), 1.0)
     }),
     row("largest line load, flat side, kip/in", |s| {
         line(s, FLAT, |l| l.peak)
@@ -106,11 +106,6 @@ fn scaled(claim: Option<&Claim>, scale: f64) -> Option<Reading> {
         value: scale * claim.value,
         error: claim.error.total().map(|error| scale * error),
     })
-}
-
-fn claim<'s>(summary: &'s Summary, what: Quantity, place: &str) -> Option<&'s Claim> {
-    let mut claims = summary.certificate.iter();
-    claims.find(|c| c.what == what && c.place == place)
 }
 
 /// The largest of some claims.

@@ -1,6 +1,6 @@
 //! The figures of a run that go into the table, by name.
 
-use crate::certify::{Claim, Quantity};
+use crate::certify::{Quantity, claim};
 use crate::output::Summary;
 use crate::output::summary::{BodySummary, InterfaceSummary};
 use serde_json::Value;
@@ -150,6 +150,5 @@ fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
 
 /// The estimated error of a claim of the certificate.
 fn error(summary: &Summary, what: Quantity, place: &str) -> Option<f64> {
-    let is = |claim: &&Claim| claim.what == what && claim.place == place;
-    summary.certificate.iter().find(is)?.error.total()
+    claim(&summary.certificate, what, place)?.error.total()
 }

@@ -41,14 +41,7 @@ pub fn run(
     watcher: &mut dyn Watcher,
 ) -> Result<Vec<Record>, SweepError> {
     let _lock = place.lock()?;
-    let finished = || (sweep.rows.iter()).filter_map(|row| Record::read_final(place, row));
-    let records: BTreeMap<usize, Record> = finished().map(|r| (r.row, r)).collect();
-    if !resume && !records.is_empty() {
-        return Err(SweepError::There {
-            path: place.0.clone(),
-            rows: records.len(),
-        });
-    }
+    let records = Record::all_final(sweep, place, resume)?;
     let left = sweep
         .rows
         .iter()
@@ -178,8 +171,6 @@ impl<'s> Run<'s> {
 
     /// A row that did not get as far as its own process.
     fn failed(&mut self, row: &Row, record: Record) -> Result<(), SweepError> {
-        let folder = self.place.row(row);
-        std::fs::create_dir_all(&folder).map_err(|e| SweepError::folder(&folder, e))?;
         record.write(self.place, row)?;
         self.ended(record)
     }

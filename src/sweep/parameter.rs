@@ -42,14 +42,7 @@ pub fn numbers(column: &str, records: &[&Record]) -> Option<(Vec<f64>, String)> 
         Value::Number(number) => number.as_f64(),
         Value::String(text) => {
             let number = Quantity::parse(text).ok()?.value_in(system, dimension);
-            let shown = |n: f64| {
-                if dimension == Dimension::ANGLE {
-                    n.to_degrees()
-                } else {
-                    n
-                }
-            };
-            number.ok().map(shown)
+            Some(system.shown(number.ok()?, dimension))
         }
         _ => None,
     };
@@ -59,6 +52,5 @@ pub fn numbers(column: &str, records: &[&Record]) -> Option<(Vec<f64>, String)> 
 
 /// The units of a row's answer.
 pub fn units(record: &Record) -> Option<UnitSystem> {
-    let found = record.figures.iter().find(|(name, _)| name == "units");
-    UnitSystem::from_name(found?.1.as_str()?)
+    UnitSystem::from_name(record.figure("units")?.as_str()?)
 }

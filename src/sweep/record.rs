@@ -2,10 +2,11 @@
 
 use super::error::SweepError;
 use super::place::Place;
-use super::rows::Row;
+use super::rows::{Row, Sweep};
 use crate::output::file::write_atomically;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Its name in the folder of the row.
@@ -105,12 +106,35 @@ impl Record {
         Self::read(place, row).filter(|record| record.status.is_final())
     }
 
-    /// Writes it into the folder of its row.
+    /// What came of the rows of `sweep` that have ended for good, by their numbers.
     ///
     /// # Errors
-    /// [`SweepError::Output`] names the path.
+    /// [`SweepError::There`] where there are some, and the sweep is not to `resume`.
+    pub fn all_final(
+        sweep: &Sweep,
+        place: &Place,
+        resume: bool,
+    ) -> Result<BTreeMap<usize, Self>, SweepError> {
+        let rows = sweep.rows.iter();
+        let ended = rows.filter_map(|row| Some((row.number, Self::read_final(place, row)?)));
+        let ended: BTreeMap<usize, Self> = ended.collect();
+        if !resume && !ended.is_empty() {
+            return Err(SweepError::There {
+                path: place.0.clone(),
+                rows: ended.len(),
+            });
+        }
+        Ok(ended)
+    }
+
+    /// Writes it into the folder of its row, which is made where there is none.
+    ///
+    /// # Errors
+    /// [`SweepError`] names the path.
     pub fn write(&self, place: &Place, row: &Row) -> Result<(), SweepError> {
-        let path = place.row(row).join(FILE);
+        let folder = place.row(row);
+        std::fs::create_dir_all(&folder).map_err(|error| SweepError::folder(&folder, error))?;
+        let path = folder.join(FILE);
         write_atomically(&path, |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
             writeln!(out)
@@ -118,10 +142,15 @@ impl Record {
         Ok(())
     }
 
+    /// A figure of the answer.
+    pub fn figure(&self, figure: &str) -> Option<&Value> {
+        let found = self.figures.iter().find(|(name, _)| name == figure);
+        found.map(|(_, value)| value)
+    }
+
     /// The number of a figure.
     pub fn number(&self, figure: &str) -> Option<f64> {
-        let found = self.figures.iter().find(|(name, _)| name == figure);
-        found.and_then(|(_, value)| value.as_f64())
+        self.figure(figure)?.as_f64()
     }
 }
 

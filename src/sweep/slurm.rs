@@ -32,16 +32,10 @@ pub fn emit(
     watcher: &mut dyn Watcher,
 ) -> Result<(PathBuf, Vec<usize>), SweepError> {
     let _lock = place.lock()?;
-    let finished = |row: &&Row| Record::read_final(place, row).is_some();
-    let there = sweep.rows.iter().filter(finished).count();
-    if there > 0 && !resume {
-        return Err(SweepError::There {
-            path: place.0.clone(),
-            rows: there,
-        });
-    }
+    let ended = Record::all_final(sweep, place, resume)?;
     let mut needs: Vec<(usize, Need)> = Vec::new();
-    let left: Vec<&Row> = sweep.rows.iter().filter(|row| !finished(row)).collect();
+    let left = (sweep.rows.iter()).filter(|row| !ended.contains_key(&row.number));
+    let left: Vec<&Row> = left.collect();
     for (at, row) in left.iter().enumerate() {
         if watcher.stopped() {
             break;
@@ -50,8 +44,6 @@ pub fn emit(
             Ok(need) => needs.push((row.number, need)),
             Err(error) => {
                 let record = one::failed(row, &error, watcher.stopped());
-                let folder = place.row(row);
-                std::fs::create_dir_all(&folder).map_err(|e| SweepError::folder(&folder, e))?;
                 record.write(place, row)?;
                 watcher.ended(&record, left.len() - at - 1);
             }

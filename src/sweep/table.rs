@@ -1,6 +1,7 @@
 //! The table of a sweep, `table.csv` and `table.jsonl`: a line for each row that has ended.
 
 use super::error::SweepError;
+use super::parameter;
 use super::place::Place;
 use super::record::Record;
 use crate::output::file::write_atomically;
@@ -37,9 +38,8 @@ impl Line {
     fn new(record: &Record, columns: &[String]) -> Self {
         let mut cells = vec![("row".to_owned(), record.row.into())];
         for column in columns {
-            let given = record.parameters.iter().find(|(key, _)| key == column);
-            let value = given.map_or(Value::Null, |(_, value)| value.clone());
-            cells.push((column.clone(), value));
+            let value = parameter::value(record, column).cloned();
+            cells.push((column.clone(), value.unwrap_or_default()));
         }
         cells.push(("status".to_owned(), record.status.name().into()));
         cells.push(("message".to_owned(), record.message.clone().into()));

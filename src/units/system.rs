@@ -97,13 +97,17 @@ impl UnitSystem {
         above.join("*") + &below
     }
 
+    /// `value` (of this system) in the unit that [`UnitSystem::unit`] names: angles in degrees.
+    pub fn shown(self, value: f64, dimension: Dimension) -> f64 {
+        match dimension {
+            Dimension::ANGLE => value.to_degrees(),
+            _ => value,
+        }
+    }
+
     /// `value` (of this system) as text that reads back to the same number, with its unit.
     pub fn write(self, value: f64, dimension: Dimension) -> String {
-        let shown = if dimension == Dimension::ANGLE {
-            value.to_degrees()
-        } else {
-            value
-        };
+        let shown = self.shown(value, dimension);
         format!("{shown} {}", self.unit(dimension))
             .trim_end()
             .to_string()
@@ -111,11 +115,7 @@ impl UnitSystem {
 
     /// `value` (of this system) for people: six significant digits, with its unit.
     pub fn show(self, value: f64, dimension: Dimension) -> String {
-        let shown = if dimension == Dimension::ANGLE {
-            value.to_degrees()
-        } else {
-            value
-        };
+        let shown = self.shown(value, dimension);
         // A detour over text rounds to decimal digits and drops trailing zeros.
         let rounded = format!("{shown:.5e}").parse::<f64>().unwrap_or(shown);
         let size = rounded.abs();

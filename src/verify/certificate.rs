@@ -107,9 +107,7 @@ fn certified(run: &Run) -> Vec<certify::Claim> {
 /// How far off the estimates of a certificate are.
 fn judged(problem: &str, run: &Run, certificate: &[certify::Claim], known: &[Known]) -> Vec<Claim> {
     let judge = |(what, place, truth): &Known| {
-        let claim = certificate
-            .iter()
-            .find(|c| c.what == *what && c.place == *place)?;
+        let claim = certify::claim(certificate, *what, place)?;
         let error = (claim.value - truth).abs();
         let estimate = claim.error.total()?;
         let short = error / estimate;

@@ -1,9 +1,8 @@
 //! What holds a body, and what does not, in words.
 
+use crate::geometry::AXES;
 use crate::scene::{Partner, PlaneMotion, Scene};
 use crate::solve::FreeMotion;
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Supports, rigid planes and contacts on body number `body`.
 pub fn held_by(scene: &Scene, body: usize) -> Vec<String> {

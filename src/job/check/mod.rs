@@ -45,7 +45,7 @@ pub fn check(case: &Case, say: &mut dyn FnMut(&str)) -> Result<Check, JobError> 
     let units = case.units;
     let mut check = Check {
         case: case.title.clone(),
-        units: UnitLabels::new(units.length(), units.force(), units.stress()),
+        units: UnitLabels::of(units),
         mesh: MeshCheck {
             source,
             nodes: scene.mesh.points.len(),
@@ -90,14 +90,13 @@ fn bodies(scene: &Scene) -> Vec<BodyCheck> {
 }
 
 fn contacts(scene: &Scene, forecast: &Forecast) -> Vec<ContactCheck> {
-    let rounding = ROUNDING * size(&scene.mesh);
-    let rounded = |gap: f64| if gap.abs() <= rounding { 0.0 } else { gap };
+    let rounded = rounded(&scene.mesh);
     let pairs = scene.contacts.iter().zip(&forecast.pairs);
     let checked = pairs.map(|(pair, found)| ContactCheck {
         name: pair.name.clone(),
         friction: pair.friction,
-        gap: found.gap.map(rounded),
-        gap_at_touch: found.gap_at_touch.map(rounded),
+        gap: found.gap.map(&rounded),
+        gap_at_touch: found.gap_at_touch.map(&rounded),
         at: found.at.map(|(node, _)| scene.mesh.points[node as usize]),
         likely: found.likely,
         within_reach: found.within_reach,
@@ -155,12 +154,9 @@ fn needs(scene: &Scene, forecast: &Forecast) -> Vec<String> {
     if !rubbing.is_empty() {
         needs.push(format!("friction: {}", rubbing.join(", ")));
     }
+    let rounded = rounded(&scene.mesh);
     for closing in &forecast.closings {
-        let rounding = ROUNDING * size(&scene.mesh);
-        let way = closing
-            .shift
-            .map(|c| if c.abs() <= rounding { 0.0 } else { c });
-        let [x, y, z] = way.map(|c| significant(c, 3));
+        let [x, y, z] = closing.shift.map(|c| significant(rounded(c), 3));
         needs.push(format!(
             "first touch: {} moved by [{x}, {y}, {z}]",
             closing.body
@@ -248,10 +244,11 @@ fn welds(mesh: &Mesh) -> Vec<String> {
     welds.collect()
 }
 
-/// The largest coordinate.
-fn size(mesh: &Mesh) -> f64 {
+/// Gaps and ways, as none where they are nothing but rounding.
+fn rounded(mesh: &Mesh) -> impl Fn(f64) -> f64 {
     let coordinates = mesh.points.iter().flatten();
-    coordinates.fold(0.0f64, |most, c| most.max(c.abs()))
+    let rounding = ROUNDING * coordinates.fold(0.0f64, |most, c| most.max(c.abs()));
+    move |way| if way.abs() <= rounding { 0.0 } else { way }
 }
 
 fn problems(check: &Check, forecast: &Forecast) -> Vec<String> {

@@ -1,15 +1,14 @@
 //! Lines of contact before the load: Hertz's half-width under an even load, and the elements across it.
 
+use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
-use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::case::{Case, Kind};
 use crate::geometry::{Vec3, dot, norm, scale, sub};
 use crate::job::JobError;
-use crate::material::Steel;
 use crate::mesh::shape::{Shape, fit};
 use crate::output::check::StripCheck;
 use crate::results::load::full;
-use crate::scene::{ContactPair, Partner, Scene, Side};
+use crate::scene::{ContactPair, Partner, Scene};
 use crate::solve::{Forecast, PairForecast};
 
 /// The lines of `scene`: of each pair of a bearing, and of other pairs whose carrier is a cylinder on a
@@ -51,13 +50,11 @@ fn strip(
     else {
         return Ok(None);
     };
-    let (Some(compliance), Some(spacing)) = (
-        compliance(scene, pair)?,
-        spacing(scene, pair, node, line.axis),
-    ) else {
+    let Some(spacing) = spacing(scene, pair, node, line.axis) else {
         return Ok(None);
     };
-    let hertz = LineContact::new(line.force / line.length, line.radius, compliance)?;
+    let load = line.force / line.length;
+    let hertz = LineContact::new(load, line.radius, scene.compliance(pair)?)?;
     let elements = hertz.half_width / spacing;
     Ok(Some(StripCheck {
         contact: pair.name.clone(),
@@ -72,10 +69,7 @@ fn strip(
 }
 
 fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Line> {
-    let (carrier, other) = match pair.carrier {
-        Side::Upper => (&pair.upper, &pair.lower),
-        Side::Lower => (&pair.lower, &pair.upper),
-    };
+    let [carrier, other] = pair.carrier_first();
     if let Kind::Bearing(bearing) = &case.kind {
         let g = &bearing.geometry;
         let along_y = pair.name.contains("upper_roller");
@@ -106,20 +100,7 @@ fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Lin
     else {
         return None;
     };
-    let curvature = match shape(scene, other) {
-        Shape::Plane { .. } => 0.0,
-        Shape::Cylinder {
-            axis: second,
-            radius,
-            convex,
-            ..
-        } if dot(axis, second).abs() > 0.999 => match convex {
-            true => 1.0 / radius,
-            false => -1.0 / radius,
-        },
-        _ => return None,
-    };
-    let curvature = 1.0 / radius + curvature;
+    let curvature = 1.0 / radius + shape(scene, other).curvature(axis, 0.999)?;
     let length = length(scene, carrier, axis);
     (curvature > 0.0 && length > 0.0).then(|| Line {
         axis,
@@ -132,9 +113,8 @@ fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Lin
 
 fn shape(scene: &Scene, partner: &Partner) -> Shape {
     match partner {
-        Partner::Surface(name) => {
-            (scene.mesh.surface(name)).map_or(Shape::Facets, |surface| fit(&scene.mesh, surface))
-        }
+        Partner::Surface(_) => (partner.surface(&scene.mesh))
+            .map_or(Shape::Facets, |surface| fit(&scene.mesh, surface)),
         Partner::Plane { point, normal } => Shape::Plane {
             point: *point,
             normal: *normal,
@@ -144,14 +124,10 @@ fn shape(scene: &Scene, partner: &Partner) -> Shape {
 
 /// Extent of a surface along `axis`, in the whole.
 fn length(scene: &Scene, partner: &Partner, axis: Vec3) -> f64 {
-    let Partner::Surface(name) = partner else {
+    let Some(surface) = partner.surface(&scene.mesh) else {
         return 0.0;
     };
-    let nodes = scene
-        .mesh
-        .surface(name)
-        .map(|s| s.nodes())
-        .unwrap_or_default();
+    let nodes = surface.nodes();
     let along = nodes
         .iter()
         .map(|n| dot(scene.mesh.points[*n as usize], axis));
@@ -166,38 +142,12 @@ fn length(scene: &Scene, partner: &Partner, axis: Vec3) -> f64 {
     times * (high - low)
 }
 
-/// C_E of the steels on both sides; a rigid plane does not give.
-fn compliance(scene: &Scene, pair: &ContactPair) -> Result<Option<f64>, DomainError> {
-    let steel = |partner: &Partner| -> Option<Option<&Steel>> {
-        let Partner::Surface(name) = partner else {
-            return Some(None);
-        };
-        let face = scene.mesh.surface(name)?.faces.first()?;
-        let body = scene.mesh.body_of(face.element as usize);
-        scene.materials.get(body).map(Some)
-    };
-    let (Some(upper), Some(lower)) = (steel(&pair.upper), steel(&pair.lower)) else {
-        return Ok(None);
-    };
-    let elastic = |steel: Option<&Steel>| match steel {
-        Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
-        None => Ok(Elastic::RIGID),
-    };
-    contact_compliance(elastic(upper)?, elastic(lower)?).map(Some)
-}
-
 /// Mean distance across `axis` of the carrier's node at first touch from its neighbours.
 fn spacing(scene: &Scene, pair: &ContactPair, node: u32, axis: Vec3) -> Option<f64> {
-    let carrier = match pair.carrier {
-        Side::Upper => &pair.upper,
-        Side::Lower => &pair.lower,
-    };
-    let Partner::Surface(name) = carrier else {
-        return None;
-    };
     let mesh = &scene.mesh;
+    let [carrier, _] = pair.carrier_first();
     let mut across = Vec::new();
-    for face in &mesh.surface(name)?.faces {
+    for face in &carrier.surface(mesh)?.faces {
         let Some(at) = face.nodes.iter().position(|n| *n == node) else {
             continue;
         };

@@ -12,6 +12,7 @@ mod patch;
 use nalgebra::Vector3;
 
 use super::{Mesh, Surface};
+use crate::geometry::dot;
 use patch::Patch;
 
 /// The true shape of a surface.
@@ -36,6 +37,26 @@ pub enum Shape {
     },
     /// None of these: the facets themselves.
     Facets,
+}
+
+impl Shape {
+    /// Curvature across the direction `along`, convex positive, of a plane or of a cylinder whose axis
+    /// makes an angle with it that has a cosine above `parallel`.
+    pub fn curvature(&self, along: [f64; 3], parallel: f64) -> Option<f64> {
+        match *self {
+            Self::Plane { .. } => Some(0.0),
+            Self::Cylinder {
+                axis,
+                radius,
+                convex,
+                ..
+            } if dot(axis, along).abs() > parallel => Some(match convex {
+                true => 1.0 / radius,
+                false => -1.0 / radius,
+            }),
+            _ => None,
+        }
+    }
 }
 
 /// How far nodes may be off the shape, as a share of the surface's size.

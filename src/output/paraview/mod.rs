@@ -60,12 +60,8 @@ pub fn write(
 
 /// The axis nearest to the load's, and the sign against it.
 fn upward(scene: &Scene) -> (usize, f64) {
-    let along = load::direction(scene);
-    let up = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
-    match up {
-        Some(up) if along[up] != 0.0 => (up, -along[up].signum()),
-        _ => (2, 1.0),
-    }
+    let up = load::upright(scene);
+    (up, -load::direction(scene)[up].signum())
 }
 
 /// A text as Python reads it; it reads what JSON does.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Smallest and largest of the finite values.
-fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+pub fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     values
         .filter(|v| v.is_finite())
         .fold(None, |extent, v| match extent {

@@ -1,6 +1,6 @@
 //! Plots as SVG: panels in two columns with one legend. What is drawn is made elsewhere.
 
-mod axis;
+pub mod axis;
 mod draw;
 
 use super::file::{OutputError, write_atomically};

@@ -1,6 +1,6 @@
 //! Figures as an engineer reads them: no more digits than they are worth.
 
-use crate::certify::{Claim, Quantity};
+use crate::certify::Quantity;
 use crate::output::text::significant;
 use crate::output::units::UnitLabels;
 
@@ -57,11 +57,6 @@ pub fn unit_of(what: Quantity, units: &UnitLabels) -> String {
         Quantity::ContactArea => units.area(),
         Quantity::PeakPlasticStrain => String::new(),
     }
-}
-
-/// The claim of `what` at `place`.
-pub fn claim<'c>(claims: &'c [Claim], what: Quantity, place: &str) -> Option<&'c Claim> {
-    claims.iter().find(|c| c.what == what && c.place == place)
 }
 
 #[cfg(test)]

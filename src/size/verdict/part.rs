@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, flows};
 use super::{Check, Kind, Standing};
-use crate::certify::{Claim, Quantity};
+use crate::certify::{Claim, Quantity, claim};
 use crate::job::Outcome;
 use crate::output::Summary;
 use crate::output::text::{percent, significant};
@@ -21,11 +21,9 @@ pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
     stress.chain(strain).collect()
 }
 
-fn claim<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s Claim> {
-    let of = |kind: &Quantity| {
-        let mut claims = summary.certificate.iter();
-        claims.find(|claim| claim.what == *kind && claim.place == body)
-    };
+/// The first of some kinds of claim that there is.
+fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s Claim> {
+    let of = |kind: &Quantity| claim(&summary.certificate, *kind, body);
     kinds.iter().find_map(of)
 }
 
@@ -57,14 +55,14 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
         limit: Some(limit),
         ..bare(Kind::ElasticMises, body)
     };
-    let Some(judged) = claim(summary, body, &[away, peak]) else {
+    let Some(judged) = first(summary, body, &[away, peak]) else {
         check.standing = Standing::Missed;
         check.remark = Some("no elastic solution: the part has yielded".to_string());
         return check;
     };
     let error = judged.error.total().or(judged.error.discretisation);
     if judged.what == away {
-        let edge = claim(summary, body, &[peak]).map(|claim| significant(claim.value, 2));
+        let edge = claim(&summary.certificate, peak, body).map(|claim| significant(claim.value, 2));
         check.remark = Some(format!(
             "away from loaded edges; at one it is {} on this mesh, and has no bound",
             edge.unwrap_or_default()
@@ -84,7 +82,7 @@ const RESOLVED: f64 = 0.9;
 /// Plastic strain away from loaded edges, and what there is beside them.
 fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> {
     let resolved = flow.mean_mises >= RESOLVED * limit;
-    let certified = claim(summary, body, &[Quantity::PeakPlasticStrain]);
+    let certified = claim(&summary.certificate, Quantity::PeakPlasticStrain, body);
     // The certificate is about the largest of all.
     let own = certified.filter(|_| flow.away >= flow.at_edges);
     let mut checks = vec![Check {

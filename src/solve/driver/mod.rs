@@ -76,8 +76,7 @@ pub fn resume(
     observer: &mut dyn Observer,
 ) -> Result<Solution, Unfinished> {
     restart.map_or(Ok(()), |restart| restart.check(scene))?;
-    let extent = start::extent(scene);
-    let closings = start::close_gaps(scene, 1e-10 * extent);
+    let closings = start::touch(scene);
     for c in &closings {
         let s = c.shift;
         observer.message(&format!(
@@ -89,12 +88,7 @@ pub fn resume(
     let mut timers = Timers::default();
     let expected = match restart {
         Some(restart) => restart.expected.clone(),
-        None => Expected {
-            reach: start::reach(scene),
-            contact: start::likely_gap(scene),
-            flow: Vec::new(),
-            divided: false,
-        },
+        None => Expected::at_start(scene),
     };
     let model = timers.time(Phase::Prepare, || {
         let rows = contact_rows(scene, expected.reach);

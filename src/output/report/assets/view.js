@@ -135,7 +135,7 @@ class View {
     const most = displacement > 0 ? (0.2 * this.size) / displacement : 0;
     this.state.exaggeration = Number(digits(most * share ** 2, 2));
     this.get("deform-value").textContent =
-      share === 0 ? "none" : `${Number(digits(most * share ** 2, 2))} ×`;
+      share === 0 ? "none" : `${this.state.exaggeration} ×`;
     this.changed();
   }
 

@@ -1,6 +1,7 @@
 //! Curves and points over two axes, as a figure of the page.
 
 use super::axes::{Axis, Place};
+use crate::output::plot::axis;
 use maud::{Markup, html};
 use std::fmt::Write;
 use std::ops::Range;
@@ -116,11 +117,7 @@ fn swatch(series: &Series) -> Markup {
 
 /// The smallest range that holds all finite values; 0 to 1 where there are none.
 pub fn extent(values: impl Iterator<Item = f64>) -> Range<f64> {
-    let ends = values.filter(|v| v.is_finite()).fold(None, |ends, v| {
-        let (low, high): (f64, f64) = ends.unwrap_or((v, v));
-        Some((low.min(v), high.max(v)))
-    });
-    ends.map_or(0.0..1.0, |(low, high)| low..high)
+    axis::extent(values).map_or(0.0..1.0, |(low, high)| low..high)
 }
 
 /// From zero, or below where values are, to a little above the largest.

@@ -14,6 +14,21 @@ pub struct Patch {
     pub values: Vec<f64>,
 }
 
+impl Patch {
+    /// At the opposite coordinates along the page, or up it with `k` = 1.
+    pub fn image(&self, k: usize) -> Self {
+        let turned = |corner: &[f64; 2]| {
+            let mut corner = *corner;
+            corner[k] = -corner[k];
+            corner
+        };
+        Self {
+            corners: self.corners.iter().map(turned).collect(),
+            values: self.values.clone(),
+        }
+    }
+}
+
 /// A word at a place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {

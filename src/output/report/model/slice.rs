@@ -87,12 +87,7 @@ impl Slice {
         let reach = self.outlines.iter().flat_map(at).fold(0.0, f64::max);
         let seam = |ends: &[[f64; 2]; 2]| at(ends).iter().all(|u| *u <= 1e-6 * reach);
         self.outlines.retain(|ends| !seam(ends));
-        let images: Vec<Patch> = (self.patches.iter())
-            .map(|patch| Patch {
-                corners: patch.corners.iter().map(|[u, v]| [-u, *v]).collect(),
-                values: patch.values.clone(),
-            })
-            .collect();
+        let images: Vec<Patch> = self.patches.iter().map(|patch| patch.image(0)).collect();
         let edges: Vec<[[f64; 2]; 2]> = (self.outlines.iter())
             .map(|ends| ends.map(|[u, v]| [-u, v]))
             .collect();

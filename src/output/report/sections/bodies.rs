@@ -1,8 +1,8 @@
 //! The largest Mises stress of each body, read in three ways, and of the bores of rollers.
 
-use crate::certify::Quantity;
+use crate::certify::{Quantity, claim};
 use crate::output::report::Inputs;
-use crate::output::report::figures::{claim, number, share, with_error};
+use crate::output::report::figures::{number, share, with_error};
 use crate::output::report::html::table;
 use crate::output::summary::{BodySummary, Summary, Three};
 use crate::output::text::{place, significant};

@@ -1,7 +1,7 @@
 //! Forces, pressures and lines of the interfaces.
 
-use crate::certify::Quantity;
-use crate::output::report::figures::{claim, share, with_error};
+use crate::certify::{Quantity, claim};
+use crate::output::report::figures::{share, with_error};
 use crate::output::report::html::{row, table};
 use crate::output::summary::{InterfaceSummary, Summary};
 use crate::output::text::{place, significant};

@@ -1,7 +1,7 @@
 //! Pictures of the Mises stress in section: the whole stack, and what is next to the contact.
 
-use super::space::upright;
 use super::strip::Line;
+use crate::geometry::AXES;
 use crate::output::OutputError;
 use crate::output::report::Inputs;
 use crate::output::report::drawing::axes::Axis;
@@ -9,9 +9,9 @@ use crate::output::report::drawing::chart::extent;
 use crate::output::report::drawing::painting::{Label, Painting, Patch};
 use crate::output::report::model::slice::{Plane, Slice};
 use crate::output::text::significant;
+use crate::results::load::upright;
 use maud::{Markup, html};
 
-const AXES: [&str; 3] = ["x", "y", "z"];
 /// Half of the width of a close-up, in half-widths of the contact.
 const CLOSE: f64 = 7.0;
 const WIDTH: f64 = 420.0;
@@ -51,7 +51,7 @@ pub fn pictures(inputs: &Inputs, lines: &[Line]) -> Result<Markup, OutputError> 
 /// Square to each direction in which lines of contact run, where one carries most; without lines,
 /// through the largest pressure, or the largest stress.
 fn views(inputs: &Inputs, lines: &[Line]) -> Vec<View> {
-    let up = upright(inputs);
+    let up = upright(inputs.scene);
     let mut views = Vec::new();
     for axis in (0..3).filter(|axis| *axis != up) {
         let along = 3 - axis - up;

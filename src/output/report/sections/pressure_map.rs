@@ -1,6 +1,6 @@
 //! The pressure on the carrier surface of every interface, seen along the load.
 
-use super::space::upright;
+use crate::geometry::AXES;
 use crate::output::OutputError;
 use crate::output::report::Inputs;
 use crate::output::report::drawing::axes::Axis;
@@ -9,10 +9,10 @@ use crate::output::report::drawing::painting::{Painting, Patch};
 use crate::output::text::significant;
 use crate::results::edges::carrier;
 use crate::results::line_load::Slices;
+use crate::results::load::upright;
 use maud::{Markup, html};
 use std::ops::Range;
 
-const AXES: [&str; 3] = ["x", "y", "z"];
 const WIDTH: f64 = 480.0;
 /// Least and largest height over width of a map; a strip is stretched across.
 const SHAPES: [f64; 2] = [0.3, 1.0];
@@ -34,7 +34,7 @@ pub fn maps(inputs: &Inputs) -> Result<Markup, OutputError> {
 
 fn map(inputs: &Inputs, pair: usize) -> Option<Painting> {
     let (scene, units) = (inputs.scene, &inputs.summary.units);
-    let up = upright(inputs);
+    let up = upright(inputs.scene);
     let along = Slices::equal(scene, pair, 1).map_or((up + 1) % 3, |s| s.axis);
     if along == up {
         return None;
@@ -97,22 +97,10 @@ fn patches(inputs: &Inputs, pair: usize, drawn: [usize; 2]) -> Option<Vec<Patch>
     }
     for (k, axis) in drawn.iter().enumerate() {
         if scene.mirrors.contains(axis) {
-            let images: Vec<Patch> = patches.iter().map(|p| image(p, k)).collect();
+            let images: Vec<Patch> = patches.iter().map(|p| p.image(k)).collect();
             patches.extend(images);
         }
     }
     let presses = |p: &Patch| p.values.iter().any(|v| *v > 0.0);
     patches.iter().any(presses).then_some(patches)
-}
-
-fn image(patch: &Patch, k: usize) -> Patch {
-    let turned = |c: &[f64; 2]| {
-        let mut c = *c;
-        c[k] = -c[k];
-        c
-    };
-    Patch {
-        corners: patch.corners.iter().map(turned).collect(),
-        values: patch.values.clone(),
-    }
 }

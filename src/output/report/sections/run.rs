@@ -1,5 +1,6 @@
 //! Assumptions, what was left out, the model, the time it took, and the versions.
 
+use crate::geometry::AXES;
 use crate::output::report::Inputs;
 use crate::output::report::figures::number;
 use crate::output::report::html::{list, row, table};
@@ -60,11 +61,7 @@ fn settings(inputs: &Inputs) -> Markup {
     let friction: Vec<String> = (scene.contacts.iter())
         .map(|pair| format!("{} {}", pair.name, significant(pair.friction, 3)))
         .collect();
-    let symmetry: Vec<&str> = scene
-        .mirrors
-        .iter()
-        .map(|m| ["x", "y", "z"][*m % 3])
-        .collect();
+    let symmetry: Vec<&str> = scene.mirrors.iter().map(|m| AXES[*m % 3]).collect();
     let controls = &scene.controls;
     let mut rows: Vec<[String; 2]> = vec![
         ["unknowns".into(), summary.dofs.to_string()],

@@ -4,7 +4,7 @@ use crate::output::OutputError;
 use crate::output::report::drawing::colours;
 use crate::output::report::model::shape::{Header, MOST_ELEMENTS, Spot, shape};
 use crate::output::report::{FILE, Inputs};
-use crate::results::load::direction;
+use crate::results::load::upright;
 use maud::{Markup, html};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -39,7 +39,7 @@ pub fn space(inputs: &Inputs) -> Result<Space, OutputError> {
     )?;
     let shown = Shown {
         header: &shape.header,
-        up: upright(inputs),
+        up: upright(inputs.scene),
         colours: colours::table(),
     };
     let header = serde_json::to_string(&shown).map_err(|error| OutputError::Write {
@@ -51,14 +51,6 @@ pub fn space(inputs: &Inputs) -> Result<Space, OutputError> {
         header,
         arrays: shape.arrays,
     })
-}
-
-/// The axis next to the load.
-pub fn upright(inputs: &Inputs) -> usize {
-    let load = direction(inputs.scene).map(f64::abs);
-    (0..3)
-        .max_by(|a, b| load[*a].total_cmp(&load[*b]))
-        .unwrap_or(2)
 }
 
 /// Where every interface presses hardest, the hardest of all first.

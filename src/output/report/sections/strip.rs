@@ -1,8 +1,8 @@
 //! The pressure across each line of contact where it carries most, against Hertz.
 
 use crate::analytic::hertz::LineContact;
-use crate::analytic::{Elastic, contact_compliance};
-use crate::mesh::shape::{Shape, fit};
+use crate::geometry::AXES;
+use crate::mesh::shape::fit;
 use crate::output::report::Inputs;
 use crate::output::report::drawing::axes::Axis;
 use crate::output::report::drawing::chart::{Chart, Mark, Series, extent, from_zero};
@@ -10,7 +10,7 @@ use crate::output::text::significant;
 use crate::results::contact_lines::contact_lines;
 use crate::results::line_load::Slices;
 use crate::results::strip_profile::{StripProfile, strip_profile};
-use crate::scene::{Partner, Scene, Side};
+use crate::scene::{Partner, Scene};
 use maud::{Markup, html};
 
 /// A line of contact, what was computed across it, and Hertz's contact under the same load per
@@ -28,8 +28,6 @@ pub struct Line {
     /// The bodies on the carrier's side and on the other, where there are such.
     pub bodies: [Option<usize>; 2],
 }
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Line {
     /// Such as "upper_plate-upper_roller, line at x = 0 in, at y = 4 in".
@@ -70,55 +68,25 @@ pub fn lines(inputs: &Inputs) -> Vec<Line> {
     all
 }
 
-/// The partners of a pair, the carrier first.
-fn partners(scene: &Scene, pair: usize) -> [&Partner; 2] {
-    let contact = &scene.contacts[pair];
-    match contact.carrier {
-        Side::Upper => [&contact.upper, &contact.lower],
-        Side::Lower => [&contact.lower, &contact.upper],
-    }
-}
-
 fn bodies(scene: &Scene, pair: usize) -> [Option<usize>; 2] {
-    partners(scene, pair).map(|partner| match partner {
-        Partner::Surface(name) => {
-            let face = scene.mesh.surface(name)?.faces.first()?;
-            Some(scene.mesh.body_of(face.element as usize))
-        }
-        Partner::Plane { .. } => None,
-    })
+    let partners = scene.contacts[pair].carrier_first();
+    partners.map(|partner| partner.body(&scene.mesh))
 }
 
 /// Hertz's line contact under the load per length `load`; `None` where the surfaces are others.
 fn hertz(scene: &Scene, pair: usize, axis: usize, load: f64) -> Option<LineContact> {
+    let mut along = [0.0; 3];
+    along[axis] = 1.0;
+    let contact = &scene.contacts[pair];
     let mut curvature = 0.0;
-    for partner in partners(scene, pair) {
+    for partner in contact.carrier_first() {
         let Partner::Surface(name) = partner else {
             continue;
         };
-        curvature += match fit(&scene.mesh, scene.mesh.surface(name)?) {
-            Shape::Plane { .. } => 0.0,
-            Shape::Cylinder {
-                axis: along,
-                radius,
-                convex,
-                ..
-            } if along[axis].abs() > 1.0 - 1e-6 => match convex {
-                true => 1.0 / radius,
-                false => -1.0 / radius,
-            },
-            _ => return None,
-        };
+        let shape = fit(&scene.mesh, scene.mesh.surface(name)?);
+        curvature += shape.curvature(along, 1.0 - 1e-6)?;
     }
-    let elastic = bodies(scene, pair).map(|body| match body {
-        Some(body) => {
-            let steel = &scene.materials[body];
-            Elastic::new(steel.youngs_modulus, steel.poissons_ratio).ok()
-        }
-        None => Some(Elastic::RIGID),
-    });
-    let compliance = contact_compliance(elastic[0]?, elastic[1]?).ok()?;
-    LineContact::new(load, 1.0 / curvature, compliance).ok()
+    LineContact::new(load, 1.0 / curvature, scene.compliance(contact).ok()?).ok()
 }
 
 /// A diagram a line.

@@ -1,8 +1,7 @@
 //! How much of what the steel can take is used: figure, limit, share and its error.
 
-use crate::certify::Quantity;
+use crate::certify::{Quantity, claim};
 use crate::output::report::Inputs;
-use crate::output::report::figures::claim;
 use crate::output::text::significant;
 
 /// A figure over its limit.

@@ -1,9 +1,9 @@
 //! The verdict: may the answer be used, are the sizing rules met, what is used most.
 
 use super::utilisation::{Utilisation, largest, utilisations};
-use crate::certify::Quantity;
+use crate::certify::{Quantity, claim};
 use crate::output::report::Inputs;
-use crate::output::report::figures::{claim, number, share, with_error};
+use crate::output::report::figures::{number, share, with_error};
 use crate::output::report::html::{list, row, table};
 use crate::output::summary::Summary;
 use crate::output::text::significant;

@@ -40,7 +40,7 @@ impl Width {
     fn of_patch(scene: &Scene, state: &State, pair: usize) -> Option<Self> {
         let field = state.contacts.get(pair)?;
         let (mut nodes, mut area) = (0.0, 0.0);
-        for (i, _) in field.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+        for i in (0..field.nodes.len()).filter(|i| field.is_active(*i)) {
             // A node on a mirror plane stands for as much on its other side.
             let at = &scene.mesh.points[field.nodes[i] as usize];
             let images = 0.5f64.powi(scene.mirrors_through(at).count() as i32);
@@ -112,7 +112,7 @@ fn rim(scene: &Scene, state: &State, pair: usize) -> f64 {
         for side in 0..4 {
             let ends = [face.nodes[side], face.nodes[(side + 1) % 4]].map(index);
             let [Some(a), Some(b)] = ends else { continue };
-            match [field.pressure[a] > 0.0, field.pressure[b] > 0.0] {
+            match [field.is_active(a), field.is_active(b)] {
                 [true, false] => rim.insert(a),
                 [false, true] => rim.insert(b),
                 _ => false,

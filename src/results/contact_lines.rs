@@ -162,13 +162,13 @@ impl Rows {
         let mirrored = scene.mirrors.contains(&self.across);
         let mut runs = Vec::new();
         for (row, members) in self.members.iter().enumerate() {
-            let presses = |k: &usize| field.pressure[members[*k]] > 0.0;
+            let presses = |k: &usize| field.is_active(members[*k]);
             let mut next = 0;
             while let Some(first) = (next..members.len()).find(presses) {
                 let after = (first..members.len()).find(|k| !presses(k));
                 let after = after.unwrap_or(members.len());
                 let run = &members[first..after];
-                let force = |i: &usize| field.pressure[*i] * field.area[*i];
+                let force = |i: &usize| field.multiplier[*i] * field.area[*i];
                 let total: f64 = run.iter().map(force).sum();
                 let area: f64 = run.iter().map(|i| field.area[*i]).sum();
                 let moment: f64 = run.iter().map(|i| force(i) * across(*i)).sum();
@@ -197,7 +197,7 @@ impl Rows {
         let to = (run.nodes.end + 1).min(members.len());
         let profile = members[from..to].iter().map(|i| {
             let at = scene.mesh.points[field.nodes[*i] as usize][self.across];
-            (at - run.across, field.pressure[*i].max(0.0))
+            (at - run.across, field.multiplier[*i].max(0.0))
         });
         let profile: Vec<(f64, f64)> = profile.collect();
         let mut moments = [0.0; 3];

@@ -40,8 +40,8 @@ impl LoadedEdges {
             };
             let boundary = boundary_nodes(scene, surface);
             reach = reach.max(REACH * extent(&scene.mesh, surface));
-            for (node, pressure) in field.nodes.iter().zip(&field.pressure) {
-                if *pressure > 0.0 && boundary.binary_search(node).is_ok() {
+            for (i, node) in field.nodes.iter().enumerate() {
+                if field.is_active(i) && boundary.binary_search(node).is_ok() {
                     positions.push(moved(&scene.mesh, state, *node as usize));
                 }
             }

@@ -49,6 +49,7 @@ impl State {
             let n = field.nodes.len();
             let of = |array: &str| format!("{array} of {}", pair.name);
             same(&of("pressure"), field.pressure.len(), n)?;
+            same(&of("multiplier"), field.multiplier.len(), n)?;
             same(&of("gap"), field.gap.len(), n)?;
             same(&of("traction"), field.traction.len(), n)?;
             same(&of("slip"), field.slip.len(), n)?;

@@ -26,12 +26,12 @@ pub struct Interface {
     pub normal_force: f64,
     /// Integral of the pressure over the area.
     pub pressure_integral: f64,
-    /// Largest nodal pressure and the undeformed position of its node.
+    /// Largest consistent nodal pressure and the undeformed position of its node.
     pub max_pressure: f64,
     pub max_pressure_at: Option<[f64; 3]>,
     /// Largest penetration, zero or positive.
     pub max_penetration: f64,
-    /// Area of the nodes that carry pressure.
+    /// Area of the nodes in contact.
     pub area: f64,
     pub status_counts: StatusCounts,
     /// Largest tangential traction beyond μ p, relative to μ times the largest pressure; zero
@@ -39,7 +39,7 @@ pub struct Interface {
     pub coulomb_violation: f64,
     /// Largest accumulated slip.
     pub max_slip: f64,
-    /// Shortest side of a carrier face with pressure at a corner; `None` without pressure.
+    /// Shortest side of a carrier face with a corner in contact; `None` without contact.
     pub face_side: Option<f64>,
 }
 
@@ -65,7 +65,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
             *sum += f;
         }
         result.pressure_integral += copies * pressure * field.area[i];
-        if pressure > 0.0 {
+        if field.is_active(i) {
             result.area += copies * field.area[i];
         }
         if pressure > result.max_pressure {
@@ -96,7 +96,7 @@ fn face_side(scene: &Scene, pair: usize, field: &ContactField) -> Option<f64> {
         field
             .nodes
             .binary_search(node)
-            .is_ok_and(|i| field.pressure[i] > 0.0)
+            .is_ok_and(|i| field.is_active(i))
     };
     let faces = carrier(scene, pair)?
         .faces

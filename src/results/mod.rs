@@ -104,11 +104,15 @@ pub struct PathError {
 pub struct ContactField {
     /// Mesh nodes of the carrier surface, ascending.
     pub nodes: Vec<u32>,
-    /// Contact pressure, compression positive.
+    /// Consistent nodal pressure ∫ N p dA / ∫ N dA, compression positive: the normal force of the
+    /// node over the area that it stands for. Beside the nodes in contact it is positive, too.
     pub pressure: Vec<f64>,
+    /// Coefficient of the node's hat function in the pressure p = Σ c N; zero where open. It
+    /// oscillates where contact ends within an element: for integrals of p, never to be read.
+    pub multiplier: Vec<f64>,
     /// Gap, open positive; infinite where nothing is within reach.
     pub gap: Vec<f64>,
-    /// Tangential traction on the lower body.
+    /// Consistent nodal tangential traction on the lower body.
     pub traction: Vec<[f64; 3]>,
     /// Accumulated slip length.
     pub slip: Vec<f64>,
@@ -133,12 +137,18 @@ pub struct PlaneField {
 }
 
 impl ContactField {
+    /// Is node `at` of the field in contact?
+    pub fn is_active(&self, at: usize) -> bool {
+        self.status[at] != 0
+    }
+
     /// A field on `nodes` that touches nowhere.
     pub fn open(nodes: Vec<u32>) -> Self {
         let count = nodes.len();
         Self {
             nodes,
             pressure: vec![0.0; count],
+            multiplier: vec![0.0; count],
             gap: vec![f64::INFINITY; count],
             traction: vec![[0.0; 3]; count],
             slip: vec![0.0; count],

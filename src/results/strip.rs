@@ -31,8 +31,7 @@ impl Strip {
 
 /// Half-width a = 2 sqrt(∫ p x² / ∫ p), in the length unit of the scene; `None` without pressure.
 ///
-/// The pressure is interpolated from its nodes by the hat functions of the faces and integrated
-/// exactly over flat faces; x is the undeformed distance from the middle.
+/// The pressure is that of the hat functions that carry it, integrated exactly over flat faces; x is the undeformed distance from the middle.
 pub fn half_width(
     mesh: &Mesh,
     surface: &Surface,
@@ -47,7 +46,7 @@ pub fn half_width(
             .nodes
             .binary_search(&node)
             .ok()
-            .map_or(0.0, |i| field.pressure[i])
+            .map_or(0.0, |i| field.multiplier[i])
     };
     // Moments about a point of the strip, lest a far origin cost digits.
     let origin = strip.middle.unwrap_or_else(|| {

@@ -5,6 +5,7 @@
 //! iteration changes only what yields, opens, sticks or slips.
 
 mod bodies;
+mod consistent;
 mod counters;
 mod diagnosis;
 mod driver;

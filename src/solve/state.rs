@@ -1,5 +1,6 @@
 //! An accepted solution in the terms of the scene.
 
+use super::consistent;
 use super::evaluate::{Evaluation, History};
 use super::model::Model;
 use super::newton::Point;
@@ -87,10 +88,8 @@ fn contact_fields(
         };
         let (answer, d) = (&evaluation.contact[index], &evaluation.relative[index]);
         let sign = scene.contacts[row.pair].carrier.sign();
-        let [pressure, s, t] = answer.traction;
-        field.pressure[at] = pressure;
+        field.multiplier[at] = answer.traction[0];
         field.gap[at] = -d[0];
-        field.traction[at] = row.global(&[0.0, s, t]).map(|v| sign * v);
         field.slip[at] = history.slip[index];
         field.status[at] = answer.status as u8;
         field.area[at] = row.row.area;
@@ -104,8 +103,10 @@ fn contact_fields(
         let field = &mut fields[row.pair];
         if let Ok(at) = field.nodes.binary_search(&row.row.node) {
             field.gap[at] = row.row.gap - row.relative(u)[0];
+            field.area[at] = row.row.area;
         }
     }
+    consistent::readings(model, evaluation, &mut fields);
     fields
 }
 

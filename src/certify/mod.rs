@@ -183,13 +183,13 @@ fn increment(claim: &Claim, scene: &Scene, state: &State, measured: &[Interface]
 fn penetration(claim: &Claim, scene: &Scene, measured: &[Interface]) -> Option<f64> {
     let strains = measured
         .iter()
-        .filter_map(|i| Some(i.max_penetration / i.face_side?));
+        .filter_map(|i| Some(i.contact_error / i.face_side?));
     let strain = strains.fold(0.0, f64::max);
     let stiffest = scene.materials.iter().map(|s| s.youngs_modulus);
     let stress = stiffest.fold(0.0, f64::max) * strain;
     let peak = measured.iter().map(|i| i.max_pressure).fold(0.0, f64::max);
     match claim.what {
-        Quantity::Descent => Some(measured.iter().map(|i| i.max_penetration).sum()),
+        Quantity::Descent => Some(measured.iter().map(|i| i.contact_error).sum()),
         Quantity::PeakMises
         | Quantity::MisesAway
         | Quantity::ElasticPeakMises

@@ -5,6 +5,7 @@
 //! for every iteration is a constant sparse operator and a law at each carrier node.
 
 pub mod clip;
+pub mod facing;
 pub mod law;
 pub mod mortar;
 mod piece;

@@ -129,6 +129,17 @@ pub fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
         .fold([0.0; 3], |sum, (p, n)| add(sum, scale(*p, *n)))
 }
 
+/// Shape functions of a facet where the line through `p` along the unit vector `direction` meets it;
+/// `None` where it does not.
+pub fn meets(facet: &[Vec3; 4], p: Vec3, direction: Vec3) -> Option<[f64; 4]> {
+    // Beside an edge, by rounding only.
+    const BESIDE: f64 = 1e-6;
+    let axes = tangents(direction);
+    let seen = facet.map(|corner| axes.map(|axis| dot(sub(corner, p), axis)));
+    let shape = inverse_bilinear(&seen, [0.0; 2])?;
+    shape.iter().all(|n| *n >= -BESIDE).then_some(shape)
+}
+
 /// Bilinear shape functions of the quadrilateral `corners` at the point `p`, by Newton.
 fn inverse_bilinear(corners: &[Point; 4], p: Point) -> Option<[f64; 4]> {
     let mut s = [0.0; 2];

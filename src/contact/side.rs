@@ -7,6 +7,7 @@ use crate::mesh::shape::{self, Shape};
 use crate::mesh::{Face, Mesh, Surface};
 
 /// One side's facets with what is needed of them at a quadrature point.
+#[derive(Clone)]
 pub struct Side {
     pub nodes: Vec<[u32; 4]>,
     pub corners: Vec<[Vec3; 4]>,

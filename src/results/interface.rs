@@ -29,8 +29,12 @@ pub struct Interface {
     /// Largest consistent nodal pressure and the undeformed position of its node.
     pub max_pressure: f64,
     pub max_pressure_at: Option<[f64; 3]>,
-    /// Largest penetration, zero or positive.
+    /// Deepest overlap of the two true surfaces, zero or positive, see [`ContactField::penetration`].
     pub max_penetration: f64,
+    /// What of it the facets do not explain, see [`ContactField::unexplained`].
+    pub unexplained_penetration: f64,
+    /// Largest weighted gap below zero of a node in contact: how far contact conditions are missed.
+    pub contact_error: f64,
     /// Area of the nodes in contact.
     pub area: f64,
     pub status_counts: StatusCounts,
@@ -55,6 +59,8 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
     let copies = copies(scene);
     let mut result = Interface {
         name: contact.name.clone(),
+        max_penetration: field.penetration,
+        unexplained_penetration: field.unexplained,
         ..Interface::default()
     };
     let mut force = [0.0; 3];
@@ -72,7 +78,9 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
             result.max_pressure = pressure;
             result.max_pressure_at = Some(scene.mesh.points[*node as usize]);
         }
-        result.max_penetration = result.max_penetration.max(-field.gap[i]);
+        if field.is_active(i) {
+            result.contact_error = result.contact_error.max(-field.gap[i]);
+        }
         result.max_slip = result.max_slip.max(field.slip[i]);
         excess = excess.max(norm(field.traction[i]) - contact.friction * pressure.max(0.0));
         match field.status[i] {

@@ -110,7 +110,7 @@ pub struct ContactField {
     /// Coefficient of the node's hat function in the pressure p = Σ c N; zero where open. It
     /// oscillates where contact ends within an element: for integrals of p, never to be read.
     pub multiplier: Vec<f64>,
-    /// Gap, open positive; infinite where nothing is within reach.
+    /// Gap, open positive; infinite where the other side does not face the node.
     pub gap: Vec<f64>,
     /// Consistent nodal tangential traction on the lower body.
     pub traction: Vec<[f64; 3]>,
@@ -125,6 +125,11 @@ pub struct ContactField {
     /// Where that force acts on the undeformed carrier surface and on the one opposite: the centre of
     /// what the node stands for. At the rim that is not the node.
     pub acts_at: Vec<[[f64; 3]; 2]>,
+    /// Deepest overlap of the two sides, zero or positive: from nodes and middles of facets to the
+    /// other side's true shape, whatever the contact conditions say.
+    pub penetration: f64,
+    /// What of it is deeper than the sagittas of the facets: the mesh does not explain it.
+    pub unexplained: f64,
 }
 
 /// A rigid plane in a converged state.
@@ -156,6 +161,8 @@ impl ContactField {
             area: vec![0.0; count],
             force: vec![[0.0; 3]; count],
             acts_at: vec![[[0.0; 3]; 2]; count],
+            penetration: 0.0,
+            unexplained: 0.0,
         }
     }
 }

@@ -3,16 +3,19 @@
 //! Contact is integrated up to a generous initial gap, but only rows that are likely to close are
 //! kept when the bodies are condensed; likewise only elements that are likely to flow. Every
 //! solution is looked at in full before it is accepted: if a row that was left out is penetrated,
-//! or an element that was taken for elastic yields, the model is prepared anew.
+//! if the surfaces overlap anywhere that no row acts, if contact has closed all that was kept of a
+//! pair, or if an element that was taken for elastic yields, the model is prepared anew.
 
 use super::model::{Model, can_yield};
 use super::newton::Point;
 use super::rows::ContactRow;
 use super::start;
+use crate::contact::facing::Sight;
 use crate::material::mises;
 use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// What a model is prepared for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,7 +33,7 @@ pub struct Expected {
 /// What it was not prepared for.
 #[derive(Debug, Default, PartialEq)]
 pub struct Unforeseen {
-    /// Bodies approach by this much, further than contact was integrated for.
+    /// Surfaces overlap where contact was not integrated: this far apart at first, or farther.
     approach: Option<f64>,
     /// Contact closes at this initial gap over the least one, where it was left out.
     contact: Option<f64>,
@@ -55,6 +58,7 @@ impl Expected {
     pub fn learn(&mut self, unforeseen: Unforeseen) {
         if let Some(approach) = unforeseen.approach {
             self.reach = 2.0 * approach;
+            self.contact = self.contact.max(1.5 * approach);
         }
         if let Some(gap) = unforeseen.contact {
             self.contact = (2.0 * self.contact).max(1.5 * gap);
@@ -73,25 +77,24 @@ impl Expected {
 
 impl Unforeseen {
     /// Looks at all of the solution `x` of `model`, and ahead to loads larger by the factor `next`.
-    pub fn new(model: &Model, x: &Point, next: f64) -> Self {
+    pub fn new(model: &Model, sights: &[Vec<Sight>], x: &Point, next: f64) -> Self {
         let u = model.displacement(&x.x, x.step, x.time);
-        let closures = |rows: &[ContactRow]| -> Vec<f64> {
-            rows.par_iter().map(|r| r.relative(&u)[0]).collect()
-        };
-        let (kept, spare) = (closures(&model.rows), closures(&model.spare));
-        let most = kept.iter().chain(&spare).copied().fold(0.0, f64::max);
         let least = least_gaps(model.rows.iter());
-        let contact = (model.spare.iter().zip(&spare))
-            .filter(|(r, closure)| **closure > r.row.gap)
-            .map(|(r, _)| r.row.gap - least[r.pair])
+        let beyond = |r: &&ContactRow| r.relative(&u)[0] > r.row.gap;
+        let closing = model.spare.iter().filter(beyond);
+        let closing = closing.map(|r| r.row.gap - least[r.pair]);
+        let overlap = Overlap::find(model, sights, &u);
+        let narrow = closed_throughout(model, x).map(|r| r.row.gap - least[r.pair]);
+        let contact = closing
+            .chain(overlap.left_out)
+            .chain(narrow)
             .reduce(f64::max);
-        let approach = (most > model.reach).then_some(most);
         let (flow, yields) = unexpected_flow(model, x, &u, next);
         Self {
-            approach,
+            approach: overlap.not_integrated,
             contact,
             flow,
-            missed: yields || contact.is_some() || approach.is_some(),
+            missed: yields || contact.is_some() || overlap.not_integrated.is_some(),
         }
     }
 
@@ -110,9 +113,61 @@ impl Unforeseen {
     }
 }
 
+/// Where surfaces overlap and no row that was kept acts.
+struct Overlap {
+    /// The largest gap, over the least of its pair, of rows that were left out there.
+    left_out: Option<f64>,
+    /// Contact was not integrated there: up to which initial gap it has to be, at least.
+    not_integrated: Option<f64>,
+}
+
+impl Overlap {
+    /// Every node of a carrier facet that overlaps has to have its row, however small the overlap.
+    fn find(model: &Model, sights: &[Vec<Sight>], u: &[[f64; 3]]) -> Self {
+        let key = |r: &ContactRow| (r.pair, r.row.node);
+        let mut overlapped: BTreeMap<(usize, u32), f64> = BTreeMap::new();
+        for (pair, sights) in sights.iter().enumerate() {
+            let found = sights.par_iter().filter(|s| s.gap_at(u) < 0.0);
+            for sight in found.collect::<Vec<_>>() {
+                for node in sight.carrier.0 {
+                    let gap = overlapped.entry((pair, node)).or_default();
+                    *gap = gap.max(sight.gap);
+                }
+            }
+        }
+        model
+            .rows
+            .iter()
+            .for_each(|r| drop(overlapped.remove(&key(r))));
+        let least = least_gaps(model.rows.iter());
+        let spare = model
+            .spare
+            .iter()
+            .filter(|r| overlapped.remove(&key(r)).is_some());
+        let left_out = spare.map(|r| r.row.gap - least[r.pair]).reduce(f64::max);
+        // Beyond the size of the model nothing more can be integrated.
+        let could = model.reach < start::extent(model.scene);
+        let gaps = overlapped.values().copied().filter(|_| could);
+        Self {
+            left_out,
+            not_integrated: gaps.map(|gap| gap.max(model.reach)).reduce(f64::max),
+        }
+    }
+}
+
+/// The next row of a pair all of whose rows that were kept are closed: contact may go on beyond them.
+fn closed_throughout<'m>(model: &'m Model, x: &Point) -> Option<&'m ContactRow> {
+    let mut open = vec![false; model.scene.contacts.len()];
+    for (row, node) in model.rows.iter().zip(&x.nodes) {
+        open[row.pair] |= !node.closed;
+    }
+    let rows = model.spare.iter().filter(|r| !open[r.pair]);
+    rows.min_by(|a, b| a.row.gap.total_cmp(&b.row.gap))
+}
+
 /// Least gap of each pair.
 fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
-    let mut least = Vec::new();
+    let mut least: Vec<f64> = Vec::new();
     for r in rows {
         if least.len() <= r.pair {
             least.resize(r.pair + 1, f64::INFINITY);

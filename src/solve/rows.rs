@@ -1,5 +1,6 @@
 //! Contact rows of a scene: the operator of each pair with its law.
 
+use crate::contact::facing::{self, Sight};
 use crate::contact::law::Law;
 use crate::contact::mortar::{self, Opposite, Row};
 use crate::mesh::{Face, Mesh};
@@ -60,28 +61,44 @@ pub fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
 
 /// Rows of one pair.
 pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) -> Vec<Row> {
+    let held = held_planes(scene, pair);
+    let prepared = prepared(scene, pair, (reach, moduli, &held));
+    prepared.map_or_else(Vec::new, |pair| mortar::rows(&pair))
+}
+
+/// Where the sides of each pair face each other, as far apart as `distance`.
+pub fn sights(scene: &Scene, distance: f64) -> Vec<Vec<Sight>> {
+    let moduli = vec![1.0; scene.materials.len()];
+    let of = |pair| prepared(scene, pair, (0.0, &moduli, &[]));
+    let see = |pair| of(pair).map_or_else(Vec::new, |pair| facing::sights(&pair, distance));
+    scene.contacts.iter().map(see).collect()
+}
+
+/// A pair as the integration wants it; `None` where a side is not in the mesh.
+fn prepared<'a>(
+    scene: &'a Scene,
+    pair: &ContactPair,
+    (reach, moduli, held): (f64, &'a [f64], &'a [(usize, f64)]),
+) -> Option<mortar::Pair<'a>> {
     let mesh = &scene.mesh;
     let [carrier, other] = pair.carrier_first();
     let opposite = match other {
-        Partner::Surface(name) => mesh.surface(name).map(Opposite::Surface),
-        Partner::Plane { point, normal } => Some(Opposite::Plane {
+        Partner::Surface(name) => Opposite::Surface(mesh.surface(name)?),
+        Partner::Plane { point, normal } => Opposite::Plane {
             point: *point,
             normal: *normal,
-        }),
+        },
     };
-    let (Some(carrier), Some(opposite)) = (carrier.surface(mesh), opposite) else {
-        return Vec::new();
-    };
-    mortar::rows(&mortar::Pair {
+    Some(mortar::Pair {
         mesh,
-        carrier,
+        carrier: carrier.surface(mesh)?,
         opposite,
         true_geometry: pair.true_geometry,
         friction: pair.friction > 0.0,
         reach,
         moduli,
         mirrors: &scene.mirrors,
-        held: &held_planes(scene, pair),
+        held,
     })
 }
 

@@ -5,6 +5,7 @@ use super::evaluate::{Evaluation, History};
 use super::model::Model;
 use super::newton::Point;
 use super::restart::{Plastic, plastic_of};
+use crate::contact::facing::Sight;
 use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
 use crate::results::{ContactField, PathError, PlaneField, State};
@@ -16,7 +17,7 @@ pub fn state(
     model: &Model,
     history: &History,
     point: &Point,
-    evaluation: &Evaluation,
+    (evaluation, sights): (&Evaluation, &[Vec<Sight>]),
     path: Option<PathError>,
 ) -> State {
     let displacement = model.displacement(&point.x, point.step, point.time);
@@ -24,7 +25,7 @@ pub fn state(
     State {
         step: point.step,
         time: point.time,
-        contacts: contact_fields(model, history, evaluation, &displacement),
+        contacts: contact_fields(model, history, (evaluation, sights), &displacement),
         planes: plane_fields(model, history, point, &displacement),
         displacement,
         stress,
@@ -68,7 +69,7 @@ pub fn stresses(
 fn contact_fields(
     model: &Model,
     history: &History,
-    evaluation: &Evaluation,
+    (evaluation, sights): (&Evaluation, &[Vec<Sight>]),
     u: &[[f64; 3]],
 ) -> Vec<ContactField> {
     let scene = model.scene;
@@ -107,7 +108,26 @@ fn contact_fields(
         }
     }
     consistent::readings(model, evaluation, &mut fields);
+    for (field, sights) in fields.iter_mut().zip(sights) {
+        look(field, sights, u);
+    }
     fields
+}
+
+/// What is seen of a pair without any contact row: the gaps of nodes that no row exists for, and the
+/// deepest overlap of the two sides.
+fn look(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
+    for sight in sights {
+        let gap = sight.gap_at(u);
+        let node = sight
+            .node
+            .and_then(|node| field.nodes.binary_search(&node).ok());
+        if let Some(at) = node.filter(|at| field.gap[*at].is_infinite()) {
+            field.gap[at] = gap;
+        }
+        field.penetration = field.penetration.max(-gap);
+        field.unexplained = field.unexplained.max(-gap - sight.sagitta);
+    }
 }
 
 /// Where the force of a row acts: the mean of the positions that its closure is the difference of,

@@ -14,7 +14,7 @@ pub struct Checks {
     /// Largest difference between the load and the force of an interface, relative to the load.
     /// Right for bodies in series; pass another where they are not.
     pub force_balance: Option<f64>,
-    /// Largest penetration relative to the descent.
+    /// Largest penetration that the facets do not explain, relative to the descent.
     pub max_penetration_relative: Option<f64>,
     /// Largest tangential traction beyond μ p, relative to μ times the largest pressure.
     pub coulomb_violation: Option<f64>,
@@ -34,7 +34,7 @@ pub(super) fn checks(
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
-    let penetration = || relative(largest(&|i| i.max_penetration), descent?);
+    let penetration = || relative(largest(&|i| i.unexplained_penetration), descent?);
     Checks {
         force_balance: given
             .force_balance

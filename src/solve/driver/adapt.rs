@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 impl Run<'_, '_> {
     /// What happens where the model was not prepared for it, now or in the next increment.
     pub(super) fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
-        let model = &self.model;
-        let look = || Unforeseen::new(model, trial, 1.0 + next);
+        let (model, sights) = (&self.model, &self.sights);
+        let look = || Unforeseen::new(model, sights, trial, 1.0 + next);
         self.counters.timers.time(Phase::Recover, look)
     }
 

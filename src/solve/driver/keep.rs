@@ -66,7 +66,13 @@ impl Run<'_, '_> {
             let (model, point) = (&self.model, &self.point);
             let u = model.kept_displacement(&point.x, point.step, point.time);
             let path = self.path.advance(model, &self.history.plastic, &u);
-            let mut state = state::state(model, &self.history, point, evaluation, path);
+            let mut state = state::state(
+                model,
+                &self.history,
+                point,
+                (evaluation, &self.sights),
+                path,
+            );
             let before = match self.last.displacement.is_empty() {
                 true => Some(Energy::default()),
                 false => self.last.energy,

@@ -13,9 +13,10 @@ use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
 use super::path::Path;
 use super::restart::{Kept, Restart};
-use super::rows::contact_rows;
+use super::rows::{contact_rows, sights};
 use super::start::{self, Closing};
 use super::timers::{Phase, Timers};
+use crate::contact::facing::Sight;
 use crate::contact::law::Node;
 use crate::results::State;
 use crate::scene::Scene;
@@ -95,6 +96,9 @@ pub fn resume(
         Model::new(scene, &expected, rows)
     })?;
     let mut run = Run::new(model, expected, observer);
+    run.sights = timers.time(Phase::Prepare, || {
+        sights(run.model.scene, start::extent(run.model.scene))
+    });
     run.counters.timers = timers;
     if let Some(restart) = restart {
         run.go_on_from(restart);
@@ -129,6 +133,8 @@ pub fn resume(
 
 struct Run<'a, 'o> {
     model: Model<'a>,
+    /// Where the sides of each pair face each other.
+    sights: Vec<Vec<Sight>>,
     expected: Expected,
     observer: &'o mut dyn Observer,
     solver: LinearSolver,
@@ -166,6 +172,7 @@ impl<'a, 'o> Run<'a, 'o> {
                 nodes: vec![Node::default(); rows],
                 cautious: false,
             },
+            sights: Vec::new(),
             solver: LinearSolver::default(),
             guess: None,
             size: 0.0,

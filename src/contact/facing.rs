@@ -1,0 +1,231 @@
+//! Where two surfaces face each other, and how far apart they are: a look that no contact row takes
+//! part in.
+//!
+//! From each node and each facet's middle on either side the true surface of the other side is sought
+//! along the normal. A displacement then changes the gap at such a [`Sight`] by the relative motion
+//! of the two points that it joins. So overlap is found wherever bodies meet, whether or not the
+//! contact operator was prepared for it there.
+
+use super::mortar::{Opposite, Pair};
+use super::search::FacetTree;
+use super::segment::{self, interpolate};
+use super::side::Side;
+use crate::geometry::{Vec3, add, cross, dot, norm, scale, sub, unit};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A point of one side, and the point of the other side that it sees along its normal.
+#[derive(Debug, Clone)]
+pub struct Sight {
+    /// The node of the carrier that looks; `None` for the middle of a facet and for the other side.
+    pub node: Option<u32>,
+    /// Nodes of the carrier facet at this end or that, with their shape functions.
+    pub carrier: ([u32; 4], [f64; 4]),
+    /// The same of the opposite facet with the signs of its image, see [`Side::signs`]; `None` for a
+    /// rigid plane.
+    opposite: Option<([u32; 4], [f64; 4], Vec3)>,
+    /// Unit normal from the carrier to the other side.
+    normal: Vec3,
+    /// Undeformed gap, open positive.
+    pub gap: f64,
+    /// Overlap that flat facets make of round bodies: the sagittas of the two facets.
+    pub sagitta: f64,
+}
+
+impl Sight {
+    /// The gap under the displacements `u`, open positive.
+    pub fn gap_at(&self, u: &[[f64; 3]]) -> f64 {
+        let at =
+            |nodes: &[u32; 4], shape: &[f64; 4]| interpolate(&nodes.map(|n| u[n as usize]), shape);
+        let mut moved = at(&self.carrier.0, &self.carrier.1);
+        if let Some((nodes, shape, signs)) = &self.opposite {
+            let other = at(nodes, shape);
+            moved = [0, 1, 2].map(|i| moved[i] - signs[i] * other[i]);
+        }
+        self.gap - dot(moved, self.normal)
+    }
+}
+
+/// All sights of a pair whose undeformed gap is at most `distance`, both ways.
+pub fn sights(pair: &Pair, distance: f64) -> Vec<Sight> {
+    let carrier = Viewer::new(Side::new(pair, pair.carrier));
+    let surface = match pair.opposite {
+        Opposite::Surface(surface) => surface,
+        Opposite::Plane { point, normal } => return carrier.onto_plane(point, normal, distance),
+    };
+    let opposite = Viewer::new(Side::new(pair, surface));
+    let mut all = carrier.look(&opposite.scenery(pair.mirrors, distance), true);
+    all.extend(opposite.look(&carrier.scenery(pair.mirrors, distance), false));
+    all
+}
+
+/// A side that looks.
+struct Viewer {
+    side: Side,
+    /// By how much the flat facets lie below the round surface that they stand for.
+    sagittas: Vec<f64>,
+}
+
+/// A side that is looked at, the images behind mirror planes included.
+struct Scenery {
+    side: Side,
+    sagittas: Vec<f64>,
+    tree: FacetTree,
+    distance: f64,
+}
+
+/// What is seen from a point.
+struct Seen {
+    facet: usize,
+    shape: [f64; 4],
+    gap: f64,
+    /// Unit normal from the viewer.
+    normal: Vec3,
+}
+
+impl Viewer {
+    fn new(side: Side) -> Self {
+        let sagittas = sagittas(&side);
+        Self { side, sagittas }
+    }
+
+    fn scenery(&self, mirrors: &[usize], distance: f64) -> Scenery {
+        let side = self.side.clone().with_images(mirrors, distance);
+        Scenery {
+            tree: FacetTree::new(&side.corners),
+            sagittas: sagittas(&side),
+            side,
+            distance,
+        }
+    }
+
+    /// Every facet's middle, and every node at the corner of one of its facets.
+    fn points(&self) -> Vec<(usize, Option<usize>)> {
+        let mut known = BTreeSet::new();
+        let mut points = Vec::new();
+        for (index, nodes) in self.side.nodes.iter().enumerate() {
+            points.push((index, None));
+            let corners = nodes.iter().enumerate();
+            points.extend(
+                corners
+                    .filter(|(_, node)| known.insert(**node))
+                    .map(|(k, _)| (index, Some(k))),
+            );
+        }
+        points
+    }
+
+    /// What all points of the side see; is it the carrier?
+    fn look(&self, at: &Scenery, carries: bool) -> Vec<Sight> {
+        let side = &self.side;
+        let sight = |(index, corner): (usize, Option<usize>)| {
+            let shape = shape_of(corner);
+            let seen = at.nearest(side, index, side.at(index, &shape))?;
+            let own = (side.nodes[index], shape);
+            let other = (at.side.nodes[seen.facet], seen.shape);
+            let signs = at.side.signs[seen.facet];
+            let normal = match carries {
+                true => seen.normal,
+                // Seen from the image of the carrier, mirrored: an image moves the other way.
+                false => [0, 1, 2].map(|i| -seen.normal[i] * signs[i]),
+            };
+            let [carrier, opposite] = if carries { [own, other] } else { [other, own] };
+            Some(Sight {
+                node: corner.filter(|_| carries).map(|c| own.0[c]),
+                carrier,
+                opposite: Some((opposite.0, opposite.1, signs)),
+                normal,
+                gap: seen.gap,
+                sagitta: self.sagittas[index] + at.sagittas[seen.facet],
+            })
+        };
+        self.points().into_par_iter().filter_map(sight).collect()
+    }
+
+    /// What all points of the side see of a rigid half space.
+    fn onto_plane(&self, point: Vec3, normal: Vec3, distance: f64) -> Vec<Sight> {
+        let sight = |(index, corner): (usize, Option<usize>)| {
+            let shape = shape_of(corner);
+            let (from, outward) = self.side.at(index, &shape);
+            let gap = dot(sub(from, point), normal);
+            (dot(outward, normal) <= FACING && gap.abs() <= distance).then(|| Sight {
+                node: corner.map(|c| self.side.nodes[index][c]),
+                carrier: (self.side.nodes[index], shape),
+                opposite: None,
+                normal: scale(normal, -1.0),
+                gap,
+                sagitta: self.sagittas[index],
+            })
+        };
+        self.points().into_iter().filter_map(sight).collect()
+    }
+}
+
+impl Scenery {
+    /// What the line along the `outward` normal meets next to `from`, a point of facet `index` of
+    /// `side`; the gap is that to the true surface along the mean of both normals.
+    fn nearest(&self, side: &Side, index: usize, (from, outward): (Vec3, Vec3)) -> Option<Seen> {
+        let ends = [
+            scale(outward, self.distance),
+            scale(outward, -self.distance),
+        ]
+        .map(|d| add(from, d));
+        // A little to the side, for lines that run along edges of facets.
+        let corners = &side.corners[index];
+        let beside = 1e-6 * norm(sub(corners[2], corners[0]));
+        let mut best: Option<Seen> = None;
+        for facet in self.tree.near(&[ends[0], ends[1], from, from], [beside; 3]) {
+            if dot(outward, self.side.normals[facet]) > FACING {
+                continue;
+            }
+            let Some(shape) = segment::meets(&self.side.corners[facet], from, outward) else {
+                continue;
+            };
+            let (there, inward) = self.side.at(facet, &shape);
+            let normal = unit(sub(outward, inward)).unwrap_or(outward);
+            let gap = dot(sub(there, from), normal);
+            let nearer = best.as_ref().is_none_or(|b| gap.abs() < b.gap.abs());
+            if gap.abs() <= self.distance && nearer {
+                best = Some(Seen {
+                    facet,
+                    shape,
+                    gap,
+                    normal,
+                });
+            }
+        }
+        best
+    }
+}
+
+/// Cosine between outward normals of surfaces that face each other, at most.
+const FACING: f64 = -0.3;
+
+fn shape_of(corner: Option<usize>) -> [f64; 4] {
+    match corner {
+        Some(corner) => std::array::from_fn(|i| f64::from(u8::from(i == corner))),
+        None => [0.25; 4],
+    }
+}
+
+/// The sagitta of every facet, h φ / 4 with its diagonal h and the angle φ by which it turns from its
+/// middle to a corner: h² / 8R on a circle.
+fn sagittas(side: &Side) -> Vec<f64> {
+    let mut mean: BTreeMap<u32, Vec3> = BTreeMap::new();
+    for (nodes, normal) in side.nodes.iter().zip(&side.normals) {
+        for node in nodes {
+            let sum = mean.entry(*node).or_default();
+            *sum = add(*sum, *normal);
+        }
+    }
+    let facets = side.nodes.iter().zip(&side.corners).zip(&side.normals);
+    let sagitta = |((nodes, corners), normal): ((&[u32; 4], &[Vec3; 4]), &Vec3)| {
+        let turned = |node: &u32| {
+            let mean = mean.get(node).copied().and_then(unit).unwrap_or(*normal);
+            norm(cross(*normal, mean)).min(1.0).asin()
+        };
+        let most = nodes.iter().map(turned).fold(0.0, f64::max);
+        0.25 * most * norm(sub(corners[2], corners[0]))
+    };
+    facets.map(sagitta).collect()
+}

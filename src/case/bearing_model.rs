@@ -7,13 +7,13 @@ use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
 use super::load::{Loads, modelled_share};
 use super::model::Model;
 use super::source::{Located, Place, Source};
-use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
+use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Step, Support};
 
 /// The name of the rigid plane that carries the load.
 const LOADED: &str = "top";
 
 impl BearingCase {
-    /// The model: four contact pairs with the rollers as carriers, the top face a rigid plane
+    /// The model: four contact pairs, the top face a rigid plane
     /// that only moves along z under the load, the bottom face fixed.
     pub(super) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
         let place = Place {
@@ -43,11 +43,7 @@ impl BearingCase {
             },
             upper: located(Partner::Surface(interface.upper.to_string())),
             lower: located(Partner::Surface(interface.lower.to_string())),
-            carrier: Some(if interface.roller_above {
-                Side::Upper
-            } else {
-                Side::Lower
-            }),
+            carrier: None,
             friction: self.friction,
             friction_is_default: false,
             penalty_factor: 1.0,

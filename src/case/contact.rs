@@ -13,7 +13,7 @@ pub struct Contact {
     pub name: Located<String>,
     pub upper: Located<Partner>,
     pub lower: Located<Partner>,
-    /// `None`: the curved side, or the upper one.
+    /// `None`: chosen by softness, then fineness.
     pub carrier: Option<Side>,
     pub friction: f64,
     /// Was no friction given?

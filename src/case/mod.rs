@@ -11,6 +11,7 @@ mod bearing_case;
 mod bearing_mesh;
 mod bearing_model;
 mod bearing_reader;
+mod carrier;
 mod change;
 mod comparison;
 mod contact;
@@ -28,7 +29,6 @@ mod quantity;
 mod reference;
 mod source;
 mod steel;
-mod surface;
 pub mod variant;
 
 use std::path::{Path, PathBuf};

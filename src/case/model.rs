@@ -1,14 +1,15 @@
 //! A scene before it meets its mesh: what both kinds of case come down to.
 
+use super::carrier;
 use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
 use super::nearest::advice;
 use super::source::{Located, Place};
 use super::steel::Steels;
-use super::surface::is_curved;
+use crate::material::Steel;
 use crate::mesh::Mesh;
-use crate::scene::{ContactPair, Controls, Partner, Scene, Side};
+use crate::scene::{ContactPair, Controls, Partner, Scene};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,12 +31,12 @@ impl Model {
         let materials = bodies
             .iter()
             .map(|body| self.steels.of(body))
-            .collect::<Result<_, _>>()?;
+            .collect::<Result<Vec<Steel>, _>>()?;
         self.check_mirrors(&mesh)?;
         let contacts = self
             .contacts
             .iter()
-            .map(|c| c.pair(&mesh))
+            .map(|c| c.pair(&mesh, &materials))
             .collect::<Result<Vec<_>, _>>()?;
         let loads = &self.loads;
         for support in &loads.supports {
@@ -104,32 +105,24 @@ fn check_surface(mesh: &Mesh, name: &str, place: &Place) -> Result<(), CaseError
 }
 
 impl Contact {
-    fn pair(&self, mesh: &Mesh) -> Result<ContactPair, CaseError> {
+    fn pair(&self, mesh: &Mesh, steels: &[Steel]) -> Result<ContactPair, CaseError> {
         for side in [&self.upper, &self.lower] {
             if let Partner::Surface(name) = &side.value {
                 check_surface(mesh, name, &side.place)?;
             }
         }
+        let sides = [&self.upper.value, &self.lower.value];
+        let carrier = self
+            .carrier
+            .unwrap_or_else(|| carrier::choose(mesh, steels, sides));
         Ok(ContactPair {
             name: self.name.value.clone(),
             upper: self.upper.value.clone(),
             lower: self.lower.value.clone(),
-            carrier: self.carrier.unwrap_or_else(|| self.curved_side(mesh)),
+            carrier,
             friction: self.friction,
             penalty_factor: self.penalty_factor,
             true_geometry: self.true_geometry,
         })
-    }
-
-    /// The lower side where it alone is curved, else the upper one.
-    fn curved_side(&self, mesh: &Mesh) -> Side {
-        let curved = |partner: &Partner| match partner {
-            Partner::Surface(name) => mesh.surface(name).is_some_and(|s| is_curved(mesh, s)),
-            Partner::Plane { .. } => false,
-        };
-        match (curved(&self.upper.value), curved(&self.lower.value)) {
-            (false, true) => Side::Lower,
-            _ => Side::Upper,
-        }
     }
 }

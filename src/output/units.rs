@@ -1,5 +1,6 @@
 //! Names of units, for reading only: nothing is ever converted here.
 
+use crate::certify::Measure;
 use crate::units::UnitSystem;
 use serde::Serialize;
 
@@ -32,6 +33,18 @@ impl UnitLabels {
 
     pub fn volume(&self) -> String {
         format!("{}³", self.length)
+    }
+
+    /// The unit of what is claimed, empty for a bare number.
+    pub fn of_measure(&self, measure: Measure) -> String {
+        match measure {
+            Measure::Length => self.length.clone(),
+            Measure::Area => self.area(),
+            Measure::Force => self.force.clone(),
+            Measure::LineLoad => self.line_load(),
+            Measure::Stress => self.stress.clone(),
+            Measure::Ratio => String::new(),
+        }
     }
 
     /// Force per length.

@@ -3,6 +3,7 @@
 use super::State;
 use super::edges::carrier;
 use super::load::direction;
+use crate::geometry::{norm, sub};
 use crate::scene::Scene;
 use std::ops::Range;
 
@@ -21,11 +22,58 @@ pub struct ContactLine {
     pub lifted_off: f64,
     /// How many such lines there are in the whole: mirror planes that do not cut it double it.
     pub images: usize,
-    /// Half-width 2 sqrt(∫ p x² / ∫ p) at the row that carries most, x from the centre of its
-    /// pressure and p straight between nodes.
+    /// The row that carries most per length.
+    pub heaviest: StripRow,
+}
+
+/// The row of nodes across a line where it carries most.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StripRow {
+    /// Its index among the rows of the line, and the coordinate along.
+    pub row: usize,
+    pub at: f64,
+    /// Distance of its nodes along the surface from the centre of pressure, ascending, and the
+    /// coefficients of their hat functions: from the open node on one side to that on the other, or
+    /// from the mirror plane that cuts the strip.
+    pub nodes: Vec<(f64, f64)>,
+    /// The centre of pressure, on the undeformed carrier.
+    pub centre: [f64; 3],
+    /// Does a mirror plane cut it?
+    pub mirrored: bool,
+    /// Half-width 2 sqrt(∫ p x² / ∫ p), p = Σ c N.
     pub half_width: f64,
-    /// Mean distance of the nodes that press in that row and of the open ones beside them.
-    pub spacing: f64,
+}
+
+impl StripRow {
+    /// Distance between the last node in contact and the first open one, the larger of both sides:
+    /// the edge of the strip lies anywhere between them.
+    pub fn edge_spacing(&self) -> f64 {
+        let gaps = self
+            .nodes
+            .windows(2)
+            .filter(|w| (w[0].1 == 0.0) != (w[1].1 == 0.0));
+        let widest = gaps.map(|w| w[1].0 - w[0].0).fold(0.0, f64::max);
+        // All nodes press: to the end of the surface.
+        if widest > 0.0 {
+            widest
+        } else {
+            self.middle_spacing()
+        }
+    }
+
+    /// The larger distance from the node next to the centre to its neighbours.
+    pub fn middle_spacing(&self) -> f64 {
+        let middle = (0..self.nodes.len()).min_by(|a, b| {
+            let off = |i: &usize| self.nodes[*i].0.abs();
+            off(a).total_cmp(&off(b))
+        });
+        let Some(middle) = middle else { return 0.0 };
+        let apart = |a: usize, b: usize| match (self.nodes.get(a), self.nodes.get(b)) {
+            (Some(a), Some(b)) => b.0 - a.0,
+            _ => 0.0,
+        };
+        apart(middle.wrapping_sub(1), middle).max(apart(middle, middle + 1))
+    }
 }
 
 impl ContactLine {
@@ -34,6 +82,16 @@ impl ContactLine {
         let rows = self.load.iter().copied().zip(self.at.iter().copied());
         rows.filter(|(load, _)| *load > 0.0)
             .reduce(|most, row| if row.0 > most.0 { row } else { most })
+    }
+
+    /// How many rows in the whole one row of the modelled part stands for.
+    pub fn length_share(&self) -> f64 {
+        match (self.at.first(), self.at.last()) {
+            (Some(first), Some(last)) if last > first => {
+                (self.length + self.lifted_off) / (last - first)
+            }
+            _ => 1.0,
+        }
     }
 
     /// Load per length, spread evenly over the whole length of the carrier.
@@ -187,21 +245,25 @@ impl Rows {
         runs
     }
 
-    /// Half-width of the pressure of a run, x from its centre, or from the mirror that cuts it, and
-    /// mean distance of the nodes.
-    fn width(&self, scene: &Scene, state: &State, pair: usize, run: &Run) -> (f64, f64) {
+    /// The nodes of a run, and the open ones on either side, at which the pressure falls to zero.
+    fn strip(&self, scene: &Scene, state: &State, pair: usize, run: &Run) -> StripRow {
         let field = &state.contacts[pair];
         let members = &self.members[run.row];
-        // The pressure falls to zero at the open nodes on either side.
         let from = run.nodes.start.saturating_sub(1);
         let to = (run.nodes.end + 1).min(members.len());
-        let profile = members[from..to].iter().map(|i| {
-            let at = scene.mesh.points[field.nodes[*i] as usize][self.across];
-            (at - run.across, field.multiplier[*i].max(0.0))
-        });
-        let profile: Vec<(f64, f64)> = profile.collect();
+        let mut arc = 0.0;
+        let mut before: Option<[f64; 3]> = None;
+        let mut places = Vec::new();
+        let mut nodes = Vec::new();
+        for i in &members[from..to] {
+            let at = scene.mesh.points[field.nodes[*i] as usize];
+            arc += before.map_or(0.0, |before| norm(sub(at, before)));
+            before = Some(at);
+            places.push(at);
+            nodes.push((arc, field.multiplier[*i].max(0.0)));
+        }
         let mut moments = [0.0; 3];
-        for pair in profile.windows(2) {
+        for pair in nodes.windows(2) {
             let ((a, p), (b, q)) = (pair[0], pair[1]);
             let (middle, mean) = (0.5 * (a + b), 0.5 * (p + q));
             // Simpson's rule is exact up to the third power.
@@ -211,12 +273,29 @@ impl Rows {
             }
         }
         let [force, first, second] = moments;
-        let centre = if run.mirrored { 0.0 } else { first / force };
-        let half = 2.0 * (second / force - centre * centre).max(0.0).sqrt();
-        let ends = profile.first().zip(profile.last());
-        let extent = ends.map_or(0.0, |(first, last)| last.0 - first.0);
-        let intervals = profile.len().saturating_sub(1).max(1);
-        (half, extent / intervals as f64)
+        let centre = match run.mirrored || force <= 0.0 {
+            true => 0.0,
+            false => first / force,
+        };
+        let next = nodes
+            .partition_point(|(s, _)| *s < centre)
+            .max(1)
+            .min(nodes.len() - 1);
+        let share = match nodes.get(next) {
+            Some(end) if nodes.len() > 1 => {
+                (centre - nodes[next - 1].0) / (end.0 - nodes[next - 1].0)
+            }
+            _ => 0.0,
+        };
+        let (low, high) = (places[next.saturating_sub(1)], places[next]);
+        StripRow {
+            row: run.row,
+            at: self.at[run.row],
+            half_width: 2.0 * (second / force - centre * centre).max(0.0).sqrt(),
+            centre: [0, 1, 2].map(|k| low[k] + share * (high[k] - low[k])),
+            nodes: nodes.iter().map(|(s, c)| (s - centre, *c)).collect(),
+            mirrored: run.mirrored,
+        }
     }
 
     fn line(&self, scene: &Scene, state: &State, pair: usize, runs: &[Run]) -> ContactLine {
@@ -232,8 +311,7 @@ impl Rows {
                 most
             }
         });
-        let (half_width, spacing) =
-            heaviest.map_or((0.0, 0.0), |run| self.width(scene, state, pair, run));
+        let heaviest = heaviest.map(|run| self.strip(scene, state, pair, run));
         let total: f64 = runs.iter().map(|r| r.force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
@@ -246,8 +324,7 @@ impl Rows {
             length: length * doubled(self.axis) as f64,
             lifted_off: (self.length.iter().sum::<f64>() - length) * doubled(self.axis) as f64,
             images: if cut { 1 } else { doubled(self.across) },
-            half_width,
-            spacing,
+            heaviest: heaviest.unwrap_or_default(),
         }
     }
 }

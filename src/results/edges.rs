@@ -7,16 +7,17 @@
 use std::collections::BTreeMap;
 
 use super::State;
-use super::hex::{diagonal, distance};
-use super::peaks::{Peak, Place};
-use crate::mesh::{Mesh, Surface};
+use super::hex::distance;
+use crate::mesh::{Face, Mesh, Surface};
 use crate::scene::Scene;
 
-/// Positions of the nodes on boundaries of contact surfaces that carry pressure, in the state.
+/// The loaded edges of a state.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LoadedEdges {
+    /// Nodes on boundaries of contact surfaces that are in contact.
     positions: Vec<[f64; 3]>,
-    /// The stress of an edge reaches so far: a fiftieth of the contact surface, some half-widths.
+    /// The stress of an edge reaches so far: a fiftieth of the contact surface, some half-widths, and
+    /// no less than the faces at the edge are long.
     reach: f64,
 }
 
@@ -33,20 +34,37 @@ impl LoadedEdges {
     /// Finds the loaded edges of every contact pair; edges on mirror planes, and on flat ends that
     /// are held as by a mirror, are none.
     pub fn find(scene: &Scene, state: &State) -> Self {
-        let (mut positions, mut reach) = (Vec::new(), 0.0f64);
+        let mut edges = Self::default();
         for (pair, field) in state.contacts.iter().enumerate() {
             let Some(surface) = carrier(scene, pair) else {
                 continue;
             };
             let boundary = boundary_nodes(scene, surface);
-            reach = reach.max(REACH * extent(&scene.mesh, surface));
-            for (i, node) in field.nodes.iter().enumerate() {
-                if field.is_active(i) && boundary.binary_search(node).is_ok() {
-                    positions.push(moved(&scene.mesh, state, *node as usize));
-                }
+            let active = field
+                .nodes
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| field.is_active(*i));
+            let loaded = active
+                .map(|(_, node)| *node)
+                .filter(|n| boundary.binary_search(n).is_ok());
+            let loaded: Vec<u32> = loaded.collect();
+            if loaded.is_empty() {
+                continue;
             }
+            let at_edge = |face: &&Face| face.nodes.iter().any(|n| loaded.binary_search(n).is_ok());
+            let faces = surface.faces.iter().filter(at_edge);
+            let sizes = faces.map(|face| {
+                let corners = face.corners(&scene.mesh);
+                distance(corners[0], corners[2])
+            });
+            let longest = sizes.fold(REACH * extent(&scene.mesh, surface), f64::max);
+            edges.reach = edges.reach.max(longest);
+            edges
+                .positions
+                .extend(loaded.iter().map(|n| scene.mesh.points[*n as usize]));
         }
-        Self { positions, reach }
+        edges
     }
 
     /// Does no contact surface end while it carries pressure?
@@ -55,31 +73,10 @@ impl LoadedEdges {
     }
 
     /// Is a point so near to a loaded edge that its stress belongs to the edge?
-    pub fn are_near(&self, at: &[f64; 3]) -> bool {
-        (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)
-    }
-
-    /// Does `peak` sit within an element's size of a loaded edge?
     ///
     /// The edge may be that of the other body: its end presses a singularity into this one too.
-    pub fn touches(&self, mesh: &Mesh, state: &State, peak: &Peak) -> bool {
-        let (element, offset) = match peak.place {
-            Place::Element(element) | Place::IntegrationPoint { element, .. } => {
-                (element, mean_displacement(mesh, state, element))
-            }
-            Place::Node(node) => {
-                let Some(element) = mesh.hexes.iter().position(|h| h.contains(&(node as u32)))
-                else {
-                    return false;
-                };
-                (element, state.displacement[node])
-            }
-        };
-        let at = [0, 1, 2].map(|i| peak.at[i] + offset[i]);
-        let reach = diagonal(&mesh.corners(element));
-        self.positions
-            .iter()
-            .any(|edge| distance(*edge, at) <= reach)
+    pub fn are_near(&self, at: &[f64; 3]) -> bool {
+        (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)
     }
 }
 
@@ -93,20 +90,6 @@ fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
         }
     }
     distance(low, high)
-}
-
-fn moved(mesh: &Mesh, state: &State, node: usize) -> [f64; 3] {
-    [0, 1, 2].map(|i| mesh.points[node][i] + state.displacement[node][i])
-}
-
-fn mean_displacement(mesh: &Mesh, state: &State, element: usize) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for node in mesh.hexes[element] {
-        for (s, u) in sum.iter_mut().zip(state.displacement[node as usize]) {
-            *s += 0.125 * u;
-        }
-    }
-    sum
 }
 
 /// Nodes on edges that only one face of the surface has, ascending; without mirror planes.

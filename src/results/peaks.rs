@@ -39,8 +39,7 @@ pub struct BodyPeaks {
     pub integration_point: Option<Peak>,
     /// Mises stress of the nodal average.
     pub nodal: Option<Peak>,
-    /// Where the nodal peak lies beside a loaded edge: that and the centroid peak of what is farther
-    /// than a fiftieth of the contact surface from such edges.
+    /// Where the nodal peak lies beside a loaded edge: that and the centroid peak of what does not.
     pub away: Option<[Peak; 2]>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
@@ -72,7 +71,7 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
     let nodal = nodal_peaks(scene, recovered, |_| true);
     let far = |at: &[f64; 3]| !edges.are_near(at);
     // Few scenes have a peak at an edge, and then it is worth a second look.
-    let touched = |peak: &Option<Peak>| peak.is_some_and(|p| edges.touches(mesh, state, &p));
+    let touched = |peak: &Option<Peak>| peak.is_some_and(|p| edges.are_near(&p.at));
     let away = match nodal.iter().any(touched) {
         true => nodal_peaks(scene, recovered, far),
         false => vec![None; nodal.len()],

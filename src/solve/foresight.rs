@@ -135,10 +135,9 @@ impl Overlap {
                 }
             }
         }
-        model
-            .rows
-            .iter()
-            .for_each(|r| drop(overlapped.remove(&key(r))));
+        for row in &model.rows {
+            overlapped.remove(&key(row));
+        }
         let least = least_gaps(model.rows.iter());
         let spare = model
             .spare

@@ -7,6 +7,8 @@ use super::kit::{self, Run};
 use super::problem_h::{self, Sizes};
 use super::{Claim, Extent, VerifyError, hertz_sphere};
 use crate::certify::{self, Evidence, Quantity, certify};
+use crate::results::edges::LoadedEdges;
+use crate::results::hertz::HeaviestLine;
 use crate::results::interface::interfaces;
 use crate::results::peaks::peaks;
 use crate::results::recovery::recover;
@@ -94,12 +96,21 @@ fn sphere() -> Result<Vec<Claim>, VerifyError> {
 fn certified(run: &Run) -> Vec<certify::Claim> {
     let (scene, state) = (&run.scene, run.state());
     let recovered = recover(scene, state);
+    let edges = LoadedEdges::find(scene, state);
+    let pairs = 0..scene.contacts.len();
+    let lines: Vec<_> = pairs
+        .map(|pair| HeaviestLine::find(scene, state, pair, &edges))
+        .collect();
     certify(&Evidence {
         scene,
         state,
         recovered: &recovered,
         peaks: &peaks(scene, state, &recovered),
         interfaces: &interfaces(scene, state),
+        lines: &lines,
+        edges: &edges,
+        bores: &[],
+        dents: &[],
         elastic: None,
     })
 }

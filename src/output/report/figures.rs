@@ -47,16 +47,7 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
 
 /// The unit of a claim, empty for a bare number.
 pub fn unit_of(what: Quantity, units: &UnitLabels) -> String {
-    match what {
-        Quantity::Descent | Quantity::HalfWidth => units.length.clone(),
-        Quantity::PeakMises
-        | Quantity::MisesAway
-        | Quantity::ElasticPeakMises
-        | Quantity::ElasticMisesAway
-        | Quantity::PeakPressure => units.stress.clone(),
-        Quantity::ContactArea => units.area(),
-        Quantity::PeakPlasticStrain => String::new(),
-    }
+    units.of_measure(what.measure())
 }
 
 #[cfg(test)]

@@ -40,7 +40,7 @@ pub(super) fn bodies(inputs: &SummaryInputs, peaks: &[BodyPeaks]) -> Named<BodyS
             .elastic
             .filter(|_| peaks.peeq_max > 0.0)
             .and_then(|e| e.get(body));
-        let touches = |peak: Peak| edges.touches(&scene.mesh, state, &peak);
+        let touches = |peak: Peak| edges.are_near(&peak.at);
         let summary = BodySummary {
             mises_max: three(peaks, |peak| peak.value),
             at: three(peaks, |peak| peak.at),

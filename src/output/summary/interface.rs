@@ -4,6 +4,7 @@ use super::inputs::SummaryInputs;
 use crate::results::balance::centre_of_force;
 use crate::results::contact_lines::{ContactLine, contact_lines};
 use crate::results::edges::carrier;
+use crate::results::hertz::HeaviestLine;
 use crate::results::interface::{Interface, StatusCounts};
 use crate::results::line_load::{LineLoad, Slices, line_load};
 use crate::results::strip::half_width;
@@ -33,6 +34,10 @@ pub struct InterfaceSummary {
     pub pressure_integral: f64,
     pub max_pressure: f64,
     pub max_pressure_at: Option<[f64; 3]>,
+    /// Hertz's pressure under the largest load per length; null where the strip is not Hertz's.
+    pub hertz_p0: Option<f64>,
+    /// The largest load per length, normal to the surface.
+    pub largest_line_load: Option<f64>,
     pub max_penetration: f64,
     /// Penetration relative to the shortest side of a face that carries pressure.
     pub penetration_per_element: Option<f64>,
@@ -78,7 +83,7 @@ pub struct LineSummary {
 pub(super) fn interface_summary(
     inputs: &SummaryInputs,
     pair: usize,
-    measured: &Interface,
+    (measured, heaviest): (&Interface, Option<&HeaviestLine>),
 ) -> InterfaceSummary {
     let (scene, state) = (inputs.scene, inputs.state);
     let asked = inputs.measures.get(pair);
@@ -98,6 +103,8 @@ pub(super) fn interface_summary(
         pressure_integral: measured.pressure_integral,
         max_pressure: measured.max_pressure,
         max_pressure_at: measured.max_pressure_at,
+        hertz_p0: heaviest.and_then(HeaviestLine::pressure),
+        largest_line_load: heaviest.map(|h| h.line_load),
         max_penetration: measured.max_penetration,
         penetration_per_element: measured
             .face_side
@@ -137,7 +144,7 @@ fn line_summary(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineSum
         load: line.load,
         peak,
         peak_at,
-        half_width: line.half_width,
+        half_width: line.heaviest.half_width,
         length: line.length,
         lifted_off: line.lifted_off,
     })

@@ -25,6 +25,9 @@ use super::units::UnitLabels;
 use super::warnings::{Warning, warnings};
 use crate::certify::{Claim, Evidence, certify};
 use crate::results::Energy;
+use crate::results::bore::BoreStress;
+use crate::results::edges::LoadedEdges;
+use crate::results::hertz::HeaviestLine;
 use crate::results::interface::{Interface, interfaces};
 use crate::results::load;
 use crate::results::peaks::peaks;
@@ -100,12 +103,21 @@ impl Summary {
             .bores
             .iter()
             .map(|bore| (bore.body.clone(), roller(inputs, bore)));
+        let bores: Vec<(String, RollerSummary)> = bores.collect();
+        let edges = LoadedEdges::find(scene, state);
+        let line = |pair| HeaviestLine::find(scene, state, pair, &edges);
+        let lines: Vec<Option<HeaviestLine>> = (0..measured.len()).map(line).collect();
         let interface = |(pair, measured): (usize, &Interface)| {
+            let heaviest = lines[pair].as_ref();
             (
                 measured.name.clone(),
-                interface_summary(inputs, pair, measured),
+                interface_summary(inputs, pair, (measured, heaviest)),
             )
         };
+        let unloaded = (inputs.unloaded).map(|state| Unloaded::new(scene, state, inputs.stays));
+        let dents: Vec<_> = (unloaded.iter().flat_map(|unloaded| &unloaded.dents.0))
+            .map(|(surface, dent)| (surface.clone(), dent.body.clone(), dent.depth))
+            .collect();
         let mut summary = Self {
             case: inputs.case.to_string(),
             units: inputs.units.clone(),
@@ -130,11 +142,11 @@ impl Summary {
             max_strain: strain,
             bodies: bodies(inputs, &peaks),
             interfaces: Named(measured.iter().enumerate().map(interface).collect()),
-            rollers: Named(bores.collect()),
+            rollers: Named(bores.clone()),
             balance: balance(scene, state),
             stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
             load_line: load_line::points(scene, inputs.steps),
-            unloaded: (inputs.unloaded).map(|state| Unloaded::new(scene, state, inputs.stays)),
+            unloaded,
             energy: state.energy.map(|e| e.times(load::copies(scene))),
             checks: checks(inputs, &measured, applied_load, descent),
             certificate: certify(&Evidence {
@@ -143,6 +155,10 @@ impl Summary {
                 recovered: inputs.recovered,
                 peaks: &peaks,
                 interfaces: &measured,
+                lines: &lines,
+                edges: &edges,
+                bores: &stresses(&bores),
+                dents: &dents,
                 elastic: inputs.elastic,
             }),
             comparison: inputs.comparison.to_vec(),
@@ -165,4 +181,17 @@ impl Summary {
             writeln!(out)
         })
     }
+}
+
+fn stresses(rollers: &[(String, RollerSummary)]) -> Vec<(String, BoreStress)> {
+    let stress = |(body, r): &(String, RollerSummary)| {
+        let stress = BoreStress {
+            mises: r.bore_mises,
+            mises_at: r.bore_mises_at,
+            nodal: r.bore_mises_nodal,
+            nodal_at: r.bore_mises_nodal_at,
+        };
+        (body.clone(), stress)
+    };
+    rollers.iter().map(stress).collect()
 }

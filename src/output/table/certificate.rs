@@ -1,7 +1,7 @@
 //! What the figures are worth, in the table.
 
 use super::{DIGITS, number};
-use crate::certify::{Claim, Quantity};
+use crate::certify::Claim;
 use crate::output::summary::Summary;
 use crate::output::text::{Columns, significant};
 
@@ -16,15 +16,9 @@ pub(super) fn certificate(summary: &Summary) -> String {
         "± increments",
     ]);
     for claim in &summary.certificate {
-        let unit = match claim.what {
-            Quantity::Descent | Quantity::HalfWidth => format!(", {}", units.length),
-            Quantity::PeakMises
-            | Quantity::MisesAway
-            | Quantity::ElasticPeakMises
-            | Quantity::ElasticMisesAway
-            | Quantity::PeakPressure => format!(", {}", units.stress),
-            Quantity::ContactArea => format!(", {}", units.area()),
-            Quantity::PeakPlasticStrain => String::new(),
+        let unit = match units.of_measure(claim.what.measure()) {
+            unit if unit.is_empty() => unit,
+            unit => format!(", {unit}"),
         };
         table.row([
             format!("{}{unit}", claim.what.name()),

@@ -58,7 +58,7 @@ pub fn lines(inputs: &Inputs) -> Vec<Line> {
                 interface: contact.name.clone(),
                 axis,
                 across: line.across,
-                half_width: line.half_width,
+                half_width: line.heaviest.half_width,
                 hertz: hertz(scene, pair, axis, profile.line_load),
                 profile,
                 bodies: bodies(scene, pair),

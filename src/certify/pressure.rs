@@ -1,0 +1,247 @@
+//! Pressure, line load and width of a contact interface.
+//!
+//! Where contact is a line, the load per length is known better than anything else, for it follows
+//! from balance. If the strip is Hertz's, that load says how wide it is and how the pressure runs
+//! across; what the nodes make of such a profile can then be worked out for the very places where they
+//! stand, and what they read beyond that is an error that one sees.
+
+use super::{Claim, Errors, Quantity, claim_of};
+use crate::analytic::hertz::LineContact;
+use crate::results::contact_lines::StripRow;
+use crate::results::edges::carrier;
+use crate::results::hertz::{Departure, HeaviestLine};
+use crate::results::interface::Interface;
+use crate::results::load::copies;
+use crate::results::{ContactField, State};
+use crate::scene::Scene;
+use std::collections::BTreeSet;
+
+const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
+                      the mesh";
+const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
+const NOT_HERTZ: &str = "the strip is not Hertz's: it carries up to an edge, steel flows below it, lines \
+                         merge, or the load changes from row to row";
+
+/// Beyond this relative error a figure is not resolved.
+const WORTHLESS: f64 = 0.3;
+
+/// A load per length is this good at best: far field, and rows along the line.
+const LINE_LOAD: f64 = 0.004;
+/// Share of the kink at the peak of a line load that is its error.
+const KINK: f64 = 0.5;
+/// Finite bodies depart from half spaces by so much in pressure.
+const HALF_SPACE: f64 = 0.01;
+/// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its
+/// edge; it falls with the square of the spacing. Measured on problem H with even and graded meshes.
+const MIDDLE: f64 = 0.03;
+const AT_EDGE: f64 = 0.25;
+/// Share of the fall from the largest pressure to its neighbours that is its error.
+const FALL: f64 = 0.35;
+/// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
+const RIM: f64 = 0.25;
+
+/// What is known of an interface.
+pub(super) struct Contact<'a> {
+    pub scene: &'a Scene,
+    pub state: &'a State,
+    pub pair: usize,
+    pub interface: &'a Interface,
+    pub line: Option<&'a HeaviestLine>,
+    /// Is the largest pressure at a loaded edge?
+    pub at_edge: bool,
+}
+
+impl Contact<'_> {
+    /// Peak pressure, Hertz's pressure, largest line load, half-width, area and length.
+    pub(super) fn claims(&self) -> Vec<Claim> {
+        let Some(field) = self.state.contacts.get(self.pair) else {
+            return Vec::new();
+        };
+        if self.interface.max_pressure <= 0.0 {
+            return Vec::new();
+        }
+        let mut claims = vec![self.peak_pressure(field)];
+        if let Some(line) = self.line {
+            claims.extend([
+                self.line_load(line),
+                self.half_width(line),
+                self.length(line),
+            ]);
+            claims.extend(self.hertz_pressure(line));
+        }
+        let band = RIM * copies(self.scene) * rim(self.scene, field, self.pair);
+        let area = self.interface.area;
+        claims.push(self.claim(Quantity::ContactArea, area, Some(band / area), COARSE));
+        claims
+    }
+
+    /// With a relative error, where that says anything.
+    fn claim(&self, what: Quantity, value: f64, error: Option<f64>, why: &'static str) -> Claim {
+        let error = error.filter(|e| e.is_finite() && *e <= WORTHLESS);
+        Claim {
+            error: Errors {
+                discretisation: error.map(|e| e * value),
+                ..Errors::default()
+            },
+            note: error.is_none().then_some(why),
+            ..claim_of(what, &self.interface.name, value)
+        }
+    }
+
+    fn peak_pressure(&self, field: &ContactField) -> Claim {
+        let value = self.interface.max_pressure;
+        let claim = |error, why| self.claim(Quantity::PeakPressure, value, error, why);
+        if self.at_edge {
+            return claim(None, EDGE);
+        }
+        let error = match self.line.and_then(|line| Some((line, hertzian(line)?))) {
+            Some((line, hertz)) => {
+                Some(of_strip(&line.line.heaviest, &hertz, value) + 0.5 * load_error(line))
+            }
+            None => Some(FALL * fall(self.scene, field, self.pair)),
+        };
+        claim(error, COARSE)
+    }
+
+    fn line_load(&self, line: &HeaviestLine) -> Claim {
+        let (error, why) = match line.departs {
+            Some(Departure::LoadedEdge) => (None, EDGE),
+            _ => (Some(load_error(line)), COARSE),
+        };
+        self.claim(Quantity::LineLoad, line.line_load, error, why)
+    }
+
+    /// `None` where nothing is known of the curvature.
+    fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Claim> {
+        let value = line.pressure().or(line.contact.map(|c| c.peak_pressure))?;
+        let error = hertzian(line).map(|_| HALF_SPACE + 0.5 * load_error(line));
+        Some(self.claim(Quantity::HertzPressure, value, error, NOT_HERTZ))
+    }
+
+    fn half_width(&self, line: &HeaviestLine) -> Claim {
+        let row = &line.line.heaviest;
+        let a = row.half_width;
+        let edge = row.edge_spacing() / a;
+        let error = match hertzian(line) {
+            Some(hertz) => (a / hertz.half_width - 1.0).abs() + HALF_SPACE + 0.5 * load_error(line),
+            None => 0.5 * edge * edge + load_error(line),
+        };
+        self.claim(Quantity::HalfWidth, a, Some(error), COARSE)
+    }
+
+    /// Where a line lifts off, the place lies between two rows.
+    fn length(&self, line: &HeaviestLine) -> Claim {
+        let line = &line.line;
+        let rows = line.at.windows(2).zip(line.load.windows(2));
+        let lifts = rows.filter(|(_, q)| (q[0] > 0.0) != (q[1] > 0.0));
+        let off: f64 = lifts.map(|(at, _)| 0.5 * (at[1] - at[0])).sum();
+        let images = if line.length > 0.0 {
+            line.length_share()
+        } else {
+            1.0
+        };
+        self.claim(
+            Quantity::ContactLength,
+            line.length,
+            Some(images * off / line.length + 1e-6),
+            COARSE,
+        )
+    }
+}
+
+/// Hertz's contact, where the strip is one or departs from it by flow alone.
+fn hertzian(line: &HeaviestLine) -> Option<LineContact> {
+    line.contact.filter(|_| line.departs.is_none())
+}
+
+/// Relative error of the largest load per length.
+fn load_error(line: &HeaviestLine) -> f64 {
+    LINE_LOAD + KINK * line.kink
+}
+
+/// Relative error of the largest consistent pressure `value` of a Hertzian strip.
+fn of_strip(row: &StripRow, hertz: &LineContact, value: f64) -> f64 {
+    let a = hertz.half_width;
+    let [middle, edge] = [row.middle_spacing(), row.edge_spacing()].map(|h| (h / a).powi(2));
+    let read = largest_mean(row, a);
+    let low = 1.0 - read;
+    let uneven = AT_EDGE * (edge - middle).max(0.0) + MIDDLE * middle;
+    // What an exact solution would not read.
+    let beyond = (value / (hertz.peak_pressure * read) - 1.0).abs();
+    low.hypot(uneven) + beyond
+}
+
+/// The largest mean of √(1 − x²/a²) over a node's hat function, as the nodes of the row stand.
+fn largest_mean(row: &StripRow, a: f64) -> f64 {
+    const POINTS: usize = 16;
+    let profile = |x: f64| (1.0 - (x / a).powi(2)).max(0.0).sqrt();
+    // From a node towards its neighbour: integrals of hat times profile, and of the hat.
+    let half = |node: f64, next: f64| {
+        let weights = (0..POINTS).map(|k| (k as f64 + 0.5) / POINTS as f64);
+        let sum: f64 = weights
+            .map(|t| (1.0 - t) * profile(node + t * (next - node)))
+            .sum();
+        let length = (next - node).abs();
+        (sum * length / POINTS as f64, 0.5 * length)
+    };
+    let nodes = &row.nodes;
+    let mean = |k: usize| {
+        let (node, _) = nodes[k];
+        let sides = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
+        let halves = sides
+            .filter_map(|n| nodes.get(n))
+            .map(|(next, _)| half(node, *next));
+        let (sum, weight) = halves.fold((0.0, 0.0), |s, h| (s.0 + h.0, s.1 + h.1));
+        if weight > 0.0 { sum / weight } else { 0.0 }
+    };
+    (0..nodes.len())
+        .map(mean)
+        .fold(0.0, f64::max)
+        .max(f64::MIN_POSITIVE)
+}
+
+/// By how much the pressure falls from its peak to the neighbours of that node, in the mean.
+fn fall(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let Some(surface) = carrier(scene, pair) else {
+        return 1.0;
+    };
+    let top =
+        (0..field.nodes.len()).max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]));
+    let Some(top) = top else { return 1.0 };
+    let node = field.nodes[top];
+    let mut beside = BTreeSet::new();
+    for face in &surface.faces {
+        for side in 0..4 {
+            match [face.nodes[side], face.nodes[(side + 1) % 4]] {
+                [a, b] if a == node => beside.insert(b),
+                [a, b] if b == node => beside.insert(a),
+                _ => false,
+            };
+        }
+    }
+    let values = beside
+        .iter()
+        .filter_map(|n| field.nodes.binary_search(n).ok());
+    let values: Vec<f64> = values.map(|i| field.pressure[i]).collect();
+    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    1.0 - mean / field.pressure[top]
+}
+
+/// Area of the nodes in contact next to one that is not, and of those, modelled part.
+fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let Some(surface) = carrier(scene, pair) else {
+        return 0.0;
+    };
+    let index = |node: u32| field.nodes.binary_search(&node).ok();
+    let mut rim = BTreeSet::new();
+    for face in &surface.faces {
+        for side in 0..4 {
+            let ends = [face.nodes[side], face.nodes[(side + 1) % 4]].map(index);
+            let [Some(a), Some(b)] = ends else { continue };
+            if field.is_active(a) != field.is_active(b) {
+                rim.extend([a, b]);
+            }
+        }
+    }
+    rim.iter().map(|i| field.area[*i]).sum()
+}

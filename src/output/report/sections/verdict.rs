@@ -194,8 +194,16 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
                 ))
             }
             (card("Descent", None, &format!("{descent} {}", units.length),
-                &format!("under {} {}", significant(summary.applied_load, 4), units.force)))
+                &format!("under {} {}{}", significant(summary.applied_load, 4), units.force, at_end_of(summary))))
         }
+    }
+}
+
+/// Of which step, where there are several.
+fn at_end_of(summary: &Summary) -> String {
+    match summary.steps.len() > 1 {
+        true => format!(", step “{}”", summary.step),
+        false => String::new(),
     }
 }
 

@@ -54,32 +54,31 @@ impl LoadedEdges {
         self.positions.is_empty()
     }
 
-    /// Is a point so near to a loaded edge that its stress belongs to the edge?
-    pub fn are_near(&self, at: &[f64; 3]) -> bool {
-        (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)
-    }
-
-    /// Does `peak` sit within an element's size of a loaded edge?
+    /// Does what is read at `at`, undeformed, in `element` belong to a loaded edge? So near to one is
+    /// its stress, or, on a coarse mesh, the element beside it: everything else is away from edges.
     ///
     /// The edge may be that of the other body: its end presses a singularity into this one too.
+    pub fn are_near(&self, mesh: &Mesh, state: &State, element: usize, at: &[f64; 3]) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        let offset = mean_displacement(mesh, state, element);
+        let at = [0, 1, 2].map(|i| at[i] + offset[i]);
+        let reach = self.reach.max(diagonal(&mesh.corners(element)));
+        let mut edges = self.positions.iter();
+        edges.any(|edge| distance(*edge, at) <= reach)
+    }
+
+    /// The same of a peak.
     pub fn touches(&self, mesh: &Mesh, state: &State, peak: &Peak) -> bool {
-        let (element, offset) = match peak.place {
-            Place::Element(element) | Place::IntegrationPoint { element, .. } => {
-                (element, mean_displacement(mesh, state, element))
-            }
-            Place::Node(node) => {
-                let Some(element) = mesh.hexes.iter().position(|h| h.contains(&(node as u32)))
-                else {
-                    return false;
-                };
-                (element, state.displacement[node])
-            }
+        if self.is_empty() {
+            return false;
+        }
+        let element = match peak.place {
+            Place::Element(element) | Place::IntegrationPoint { element, .. } => Some(element),
+            Place::Node(node) => mesh.hexes.iter().position(|h| h.contains(&(node as u32))),
         };
-        let at = [0, 1, 2].map(|i| peak.at[i] + offset[i]);
-        let reach = diagonal(&mesh.corners(element));
-        self.positions
-            .iter()
-            .any(|edge| distance(*edge, at) <= reach)
+        element.is_some_and(|element| self.are_near(mesh, state, element, &peak.at))
     }
 }
 

@@ -140,6 +140,11 @@ pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {
     let moved = planes.fold([0.0; 3], |sum, (plane, field)| {
         add(sum, moving_force(plane, field, others))
     });
+    if moved == [0.0; 3] {
+        return prescribed;
+    }
+    let least = rounding(scene);
+    let moved = moved.map(|f| if f.abs() > least { f } else { 0.0 });
     add(prescribed, whole(scene, moved))
 }
 
@@ -160,18 +165,28 @@ fn least(scene: &Scene) -> f64 {
     if prescribed > 0.0 {
         return 1e-6 * prescribed;
     }
-    let motion = held(scene);
-    if motion.iter().filter(|u| **u != 0.0).count() < 2 {
+    match held(scene).iter().filter(|u| **u != 0.0).count() {
         // Against the motion it is negative: something pulls.
-        return f64::INFINITY;
+        0 | 1 => f64::INFINITY,
+        _ => rounding(scene),
     }
-    // Force of a block as large as the model, strained by the motion over its length.
+}
+
+/// Below this a reaction is what rounding leaves: a trillionth of the force of a block as large as the
+/// model, strained by the motions over its length.
+fn rounding(scene: &Scene) -> f64 {
     let stiffest = scene.materials.iter().map(|s| s.youngs_modulus);
     let extent = (0..3).map(|axis| {
         let at = || scene.mesh.points.iter().map(|p| p[axis]);
         at().fold(f64::NEG_INFINITY, f64::max) - at().fold(f64::INFINITY, f64::min)
     });
-    1e-10 * stiffest.fold(0.0, f64::max) * norm(motion) * extent.fold(0.0, f64::max)
+    let motions = scene.rigid_planes.iter().flat_map(|plane| plane.motion);
+    let motion = motions.map(|m| match m {
+        PlaneMotion::Held(u) => u.abs(),
+        _ => 0.0,
+    });
+    let size = stiffest.fold(0.0, f64::max) * motion.sum::<f64>() * extent.fold(0.0, f64::max);
+    1e-12 * size
 }
 
 /// Load on the whole in `state`: the size of [`resultant`], by its component along [`along`].

@@ -6,7 +6,7 @@ use super::hex::{GaussRule, centre};
 use super::load::copies;
 use super::recovery::Recovered;
 use super::tensor::mises;
-use crate::mesh::Body;
+use crate::mesh::{Body, Mesh};
 use crate::scene::Scene;
 
 /// What a peak was read from.
@@ -39,8 +39,8 @@ pub struct BodyPeaks {
     pub integration_point: Option<Peak>,
     /// Mises stress of the nodal average.
     pub nodal: Option<Peak>,
-    /// Where the nodal peak lies beside a loaded edge: that and the centroid peak of what is farther
-    /// than a fiftieth of the contact surface from such edges.
+    /// Where the nodal peak lies beside a loaded edge: that and the centroid peak of what is away from
+    /// such edges, see [`LoadedEdges::are_near`].
     pub away: Option<[Peak; 2]>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
@@ -69,17 +69,22 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
     let rule = GaussRule::new();
     let copies = copies(scene);
     let edges = LoadedEdges::find(scene, state);
-    let nodal = nodal_peaks(scene, recovered, |_| true);
-    let far = |at: &[f64; 3]| !edges.are_near(at);
+    let nodal = nodal_peaks(scene, recovered, |_, _| true);
+    let far = |element: usize, at: &[f64; 3]| !edges.are_near(mesh, state, element, at);
     // Few scenes have a peak at an edge, and then it is worth a second look.
     let touched = |peak: &Option<Peak>| peak.is_some_and(|p| edges.touches(mesh, state, &p));
     let away = match nodal.iter().any(touched) {
-        true => nodal_peaks(scene, recovered, far),
+        true => {
+            let elements = first_elements(mesh);
+            nodal_peaks(scene, recovered, |node, at| {
+                elements[node].is_none_or(|element| far(element, at))
+            })
+        }
         false => vec![None; nodal.len()],
     };
-    let centroid_peak = |body: &Body, counts: &dyn Fn(&[f64; 3]) -> bool| {
+    let centroid_peak = |body: &Body, counts: &dyn Fn(usize, &[f64; 3]) -> bool| {
         let elements = body.elements.clone();
-        let counted = elements.filter(|e| counts(&centre(&mesh.corners(*e))));
+        let counted = elements.filter(|e| counts(*e, &centre(&mesh.corners(*e))));
         let values = counted.map(|e| (e, recovered.mises_mean[e]));
         first_largest(values).map(|(element, value)| Peak {
             value,
@@ -90,7 +95,7 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
     let body_peaks = |((body, nodal), away): ((&Body, Option<Peak>), Option<Peak>)| {
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
-        let centroid = centroid_peak(body, &|_| true);
+        let centroid = centroid_peak(body, &|_, _| true);
         let away = away
             .filter(|_| touched(&nodal))
             .and_then(|nodal| Some([nodal, centroid_peak(body, &far)?]));
@@ -131,11 +136,20 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
         .collect()
 }
 
+/// The first element of every node, by which the node is told to be beside an edge or away from all.
+fn first_elements(mesh: &Mesh) -> Vec<Option<usize>> {
+    let mut first = vec![None; mesh.points.len()];
+    for (element, node) in (mesh.hexes.iter().enumerate()).flat_map(|(e, h)| h.map(|n| (e, n))) {
+        first[node as usize].get_or_insert(element);
+    }
+    first
+}
+
 /// The nodal peak of every body, of the nodes that count.
 fn nodal_peaks(
     scene: &Scene,
     recovered: &Recovered,
-    counts: impl Fn(&[f64; 3]) -> bool,
+    counts: impl Fn(usize, &[f64; 3]) -> bool,
 ) -> Vec<Option<Peak>> {
     let mut best: Vec<Option<Peak>> = vec![None; scene.mesh.bodies.len()];
     for (point, &value) in recovered.mises_nodal.iter().enumerate() {
@@ -145,7 +159,7 @@ fn nodal_peaks(
         if !value.is_nan() && best[body].is_none_or(|peak| value > peak.value) {
             let node = recovered.points.node[point] as usize;
             let at = scene.mesh.points[node];
-            if counts(&at) {
+            if counts(node, &at) {
                 best[body] = Some(Peak {
                     value,
                     place: Place::Node(node),

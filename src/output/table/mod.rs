@@ -136,6 +136,9 @@ fn comparison(summary: &Summary) -> String {
     let mut table = Columns::new(&headings);
     for row in &summary.comparison {
         let value = match (row.value, row.error) {
+            (Some(value), _) if row.resolved == Some(false) => {
+                format!("{}, unresolved", significant(value, SINGULAR_DIGITS))
+            }
             (Some(_), Some(error)) => format!("{} ± {}", number(row.value), significant(error, 2)),
             (value, _) => number(value),
         };

@@ -547,6 +547,23 @@ fn a_load_in_stages_prints_its_slopes() {
     close(&line[1]["load"], 65.0, 1e-9);
     assert_eq!(line[1]["descent"], summary["descent"]);
     assert!(line[0]["descent"].as_f64() < line[1]["descent"].as_f64());
+    // On this mesh nodes are farther apart than the strips are wide.
+    let claims = summary["certificate"].as_array().unwrap();
+    let pressure = claims
+        .iter()
+        .find(|c| c["what"] == "peak_pressure")
+        .unwrap();
+    assert_eq!(pressure["resolved"], false);
+    assert_eq!(
+        (&pressure["error"], &pressure["relative_error"]),
+        (&Value::Null, &Value::Null)
+    );
+    let mut warnings = summary["warnings"].as_array().unwrap().iter();
+    let named = |w: &Value| w.as_str().unwrap().starts_with("not resolved by this mesh");
+    assert_eq!(warnings.by_ref().filter(|w| named(w)).count(), 1);
+    let page = folder.path().join("results/staged/report.html");
+    let page = std::fs::read_to_string(page).unwrap();
+    assert!(page.contains("Not resolved by this mesh"));
 }
 
 /// A run of the default mesh of the main case, to be stopped, and its output.

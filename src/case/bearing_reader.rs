@@ -7,6 +7,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::{Field, Table};
 use super::source::Located;
+use crate::scene::LITTLE;
 use crate::units::Dimension;
 
 /// Share of the load that is left after unloading, where the case does not say.
@@ -204,10 +205,11 @@ impl<'a, 'b> Reader<'a, 'b> {
         let share = match self.table.get("unload_to") {
             None => UNLOAD_TO,
             Some(field) => {
-                let within = |share: &f64| *share > 0.0 && *share < 1.0;
+                // Beyond that the end would be a lesser load, of which the figures are.
+                let within = |share: &f64| *share > 0.0 && *share <= LITTLE;
                 field
                     .ratio()?
-                    .require(within, "must lie between 0 and 1")?
+                    .require(within, "must lie between 0 and 0.05")?
                     .value
             }
         };

@@ -20,20 +20,65 @@ use crate::results::peaks::BodyPeaks;
 use crate::results::recovery::Recovered;
 use crate::scene::{PlaneMotion, Scene};
 use pressure::Contact;
-use serde::Serialize;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// A figure and what it is worth.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Claim {
     /// Such as "peak Mises, nodal".
     pub what: Quantity,
     /// Body or interface; "overall" for the scene.
-    #[serde(rename = "where")]
     pub place: String,
     pub value: f64,
+    /// By cause.
     pub error: Errors,
     /// Why the figure or its error should be read with care.
     pub note: Option<&'static str>,
+}
+
+impl Claim {
+    /// What the figure may be off by, in its unit; `None` where nothing can be said.
+    pub fn bar(&self) -> Option<f64> {
+        self.error.total().filter(|error| error.is_finite())
+    }
+
+    /// The same, of the figure; `None` of zero, too.
+    pub fn relative_bar(&self) -> Option<f64> {
+        let share = self.bar()? / self.value.abs();
+        share.is_finite().then_some(share)
+    }
+
+    /// Is its error known?
+    pub fn is_resolved(&self) -> bool {
+        self.bar().is_some()
+    }
+}
+
+impl Serialize for Claim {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut claim = serializer.serialize_struct("Claim", 8)?;
+        claim.serialize_field("what", &self.what)?;
+        claim.serialize_field("where", &self.place)?;
+        claim.serialize_field("value", &self.value)?;
+        claim.serialize_field("error", &self.bar())?;
+        claim.serialize_field("relative_error", &self.relative_bar())?;
+        claim.serialize_field("resolved", &self.is_resolved())?;
+        claim.serialize_field("note", &self.note)?;
+        claim.serialize_field("causes", &self.error)?;
+        claim.end()
+    }
+}
+
+/// The figures of which nothing can be said, and that nothing is said in place of: beside a peak at a
+/// loaded edge, which has no limit, stands the peak away from such edges.
+pub fn unresolved(claims: &[Claim]) -> Vec<&Claim> {
+    let replaced = |c: &Claim| {
+        let away = c.what.away_from_edges();
+        away.is_some_and(|away| claim(claims, away, &c.place).is_some())
+    };
+    let unsure = claims.iter().filter(|c| !c.is_resolved());
+    unsure.filter(|c| !replaced(c)).collect()
 }
 
 /// The claim of `what` at `place`.
@@ -95,6 +140,15 @@ impl Errors {
 }
 
 impl Quantity {
+    /// Of a Mises peak, the one away from loaded edges.
+    pub fn away_from_edges(self) -> Option<Self> {
+        match self {
+            Self::PeakMises => Some(Self::MisesAway),
+            Self::ElasticPeakMises => Some(Self::ElasticMisesAway),
+            _ => None,
+        }
+    }
+
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
@@ -232,7 +286,11 @@ fn descent_claim(evidence: &Evidence) -> Option<Claim> {
         place: "overall".to_owned(),
         value,
         error: Errors {
-            discretisation: (by_force && load > 0.0).then(|| energy / load),
+            // What is prescribed is known.
+            discretisation: match by_force {
+                true => (load > 0.0).then(|| energy / load),
+                false => Some(0.0),
+            },
             ..Errors::default()
         },
         note: (!by_force).then_some("prescribed"),

@@ -26,12 +26,12 @@ pub fn line(level: &Level) -> String {
     )
 }
 
-/// Peak memory in units of 10⁶ bytes; with a star where it is that of the process since it began.
+/// Peak memory in units of 10⁶ bytes; at most that where it is that of the process since it began.
 pub fn memory(level: &Level) -> String {
-    let star = if level.cost.peak_is_own { "" } else { "*" };
+    let most = if level.cost.peak_is_own { "" } else { "≤ " };
     level.cost.peak_memory_bytes.map_or_else(
         || "-".to_owned(),
-        |bytes| format!("{:.0}{star}", 1e-6 * bytes as f64),
+        |bytes| format!("{most}{:.0}", 1e-6 * bytes as f64),
     )
 }
 
@@ -64,7 +64,7 @@ pub fn render(study: &Study) -> String {
          is none\n",
     );
     if study.levels.iter().any(|l| !l.cost.peak_is_own) {
-        text.push_str("* memory: largest of the process since it began, not of the level alone\n");
+        text.push_str("≤: memory of the process since it began, not of the level alone\n");
     }
     text
 }

@@ -3,7 +3,7 @@
 use super::JobError;
 use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
 use crate::case::{BearingCase, Case, Kind, Measure, MisesRead, Printed};
-use crate::certify::Quantity;
+use crate::certify::{Claim, Quantity};
 use crate::output::Summary;
 use crate::output::summary::{Comparison, Figure, Three};
 use crate::scene::Scene;
@@ -74,19 +74,26 @@ fn printed_row(
             None,
         ),
     };
+    let certified = certified(printed.what, read, place, summary);
     Comparison {
         what,
         place: place.to_owned(),
         report: Some(Figure::Value(printed.value)),
         value,
-        error: error(printed.what, read, place, summary),
+        error: certified.and_then(Claim::bar),
+        resolved: certified.map(Claim::is_resolved),
         hertz,
         ..Comparison::default()
     }
 }
 
-/// The certificate's error of the largest figure that is compared; only the nodal Mises peak has one.
-fn error(what: Measure, read: MisesRead, place: &str, summary: &Summary) -> Option<f64> {
+/// The claim of the largest figure that is compared; of Mises peaks only the nodal one has one.
+fn certified<'s>(
+    what: Measure,
+    read: MisesRead,
+    place: &str,
+    summary: &'s Summary,
+) -> Option<&'s Claim> {
     let what = match what {
         Measure::Mises if read == MisesRead::Nodal => Quantity::PeakMises,
         Measure::Mises => return None,
@@ -95,8 +102,7 @@ fn error(what: Measure, read: MisesRead, place: &str, summary: &Summary) -> Opti
     };
     let claims = summary.certificate.iter();
     let meant = claims.filter(|c| c.what == what && means(place, &c.place));
-    let largest = meant.max_by(|a, b| a.value.total_cmp(&b.value));
-    largest.and_then(|claim| claim.error.total())
+    meant.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
 /// Is the body or interface `name` among what `place` means?
@@ -175,8 +181,10 @@ fn hertz_rows(hertz: &HandbookAnswer, summary: &Summary) -> Vec<Comparison> {
             _ => hertz.peak_pressure,
         };
         let printed = row("peak pressure", name, Some(interface.max_pressure), even);
+        let certified = certified(Measure::MaxPressure, MisesRead::Nodal, name, summary);
         Comparison {
-            error: error(Measure::MaxPressure, MisesRead::Nodal, name, summary),
+            error: certified.and_then(Claim::bar),
+            resolved: certified.map(Claim::is_resolved),
             ..printed
         }
     });

@@ -21,7 +21,7 @@ use crate::output::summary::{Checks, Counters, Named, Timing};
 use crate::output::{Summary, SummaryInputs, UnitLabels, line_load};
 use crate::results::State;
 use crate::results::bore::Bore;
-use crate::results::load::applied;
+use crate::results::ending::ending;
 use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::{Recovered, recover};
 use crate::scene::Scene;
@@ -68,7 +68,7 @@ pub struct Outcome {
     /// The scene as solved, its bodies in touch.
     pub scene: Scene,
     pub solution: Solution,
-    /// At full load: the end of [`Scene::full_step`].
+    /// Of the end of the last step, or, where the last steps unload, of the step before them.
     pub summary: Summary,
     /// Was the observer's wish to stop met, before or while the elastic peaks were sought?
     pub interrupted: bool,
@@ -86,19 +86,14 @@ impl Outcome {
     }
 }
 
-/// The state at full load.
+/// The state that the figures are of.
 fn reported<'s>(scene: &Scene, solution: &'s Solution) -> &'s State {
-    let full = solution.states.get(scene.full_step());
-    full.unwrap_or(&solution.last)
+    ending(scene, &solution.states, &solution.last).reported
 }
 
-/// The end of the last step, where that is not the reported one and next to no load is left.
+/// The unloaded state, where the last steps unload.
 fn unloaded<'s>(scene: &Scene, solution: &'s Solution) -> Option<&'s State> {
-    const LITTLE: f64 = 0.05;
-    let last = solution.states.get(scene.full_step() + 1..)?.last()?;
-    let full = applied(scene, reported(scene, solution));
-    let left = applied(scene, last);
-    (left <= LITTLE * full).then_some(last)
+    ending(scene, &solution.states, &solution.last).unloaded
 }
 
 /// Has an earlier run into `folder` left what [`Options::resume`] goes on from?
@@ -243,7 +238,7 @@ fn elastic_peaks(
         .message("something yielded: solving once more without plasticity, for the elastic peaks");
     let mut elastic = scene.clone();
     elastic.controls.plasticity = false;
-    elastic.steps.truncate(scene.full_step() + 1);
+    elastic.steps.truncate(reported(scene, solution).step + 1);
     let solution = match solve::solve(&mut elastic, &mut Stoppable(observer)) {
         Ok(solution) => solution,
         Err(error) => {
@@ -254,9 +249,8 @@ fn elastic_peaks(
     if !solution.complete {
         return None;
     }
-    let state = reported(&elastic, &solution);
-    let recovered = recover(&elastic, state);
-    Some(peaks(&elastic, state, &recovered))
+    let recovered = recover(&elastic, &solution.last);
+    Some(peaks(&elastic, &solution.last, &recovered))
 }
 
 /// Tells nothing, but stops where the observer behind it wants to.

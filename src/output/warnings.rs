@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::summary::{BodySummary, Summary};
 use super::text::percent;
+use crate::certify::{Claim, unresolved};
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -32,6 +33,9 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
     let bodies = summary.bodies.0.iter();
     for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
         warn(format!("{}: {text}", names.join(", ")));
+    }
+    if let Some(text) = of_unresolved(&unresolved(&summary.certificate)) {
+        warn(text);
     }
     for (name, roller) in &summary.rollers.0 {
         if roller.bore_mises.is_none() {
@@ -77,6 +81,21 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
         ));
     }
     list
+}
+
+/// The figures of which this mesh says nothing, in one sentence.
+fn of_unresolved(claims: &[&Claim]) -> Option<String> {
+    let figures = claims
+        .iter()
+        .map(|c| (c.what.name(), vec![c.place.clone()]));
+    let named: Vec<String> = together(figures)
+        .into_iter()
+        .map(|(figures, place)| format!("{} of {place}", figures.join(", ")))
+        .collect();
+    (!named.is_empty()).then(|| {
+        let named = named.join("; ");
+        format!("not resolved by this mesh, so that no error can be given: {named}")
+    })
 }
 
 /// The sentences, each with all the names that it holds for.

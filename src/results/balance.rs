@@ -1,7 +1,7 @@
 //! Where contact forces act, and whether bodies that nothing but contact holds are in balance.
 
 use super::State;
-use super::load::{copies, direction, whole};
+use super::load::{self, copies, whole};
 use crate::geometry::{cross, dot};
 use crate::mesh::Surface;
 use crate::scene::{Partner, Scene, Side};
@@ -20,7 +20,7 @@ pub struct Balance {
 /// surface: Σ f x / Σ f. Of the whole, so zero along mirrored axes. `None` where nothing presses.
 pub fn centre_of_force(scene: &Scene, state: &State, pair: usize) -> Option<[f64; 3]> {
     let field = state.contacts.get(pair)?;
-    let along = direction(scene);
+    let along = load::along(scene, state);
     let (mut sum, mut total) = ([0.0; 3], 0.0);
     for ([at, _], force) in field.acts_at.iter().zip(&field.force) {
         let force = dot(*force, along);

@@ -2,7 +2,7 @@
 
 use super::edges::carrier;
 use super::hex::distance;
-use super::load::{copies, direction, whole};
+use super::load::{along, copies, whole};
 use super::{ContactField, State};
 use crate::geometry::{dot, norm};
 use crate::scene::Scene;
@@ -91,7 +91,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
     }
     result.face_side = face_side(scene, pair, field);
     result.force = whole(scene, force);
-    result.normal_force = dot(result.force, direction(scene));
+    result.normal_force = dot(result.force, along(scene, state));
     let limit = contact.friction * result.max_pressure;
     if limit > 0.0 {
         result.coulomb_violation = excess.max(0.0) / limit;

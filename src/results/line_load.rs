@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::State;
 use super::edges::carrier;
-use super::load::{copies, direction};
+use super::load::{self, copies};
 use crate::geometry::dot;
 use crate::mesh::Surface;
 use crate::mesh::shape::{Shape, fit};
@@ -100,7 +100,7 @@ pub fn line_load(scene: &Scene, state: &State, pair: usize, slices: &Slices) -> 
     }
     let field = state.contacts.get(pair)?;
     let tributary = tributaries(scene, carrier(scene, pair)?, axis);
-    let along = direction(scene);
+    let along = load::along(scene, state);
     // A mirror along the axis makes slices of its own, on the other side.
     let mirrored = scene.mirrors.contains(&axis);
     let copies = copies(scene) * if mirrored { 0.5 } else { 1.0 };

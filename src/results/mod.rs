@@ -9,6 +9,7 @@ pub mod contact_lines;
 pub mod dent;
 pub mod depth;
 pub mod edges;
+pub mod ending;
 pub mod hertz;
 pub mod hex;
 pub mod interface;

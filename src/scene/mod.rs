@@ -3,11 +3,14 @@
 //! A scene knows nothing of bearings, case files or units: all numbers are in one consistent
 //! unit system, whatever it is.
 
+mod unloading;
+
 use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::geometry::planes_through;
 use crate::material::Steel;
 use crate::mesh::{Mesh, Surface};
 use serde::Serialize;
+pub use unloading::LITTLE;
 
 /// Everything the solver needs.
 #[derive(Debug, Clone, Serialize)]
@@ -30,13 +33,6 @@ impl Scene {
     /// Axes whose mirror plane the point `at` of the mesh lies on.
     pub fn mirrors_through(&self, at: &[f64; 3]) -> impl Iterator<Item = usize> {
         planes_through(&self.mirrors, at)
-    }
-
-    /// The first step that ends at a factor of one or more, where the full load is on; the first
-    /// of all where there is none.
-    pub fn full_step(&self) -> usize {
-        let full = self.steps.iter().position(|step| step.factor >= 1.0);
-        full.unwrap_or(0)
     }
 
     /// C_E of Hertz's contact between the steels of `pair`; a rigid plane does not give.

@@ -104,7 +104,7 @@ fn plain(value: Option<f64>) -> Option<Reading> {
 fn scaled(claim: Option<&Claim>, scale: f64) -> Option<Reading> {
     claim.map(|claim| Reading {
         value: scale * claim.value,
-        error: claim.error.total().map(|error| scale * error),
+        error: claim.bar().map(|error| scale * error),
     })
 }
 
@@ -123,7 +123,7 @@ fn elastic(summary: &Summary) -> Option<&Claim> {
         false => [Quantity::PeakMises, Quantity::MisesAway],
     };
     let claims = summary.certificate.iter();
-    let regular = claims.filter(|c| names.contains(&c.what) && c.error.discretisation.is_some());
+    let regular = claims.filter(|c| names.contains(&c.what) && c.is_resolved());
     regular.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 

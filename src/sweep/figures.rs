@@ -1,6 +1,6 @@
 //! The figures of a run that go into the table, by name.
 
-use crate::certify::{Quantity, claim};
+use crate::certify::{Quantity, claim, unresolved};
 use crate::output::Summary;
 use crate::output::summary::{BodySummary, InterfaceSummary};
 use serde_json::Value;
@@ -36,6 +36,11 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
         error(summary, Quantity::Descent, "overall"),
     );
     overall(summary, &mut out);
+    let unsure = unresolved(&summary.certificate).into_iter();
+    let names: Vec<String> = unsure
+        .map(|claim| format!("{} of {}", claim.what.name(), claim.place))
+        .collect();
+    out.add("unresolved", names.join("; "));
     for (name, body) in &summary.bodies.0 {
         add_body(summary, name, body, &mut out);
     }
@@ -150,5 +155,5 @@ fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
 
 /// The estimated error of a claim of the certificate.
 fn error(summary: &Summary, what: Quantity, place: &str) -> Option<f64> {
-    claim(&summary.certificate, what, place)?.error.total()
+    claim(&summary.certificate, what, place)?.bar()
 }

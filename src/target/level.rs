@@ -67,7 +67,7 @@ impl Level {
                 what: claim.what,
                 place: claim.place.clone(),
                 value: claim.value,
-                estimate: claim.error.total(),
+                estimate: claim.bar(),
                 change: None,
             };
             let old = before.and_then(|level| level.value_of(&figure));
@@ -100,8 +100,7 @@ fn figures(goal: Goal, certificate: &[Claim]) -> Vec<&Claim> {
     // The largest of those with an error bar; one at a loaded edge where there is no other.
     let regular = |names: [Quantity; 2]| {
         let claims = certificate.iter().filter(|c| names.contains(&c.what));
-        let (sure, unsure): (Vec<_>, Vec<_>) =
-            claims.partition(|claim| claim.error.discretisation.is_some());
+        let (sure, unsure): (Vec<_>, Vec<_>) = claims.partition(|claim| claim.is_resolved());
         let claims = if sure.is_empty() { unsure } else { sure };
         (claims.into_iter()).max_by(|a, b| a.value.total_cmp(&b.value))
     };
@@ -145,7 +144,10 @@ pub fn table(levels: &[Level]) -> String {
                 figure.what.name().to_owned(),
                 figure.place.clone(),
                 significant(figure.value, 4),
-                figure.share(figure.estimate),
+                match figure.estimate {
+                    Some(_) => figure.share(figure.estimate),
+                    None => "unresolved".to_owned(),
+                },
                 figure.share(figure.change),
                 significant(level.cost.wall_s, 3),
                 significant(level.cost.cpu_s, 3),

@@ -110,9 +110,11 @@ fn judge(levels: &[Level], target: &Target, limits: &Limits) -> Option<Verdict> 
     if last.figures.iter().all(|f| f.meets(target)) {
         return Some(Verdict::Met);
     }
-    let unknown = |level: &Level| level.figures.iter().any(|f| f.estimate.is_none());
+    // Finer meshes resolve all but peaks beside edges.
+    let singular = |f: &Figure| f.estimate.is_none() && f.what.away_from_edges().is_some();
+    let unknown = |level: &Level| level.figures.iter().any(singular);
     if levels.len() >= SINGULAR_LEVELS && levels.iter().rev().take(SINGULAR_LEVELS).all(unknown) {
-        let figure = last.figures.iter().find(|f| f.estimate.is_none())?;
+        let figure = last.figures.iter().find(|f| singular(f))?;
         let values: Vec<String> = levels
             .iter()
             .filter_map(|l| l.value_of(figure))

@@ -397,7 +397,7 @@ fn stages_of_the_load_are_steps() {
         ("unload", 1e-3),
     ];
     assert_eq!(steps(&text), named(&all));
-    let full = |text: &str| good(text).scene(centred()).unwrap().full_step();
+    let full = |text: &str| good(text).scene(centred()).unwrap().reported_step();
     assert_eq!((full(BEARING), full(&text)), (0, 2));
 }
 

@@ -180,7 +180,7 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
         });
         let recovered = recover(scene, &stress);
         let peak = peaks(scene, &stress, &recovered)[body].nodal.unwrap();
-        LoadedEdges::find(scene, state).touches(&scene.mesh, state, &peak)
+        LoadedEdges::find(scene, state).are_near(&peak.at)
     };
     assert!(touches(&scene, &state, [0.5, 1.0, 0.0], 0));
     assert!(touches(&scene, &state, [0.4, 0.7, 0.0], 1));

@@ -23,6 +23,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         value: Some(93.125),
         error: Some(1.25),
         hertz: Some(f64::NAN),
+        ..Comparison::default()
     }];
     let mut steps = [state.clone(), state.clone()];
     steps[0].time = 0.4;
@@ -129,6 +130,23 @@ fn the_summary_has_every_key_and_no_nan() {
         "left_out",
     ] {
         assert!(json.get(key).is_some(), "{key}");
+    }
+    let claims = json["certificate"].as_array().unwrap();
+    assert!(!claims.is_empty());
+    for claim in claims {
+        assert_eq!(
+            claim["resolved"].as_bool(),
+            Some(!claim["error"].is_null()),
+            "{claim}"
+        );
+        assert!(claim["causes"].get("discretisation").is_some(), "{claim}");
+        let (value, error) = (claim["value"].as_f64().unwrap(), claim["error"].as_f64());
+        if let Some(share) = claim["relative_error"].as_f64() {
+            assert!(
+                (share * value.abs() - error.unwrap()).abs() < 1e-12 * value.abs(),
+                "{claim}"
+            );
+        }
     }
     assert_eq!(json["left_out"][0]["saved"][0]["count"], 12);
     for pointer in [

@@ -79,7 +79,7 @@ pub const BEARING: Keys = Keys {
         ),
         key(
             "unload_to",
-            "share between 0 and 1",
+            "share between 0 and 0.05",
             "0.001",
             "load that is left after unloading, of the load",
         ),

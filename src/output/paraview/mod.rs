@@ -25,7 +25,7 @@ pub fn write(
     let path = folder.join(format!("{name}-views.py"));
     let here = std::path::absolute(folder).unwrap_or_else(|_| folder.to_path_buf());
     let (up, sign) = upward(scene);
-    let full_load = scene.full_step() + 1;
+    let full_load = scene.reported_step() + 1;
     let contact = match scene.contacts.is_empty() {
         true => "False",
         false => "True",

@@ -1,6 +1,6 @@
 //! Figures as an engineer reads them: no more digits than they are worth.
 
-use crate::certify::Quantity;
+use crate::certify::{Claim, Quantity};
 use crate::output::text::significant;
 use crate::output::units::UnitLabels;
 
@@ -42,6 +42,19 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
     match error > 0.0 {
         true => format!("{value:.decimals$} ± {error:.decimals$}"),
         false => format!("{value:.decimals$} ± < {unit:.decimals$}"),
+    }
+}
+
+/// In place of a figure of which nothing is known.
+pub const NOT_RESOLVED: &str = "not resolved";
+
+/// A figure that is certified, with its error; without digits that this mesh does not resolve.
+pub fn certified(value: f64, claim: Option<&Claim>) -> String {
+    match claim {
+        Some(claim) if !claim.is_resolved() => {
+            format!("{}, {NOT_RESOLVED}", significant(value, 2))
+        }
+        claim => with_error(value, claim.and_then(Claim::bar)),
     }
 }
 

@@ -18,7 +18,7 @@ pub struct SummaryInputs<'a> {
     pub case: &'a str,
     pub units: UnitLabels,
     pub scene: &'a Scene,
-    /// The state to report, commonly the one at full load.
+    /// The state to report: the end of the last step, or of the last before unloading.
     pub state: &'a State,
     /// The state after unloading, where there is one.
     pub unloaded: Option<&'a State>,

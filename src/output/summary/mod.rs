@@ -7,6 +7,7 @@ mod inputs;
 mod interface;
 mod load_line;
 mod sizing;
+mod steps;
 mod unloaded;
 mod values;
 
@@ -16,6 +17,7 @@ pub use inputs::{Measure, SummaryInputs};
 pub use interface::{InterfaceSummary, LineLoadSummary, LineSummary};
 pub use load_line::LoadPoint;
 pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
+pub use steps::{StepInterface, StepSummary};
 pub use unloaded::{DentSummary, Unloaded};
 pub use values::{Comparison, Counters, Figure, Named, Three, Timing};
 
@@ -45,9 +47,12 @@ pub struct Summary {
     pub units: UnitLabels,
     pub brinell_version: String,
     pub converged: bool,
-    /// Name of the step and share of it that is done.
+    /// Name of the step whose end the figures are of, and share of it that is done: the last one, or,
+    /// where the last steps unload, the one before them.
     pub step: String,
     pub step_done: f64,
+    /// The ends of all steps that are done.
+    pub steps: Vec<StepSummary>,
     pub dofs: usize,
     pub elements: usize,
     pub iterations: usize,
@@ -57,6 +62,8 @@ pub struct Summary {
     pub factor_entries: usize,
     pub timing: Timing,
     pub peak_memory_bytes: Option<u64>,
+    /// The load that acts at that moment, as a vector, and its size.
+    pub applied_force: [f64; 3],
     pub applied_load: f64,
     pub descent: Option<f64>,
     /// Largest principal strain by size.
@@ -128,6 +135,7 @@ impl Summary {
                 .get(state.step)
                 .map_or_else(String::new, |s| s.name.clone()),
             step_done: state.time,
+            steps: steps::steps(inputs),
             dofs: inputs.counters.dofs,
             elements: scene.mesh.hexes.len(),
             iterations: inputs.counters.iterations,
@@ -137,6 +145,7 @@ impl Summary {
             factor_entries: inputs.counters.factor_entries,
             timing: inputs.timing.clone(),
             peak_memory_bytes: inputs.peak_memory_bytes,
+            applied_force: load::resultant(scene, state),
             applied_load,
             descent,
             max_strain: strain,

@@ -58,6 +58,8 @@ pub struct Comparison {
     pub value: Option<f64>,
     /// Estimated error of `value`, in its unit.
     pub error: Option<f64>,
+    /// Is the error known, of a figure that is certified?
+    pub resolved: Option<bool>,
     /// Hertz's figure for the same load.
     pub hertz: Option<f64>,
 }

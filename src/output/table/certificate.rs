@@ -11,9 +11,10 @@ pub(super) fn certificate(summary: &Summary) -> String {
         "Certificate",
         "where",
         "value",
-        "± mesh",
-        "± penetration",
-        "± increments",
+        "± error",
+        "mesh",
+        "penetration",
+        "increments",
     ]);
     for claim in &summary.certificate {
         let unit = match units.of_measure(claim.what.measure()) {
@@ -24,6 +25,7 @@ pub(super) fn certificate(summary: &Summary) -> String {
             format!("{}{unit}", claim.what.name()),
             claim.place.clone(),
             significant(claim.value, DIGITS),
+            bar(claim),
             share(claim, claim.error.discretisation),
             share(claim, claim.error.penetration),
             share(claim, claim.error.increment),
@@ -33,7 +35,14 @@ pub(super) fn certificate(summary: &Summary) -> String {
         return String::new();
     }
     let text = table.render().replacen("  Certificate", "Certificate", 1);
-    text + &notes(&summary.certificate)
+    let units = "  The error in the unit of the figure, its causes relative to the figure.\n";
+    text + units + &notes(&summary.certificate)
+}
+
+/// The whole error, or that none is known.
+fn bar(claim: &Claim) -> String {
+    let known = claim.bar().map(|error| significant(error, 2));
+    known.unwrap_or_else(|| "unresolved".to_owned())
 }
 
 /// An error relative to its figure.

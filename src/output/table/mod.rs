@@ -5,6 +5,7 @@ mod certificate;
 mod contact;
 mod load_line;
 mod sizing;
+mod steps;
 mod unloaded;
 
 use super::left_out::{LeftOut, Saving};
@@ -16,6 +17,7 @@ use contact::{contact_lines, interfaces, line_loads, statics};
 use load_line::load_line;
 use sizing::sizing;
 use std::fmt::Write;
+use steps::{components, steps};
 use unloaded::unloaded;
 
 /// Digits of a figure that can be trusted, and of one that belongs to its mesh.
@@ -35,6 +37,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         contact_lines(summary),
         sizing(summary),
         statics(summary),
+        steps(summary),
         load_line(summary),
         unloaded(summary),
         checks(&summary.checks),
@@ -72,13 +75,10 @@ fn header(summary: &Summary) -> String {
             format!("{}, {} done", summary.step, percent(summary.step_done)),
         );
     }
+    let load = significant(summary.applied_load, DIGITS);
     line(
         "load",
-        format!(
-            "{} {}",
-            significant(summary.applied_load, DIGITS),
-            units.force
-        ),
+        format!("{load} {}{}", units.force, oblique(summary)),
     );
     line(
         "descent",
@@ -115,6 +115,15 @@ fn header(summary: &Summary) -> String {
     text
 }
 
+/// The components of a load that is not along an axis, in brackets.
+fn oblique(summary: &Summary) -> String {
+    let components = components(summary.applied_force);
+    match components.iter().filter(|c| *c != "0").count() {
+        0 | 1 => String::new(),
+        _ => format!(" ({})", components.join(", ")),
+    }
+}
+
 fn comparison(summary: &Summary) -> String {
     let headings = [
         "",
@@ -127,6 +136,9 @@ fn comparison(summary: &Summary) -> String {
     let mut table = Columns::new(&headings);
     for row in &summary.comparison {
         let value = match (row.value, row.error) {
+            (Some(value), _) if row.resolved == Some(false) => {
+                format!("{}, unresolved", significant(value, SINGULAR_DIGITS))
+            }
             (Some(_), Some(error)) => format!("{} ± {}", number(row.value), significant(error, 2)),
             (value, _) => number(value),
         };

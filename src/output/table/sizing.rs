@@ -76,7 +76,7 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Option<String> {
     for line in &sizing.lines {
         table.row([
             line.interface.clone(),
-            format!("{}{}", significant(line.across, 3), star(line.merged)),
+            format!("{}{}", significant(line.across, 3), both(line.merged)),
             significant(line.peak_line_load, DIGITS),
             significant(line.from_end, 3),
             significant(line.hertz_pressure, DIGITS),
@@ -90,12 +90,12 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Option<String> {
     }
     let merged = sizing.lines.iter().any(|line| line.merged);
     let note = match merged {
-        true => "  * both lines of the V in one: the mesh is too coarse to tell them apart\n",
+        true => "  both: both lines of the V in one: the mesh is too coarse to tell them apart\n",
         false => "",
     };
     (!table.is_empty()).then(|| table.render() + note)
 }
 
-fn star(marked: bool) -> &'static str {
-    if marked { "*" } else { "" }
+fn both(merged: bool) -> &'static str {
+    if merged { ", both" } else { "" }
 }

@@ -28,7 +28,8 @@ pub fn flows(outcome: &Outcome) -> Vec<Flow> {
             if strain == 0.0 {
                 continue;
             }
-            if edges.are_near(&centre(&scene.mesh.corners(element))) {
+            let at = centre(&scene.mesh.corners(element));
+            if edges.are_near(&at) {
                 flow.at_edges = flow.at_edges.max(strain);
                 continue;
             }

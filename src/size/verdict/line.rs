@@ -23,7 +23,8 @@ fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> Check {
     let error = error.map(|share| 0.5 * share * line.hertz_pressure);
     let radius = proposal.choice().map_or(0.0, |c| 0.5 * c.diameter);
     let mut remarks = Vec::new();
-    if line.from_end <= AT_THE_END * radius {
+    let at_edge = line.from_end <= AT_THE_END * radius;
+    if at_edge {
         remarks.push("at the very end of the roller, which makes the peak: it belongs to the mesh");
     }
     if line.merged {
@@ -37,6 +38,7 @@ fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> Check {
         along: Some(line.at),
         value: Some(line.hertz_pressure),
         error,
+        at_edge,
         limit: Some(limit),
         utilisation: Some(line.hertz_pressure / limit),
         standing: Standing::of(line.hertz_pressure, error, limit),

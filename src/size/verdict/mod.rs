@@ -59,6 +59,8 @@ pub enum Standing {
     Missed,
     /// Not to be told on this mesh.
     Open,
+    /// Nothing is known of the figure's error: no verdict on this mesh.
+    Unresolved,
     /// Beside a loaded edge, where a figure belongs to the mesh.
     NotJudged,
 }
@@ -97,6 +99,8 @@ pub struct Check {
     pub value: Option<f64>,
     /// Estimated, of the value, in its unit.
     pub error: Option<f64>,
+    /// Is it a peak beside a loaded edge, which belongs to the mesh?
+    pub at_edge: bool,
     pub limit: Option<f64>,
     pub utilisation: Option<f64>,
     pub standing: Standing,
@@ -119,7 +123,7 @@ pub struct Placed {
 /// The verdict on a design.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Verdict {
-    /// Is no limit missed?
+    /// Is no limit missed, and everything resolved that is held against one?
     pub met: bool,
     /// Limits of which the mesh cannot tell.
     pub open: usize,
@@ -150,6 +154,7 @@ impl Placed {
             along: None,
             value: None,
             error: None,
+            at_edge: false,
             limit: None,
             utilisation: None,
             standing: Standing::Missed,
@@ -168,9 +173,15 @@ impl Placed {
         }
     }
 
-    /// Are all limits met?
+    /// Are all limits met, and every figure resolved that must be?
     pub fn met(&self) -> bool {
-        !self.checks.iter().any(|check| check.standing.is_missed())
+        let fails = |s: Standing| s.is_missed() || s == Standing::Unresolved;
+        !self.checks.iter().any(|check| fails(check.standing))
+    }
+
+    /// Is a limit missed?
+    fn misses(&self) -> bool {
+        self.checks.iter().any(|check| check.standing.is_missed())
     }
 }
 
@@ -186,9 +197,9 @@ impl Verdict {
     ) -> Result<Self, SizeError> {
         let request = &proposal.request;
         let met = positions.iter().all(Placed::met);
-        let advice = match met {
-            true => None,
-            false => Some(Advice::new(request, &positions)?),
+        let advice = match positions.iter().any(Placed::misses) {
+            false => None,
+            true => Some(Advice::new(request, &positions)?),
         };
         let checks = positions.iter().flat_map(|p| &p.checks);
         Ok(Self {

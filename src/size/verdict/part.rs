@@ -36,6 +36,7 @@ fn bare(kind: Kind, body: &str) -> Check {
         along: None,
         value: None,
         error: None,
+        at_edge: false,
         limit: None,
         utilisation: None,
         standing: Standing::NotJudged,
@@ -60,7 +61,13 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
         check.remark = Some("no elastic solution: the part has yielded".to_string());
         return check;
     };
-    let error = judged.error.total().or(judged.error.discretisation);
+    let error = judged.bar();
+    check.value = Some(judged.value);
+    if error.is_none() {
+        check.standing = Standing::Unresolved;
+        check.remark = Some("this mesh does not resolve it".to_string());
+        return check;
+    }
     if judged.what == away {
         let edge = claim(&summary.certificate, peak, body).map(|claim| significant(claim.value, 2));
         check.remark = Some(format!(
@@ -68,7 +75,6 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
             edge.unwrap_or_default()
         ));
     }
-    check.value = Some(judged.value);
     check.error = error;
     check.utilisation = Some(judged.value / limit);
     check.standing = Standing::of(judged.value, error, limit);
@@ -87,7 +93,7 @@ fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> 
     let own = certified.filter(|_| flow.away >= flow.at_edges);
     let mut checks = vec![Check {
         value: Some(flow.away),
-        error: own.and_then(|claim| claim.error.discretisation),
+        error: own.and_then(Claim::bar),
         limit: Some(0.0),
         standing: match (flow.away > 0.0, resolved) {
             (false, _) => Standing::Met,
@@ -106,6 +112,7 @@ fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> 
     if flow.at_edges > 0.0 {
         checks.push(Check {
             value: Some(flow.at_edges),
+            at_edge: true,
             remark: Some(
                 "beside a loaded edge, such as a square end of a roller: elastic stress has no bound \
                  there, so a little flow and a dent are found on any mesh that is fine enough"

@@ -27,7 +27,10 @@ pub fn page(verdict: &Verdict) -> String {
         match (verdict.met, verdict.open) {
             (true, 0) => "met".to_string(),
             (true, open) => format!("no limit missed, {open} open"),
-            (false, _) => "MISSED".to_string(),
+            (false, _) => match verdict.positions.iter().any(Placed::misses) {
+                true => "MISSED".to_string(),
+                false => "none, not resolved".to_string(),
+            },
         },
         n(verdict.load),
         units.force,
@@ -53,6 +56,7 @@ fn said(standing: Standing) -> &'static str {
         Standing::MissedWithinError => "NO, within ±",
         Standing::Missed => "NO",
         Standing::Open => "open",
+        Standing::Unresolved => "NOT RESOLVED",
         Standing::NotJudged => "not judged",
     }
 }
@@ -83,20 +87,27 @@ fn position(verdict: &Verdict, placed: &Placed) -> String {
     ]);
     let mut remarks: Vec<(&str, Vec<&str>)> = Vec::new();
     for check in &placed.checks {
-        let mut star = "";
-        if let Some(remark) = &check.remark {
-            star = "*";
-            match remarks.iter_mut().find(|(known, _)| known == remark) {
-                Some((_, places)) => places.push(&check.place),
-                None => remarks.push((remark, vec![&check.place])),
-            }
-        }
+        // The star is for peaks beside loaded edges alone; remarks go by numbers.
+        let star = if check.at_edge { "*" } else { "" };
+        let remark = check.remark.as_ref().map(|remark| {
+            let known = remarks.iter().position(|(known, _)| known == remark);
+            let index = known.unwrap_or_else(|| {
+                remarks.push((remark, Vec::new()));
+                remarks.len() - 1
+            });
+            remarks[index].1.push(&check.place);
+            format!(" [{}]", index + 1)
+        });
         let number =
             |value: Option<f64>, digits| value.map_or_else(dash, |v| significant(v, digits));
         table.row([
             check.place.clone(),
             what(check, verdict),
-            format!("{}{star}", number(check.value, 4)),
+            format!(
+                "{}{star}{}",
+                number(check.value, 4),
+                remark.unwrap_or_default()
+            ),
             number(check.error, 2),
             number(check.limit, 4),
             check.utilisation.map_or_else(dash, percent),
@@ -114,8 +125,11 @@ fn position(verdict: &Verdict, placed: &Placed) -> String {
         units.length,
         table.render()
     );
-    for (remark, places) in remarks {
-        text += &wrapped(&format!("* {}: {remark}", places.join(", ")), 2);
+    for ((remark, places), number) in remarks.into_iter().zip(1..) {
+        text += &wrapped(&format!("[{number}] {}: {remark}", places.join(", ")), 2);
+    }
+    if placed.checks.iter().any(|check| check.at_edge) {
+        text += "  * beside a loaded edge: a value of this mesh\n";
     }
     text
 }
@@ -147,7 +161,17 @@ fn conclusion(verdict: &Verdict) -> String {
         .map(named)
         .collect();
     let count = |standing: Standing| checks().filter(|(_, c)| c.standing == standing).count();
+    let unresolved: Vec<String> = (checks().filter(|(_, c)| c.standing == Standing::Unresolved))
+        .map(named)
+        .collect();
     let mut text = match missed.as_slice() {
+        [] if !unresolved.is_empty() => {
+            let words = format!(
+                "VERDICT: NONE, not resolved by this mesh: {}",
+                unresolved.join("; ")
+            );
+            wrapped(&words, 0)
+        }
         [] => {
             let nearest = checks().max_by(by_share).map_or_else(String::new, named);
             format!("VERDICT: no limit is missed; the nearest is that on {nearest} of it\n")
@@ -166,6 +190,10 @@ fn conclusion(verdict: &Verdict) -> String {
         (
             Standing::Open,
             "open: this mesh cannot tell; brinell run with --target mises=3% refines it",
+        ),
+        (
+            Standing::Unresolved,
+            "not resolved: the error is not known; brinell run with --target mises=3% refines the mesh",
         ),
         (
             Standing::NotJudged,

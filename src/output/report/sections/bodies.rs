@@ -54,7 +54,7 @@ pub fn bodies(inputs: &Inputs) -> Markup {
 }
 
 fn total(summary: &Summary, what: Quantity, place: &str) -> Option<f64> {
-    claim(&summary.certificate, what, place).and_then(|c| c.error.total())
+    claim(&summary.certificate, what, place).and_then(|c| c.bar())
 }
 
 fn body_row(name: &str, body: &BodySummary, summary: &Summary) -> Vec<Markup> {

@@ -1,7 +1,7 @@
 //! The certificate: figures with their estimated errors, by cause.
 
 use crate::certify::Claim;
-use crate::output::report::figures::{number, unit_of, with_error};
+use crate::output::report::figures::{NOT_RESOLVED, number, unit_of, with_error};
 use crate::output::report::html::{row, table};
 use crate::output::summary::Summary;
 use crate::output::text::significant;
@@ -16,7 +16,8 @@ pub fn certificate(summary: &Summary) -> Markup {
             row([
                 html! { (claim.what.name()) },
                 html! { (claim.place) },
-                html! { (with_error(claim.value, claim.error.total())) " " (unit_of(claim.what, &summary.units)) },
+                html! { (figure(claim)) " " (unit_of(claim.what, &summary.units)) },
+                html! { (relative(claim, claim.bar())) },
                 html! { (relative(claim, claim.error.discretisation)) },
                 html! { (relative(claim, claim.error.penetration)) },
                 html! { (relative(claim, claim.error.increment)) },
@@ -28,6 +29,7 @@ pub fn certificate(summary: &Summary) -> Markup {
         "figure",
         "<where",
         "value",
+        "error",
         "of the mesh",
         "of penetration",
         "of increments",
@@ -39,6 +41,14 @@ pub fn certificate(summary: &Summary) -> Markup {
             "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a loaded edge \
              gets a remark in place of an error."
         }
+    }
+}
+
+/// The figure with its error, or as one that this mesh does not resolve.
+fn figure(claim: &Claim) -> Markup {
+    match claim.bar() {
+        Some(error) => html! { (with_error(claim.value, Some(error))) },
+        None => html! { (significant(claim.value, 2)) " " b class="care" { (NOT_RESOLVED) } },
     }
 }
 

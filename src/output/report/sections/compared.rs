@@ -1,16 +1,19 @@
 //! Figures of this run beside printed ones and Hertz's.
 
-use crate::output::report::figures::{number, with_error};
+use crate::output::report::figures::{NOT_RESOLVED, number, with_error};
 use crate::output::report::html::{row, table};
 use crate::output::summary::{Figure, Summary};
+use crate::output::text::significant;
 use maud::{Markup, html};
 
 pub fn compared(summary: &Summary) -> Markup {
     let rows: Vec<Vec<Markup>> = (summary.comparison.iter())
         .map(|c| {
-            let value = c
-                .value
-                .map_or_else(|| "–".to_string(), |v| with_error(v, c.error));
+            let value = match (c.value, c.resolved) {
+                (Some(value), Some(false)) => format!("{}, {NOT_RESOLVED}", significant(value, 2)),
+                (Some(value), _) => with_error(value, c.error),
+                (None, _) => "–".to_string(),
+            };
             let report = match c.report {
                 Some(Figure::Value(value)) => number(Some(value)),
                 Some(Figure::Range([low, high])) => {

@@ -1,7 +1,7 @@
 //! Forces, pressures and lines of the interfaces.
 
 use crate::certify::{Quantity, claim};
-use crate::output::report::figures::{share, with_error};
+use crate::output::report::figures::{certified, share};
 use crate::output::report::html::{row, table};
 use crate::output::summary::{InterfaceSummary, Summary};
 use crate::output::text::{place, significant};
@@ -21,14 +21,12 @@ pub fn contact(summary: &Summary) -> Markup {
 
 fn pressures(summary: &Summary) -> Markup {
     let units = &summary.units;
-    let figure = |what, name: &str, value: f64| {
-        let error = claim(&summary.certificate, what, name).and_then(|c| c.error.total());
-        with_error(value, error)
-    };
+    let figure =
+        |what, name: &str, value: f64| certified(value, claim(&summary.certificate, what, name));
     let rows: Vec<Vec<Markup>> = (summary.interfaces.0.iter())
         .map(|(name, i)| {
             let half = claim(&summary.certificate, Quantity::HalfWidth, name);
-            let half = half.map(|c| with_error(c.value, c.error.total()));
+            let half = half.map(|c| certified(c.value, Some(c)));
             let counts = &i.status_counts;
             row([
                 html! { (name) },

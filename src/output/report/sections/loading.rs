@@ -29,7 +29,51 @@ pub fn loading(summary: &Summary) -> Markup {
     let slope = format!("slope, {}/{}", units.force, units.length);
     html! {
         (table("", &["end of step", &load, &descent, &slope], &rows))
+        @if summary.steps.len() > 1 { (steps(summary)) }
         @if let Some(unloaded) = &summary.unloaded { (stays(unloaded, summary)) }
+    }
+}
+
+/// All steps at their ends, the one that the page is of in bold.
+fn steps(summary: &Summary) -> Markup {
+    let units = &summary.units;
+    let rows: Vec<Vec<Markup>> = (summary.steps.iter())
+        .map(|step| {
+            let [stick, slip] = step.stick_and_slip();
+            let [x, y, z] = step.force.map(|f| significant(f, 4));
+            row([
+                html! { @if step.reported { b { (step.name) } } @else { (step.name) } },
+                html! { (x) },
+                html! { (y) },
+                html! { (z) },
+                html! { (number(step.mises_max.nodal)) },
+                html! { (number(step.max_pressure())) },
+                html! { (significant(step.peeq_max, 3)) },
+                html! { (stick) "/" (slip) },
+            ])
+        })
+        .collect();
+    let force = |axis: &str| format!("load {axis}, {}", units.force);
+    let stress = |what: &str| format!("{what}, {}", units.stress);
+    let (x, y, z) = (force("x"), force("y"), force("z"));
+    let (mises, pressure) = (stress("Mises, nodal"), stress("p max"));
+    let headings = [
+        "end of step",
+        &x,
+        &y,
+        &z,
+        &mises,
+        &pressure,
+        "plastic strain",
+        "sticking/slipping nodes",
+    ];
+    html! {
+        (table("All steps", &headings, &rows))
+        p class="note" {
+            "All other figures and pictures are of step “" (summary.step) "”"
+            @if summary.unloaded.is_some() { ", the last before unloading" }
+            "."
+        }
     }
 }
 

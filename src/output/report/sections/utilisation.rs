@@ -13,6 +13,8 @@ pub struct Utilisation {
     pub limit: f64,
     /// Estimated error of the figure; none where nothing is known.
     pub error: Option<f64>,
+    /// Does the certificate know the error, or say nothing of such a figure?
+    pub resolved: bool,
     /// What the limit is.
     pub against: &'static str,
 }
@@ -60,7 +62,8 @@ fn mises(inputs: &Inputs) -> Vec<Utilisation> {
             place: body.name.clone(),
             value: found.value,
             limit: steel.yield_stress,
-            error: found.error.total(),
+            error: found.bar(),
+            resolved: found.is_resolved(),
             against: "yield",
         });
     }
@@ -82,6 +85,7 @@ fn lines(inputs: &Inputs) -> Vec<Utilisation> {
             value: line.hertz_pressure,
             limit,
             error: None,
+            resolved: true,
             against: "1.65 yield, (2-49)",
         });
     }

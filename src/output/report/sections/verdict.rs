@@ -1,9 +1,9 @@
 //! The verdict: may the answer be used, are the sizing rules met, what is used most.
 
 use super::utilisation::{Utilisation, largest, utilisations};
-use crate::certify::{Quantity, claim};
+use crate::certify::{Claim, Quantity, claim, unresolved};
 use crate::output::report::Inputs;
-use crate::output::report::figures::{number, share, with_error};
+use crate::output::report::figures::{NOT_RESOLVED, number, share, with_error};
 use crate::output::report::html::{list, row, table};
 use crate::output::summary::Summary;
 use crate::output::text::significant;
@@ -38,6 +38,7 @@ pub fn verdict(inputs: &Inputs) -> Markup {
             b { (head) } " " (rest.join(" "))
         }
         (cards(inputs, largest(&all)))
+        (list("Not resolved by this mesh", &unsure(inputs.summary)))
         (list("Warnings", &warnings))
         @if !all.is_empty() {
             h3 { "Utilisation" }
@@ -49,6 +50,20 @@ pub fn verdict(inputs: &Inputs) -> Markup {
             }
         }
     }
+}
+
+/// The figures of which no error is known, with the reason where there is one.
+fn unsure(summary: &Summary) -> Vec<String> {
+    let said = |claim: &Claim| {
+        let why = claim
+            .note
+            .map_or_else(String::new, |note| format!(": {note}"));
+        format!("{} of {}{why}", claim.what.name(), claim.place)
+    };
+    unresolved(&summary.certificate)
+        .into_iter()
+        .map(said)
+        .collect()
 }
 
 /// How good, the first sentence and the others.
@@ -92,6 +107,13 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
         None => rest.push("Steel is taken as elastic.".to_string()),
     }
     rest.push("The solution has converged, and every check of it is within its limit.".to_string());
+    let unsure = unresolved(&summary.certificate).len();
+    if unsure > 0 {
+        rest.push(format!(
+            "This mesh does not resolve {unsure} of {} certified figures: they are named below.",
+            summary.certificate.len()
+        ));
+    }
     let (grade, head) = match (missed.is_empty(), flows) {
         (false, None) => (Grade::Bad, "Solved; the sizing rules are not met."),
         (false, Some(_)) => (
@@ -99,6 +121,7 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
             "Solved; the sizing rules are not met, and steel yields.",
         ),
         (true, Some(_)) => (Grade::Care, "Solved; steel yields."),
+        (true, None) if unsure > 0 => (Grade::Care, "Solved; not all figures are resolved."),
         (true, None) => (Grade::Good, "Solved."),
     };
     (grade, head, rest)
@@ -176,7 +199,14 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
         || "–".to_string(),
         |value| {
             let error = claim(&summary.certificate, Quantity::Descent, "overall");
-            with_error(value, error.and_then(|c| c.error.total()))
+            match error.is_some_and(|c| !c.is_resolved()) {
+                true => NOT_RESOLVED.to_string(),
+                false => format!(
+                    "{} {}",
+                    with_error(value, error.and_then(Claim::bar)),
+                    units.length
+                ),
+            }
         },
     );
     html! {
@@ -188,14 +218,22 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
             @if let Some(most) = largest {
                 (card(
                     "Largest utilisation",
-                    Some(if most.share() > 1.0 { Grade::Care } else { Grade::Good }),
-                    &format!("{} %", with_error(100.0 * most.share(), most.share_error().map(|e| 100.0 * e))),
+                    Some(if most.share() > 1.0 || !most.resolved { Grade::Care } else { Grade::Good }),
+                    &share_of(most),
                     &format!("{}, {}, of {}", most.what, most.place, most.against),
                 ))
             }
-            (card("Descent", None, &format!("{descent} {}", units.length),
-                &format!("under {} {}", significant(summary.applied_load, 4), units.force)))
+            (card("Descent", None, &descent,
+                &format!("under {} {}{}", significant(summary.applied_load, 4), units.force, at_end_of(summary))))
         }
+    }
+}
+
+/// Of which step, where there are several.
+fn at_end_of(summary: &Summary) -> String {
+    match summary.steps.len() > 1 {
+        true => format!(", step “{}”", summary.step),
+        false => String::new(),
     }
 }
 
@@ -216,18 +254,26 @@ fn sizing_card(summary: &Summary) -> Markup {
     }
 }
 
+/// The share that is used, in large type, where it is known.
+fn share_of(most: &Utilisation) -> String {
+    if !most.resolved {
+        return NOT_RESOLVED.to_string();
+    }
+    let error = most.share_error().map(|e| 100.0 * e);
+    format!("{} %", with_error(100.0 * most.share(), error))
+}
+
 fn used(all: &[Utilisation], stress: &str) -> Markup {
     let rows: Vec<Vec<Markup>> = (all.iter())
         .map(|u| {
-            let share = with_error(100.0 * u.share(), u.share_error().map(|e| 100.0 * e));
             let error = u.error.filter(|_| u.value != 0.0).map(|e| e / u.value);
-            let class = if u.share() > 1.0 { "care" } else { "" };
+            let class = if u.share() > 1.0 || !u.resolved { "care" } else { "" };
             row([
                 html! { (u.what) },
                 html! { (u.place) },
-                html! { (with_error(u.value, u.error)) },
+                html! { @if u.resolved { (with_error(u.value, u.error)) } @else { (significant(u.value, 2)) } },
                 html! { (number(Some(u.limit))) },
-                html! { b class=(class) { (share) " %" } },
+                html! { b class=(class) { (share_of(u)) } },
                 html! { (crate::output::report::figures::share(error)) },
                 html! { (u.against) },
             ])

@@ -1,0 +1,87 @@
+//! Which steps at the end of a scene take its loads off again.
+
+use super::{PlaneMotion, Scene};
+
+/// The share of a load that may be left where it counts as taken off.
+pub const LITTLE: f64 = 0.05;
+
+/// The factor of one load or prescribed motion at the end of every step.
+struct Course {
+    forces: bool,
+    factors: Vec<f64>,
+}
+
+impl Course {
+    /// Does it go towards zero, or stay, in step `step`? Beyond zero a little is none.
+    fn falls(&self, step: usize) -> bool {
+        let (was, is) = (self.factors[step - 1], self.factors[step]);
+        is.abs() <= LITTLE * was.abs() || (is * was >= 0.0 && is.abs() <= was.abs())
+    }
+
+    fn stays(&self, step: usize) -> bool {
+        self.factors[step - 1] == self.factors[step]
+    }
+}
+
+impl Scene {
+    /// The last step before those at the end that only unload: in none of them does a load or a
+    /// prescribed motion grow, and in the end every force is down to [`LITTLE`] of what it was. What
+    /// motions that go back leave is not known before they have: nothing is asked of it here. `None`
+    /// where the scene ends under load.
+    pub fn before_unloading(&self) -> Option<usize> {
+        let courses = self.courses();
+        let last = self.steps.len().checked_sub(1)?;
+        let all = |holds: &dyn Fn(&Course) -> bool| courses.iter().all(holds);
+        let mut loaded = last;
+        while loaded > 0 && all(&|course| course.falls(loaded)) {
+            loaded -= 1;
+        }
+        // A load that is held before it is taken off.
+        while loaded < last && all(&|course| course.stays(loaded + 1)) {
+            loaded += 1;
+        }
+        let off = |course: &Course| {
+            let [was, is] = [loaded, last].map(|step| course.factors[step].abs());
+            !course.forces || is <= LITTLE * was
+        };
+        (loaded < last && all(&off)).then_some(loaded)
+    }
+
+    /// The step whose end is reported: the last, or the last before unloading.
+    pub fn reported_step(&self) -> usize {
+        let last = self.steps.len().saturating_sub(1);
+        self.before_unloading().unwrap_or(last)
+    }
+
+    /// Is something moved at the end of step `step`, rather than under a force?
+    pub fn is_moved_in(&self, step: usize) -> bool {
+        let mut courses = self.courses().into_iter();
+        courses.any(|course| !course.forces && course.factors.get(step).is_some_and(|f| *f != 0.0))
+    }
+
+    /// Of every force and motion that is prescribed and not zero.
+    fn courses(&self) -> Vec<Course> {
+        let course = |name: &str, forces: bool| Course {
+            forces,
+            factors: self.steps.iter().map(|step| step.factor_of(name)).collect(),
+        };
+        let mut courses = Vec::new();
+        for plane in &self.rigid_planes {
+            let has = |counts: fn(&PlaneMotion) -> bool| plane.motion.iter().any(counts);
+            if has(|m| matches!(m, PlaneMotion::Driven(force) if *force != 0.0)) {
+                courses.push(course(&plane.name, true));
+            }
+            if has(|m| matches!(m, PlaneMotion::Held(travel) if *travel != 0.0)) {
+                courses.push(course(&plane.name, false));
+            }
+        }
+        courses.extend(self.tractions.iter().map(|t| course(&t.name, true)));
+        let moved = self.supports.iter().filter(|support| {
+            let gradient = support.gradient.iter().flatten();
+            let mut all = support.components.iter().flatten().chain(gradient);
+            all.any(|u| *u != 0.0)
+        });
+        courses.extend(moved.map(|support| course(&support.name, false)));
+        courses
+    }
+}

@@ -3,14 +3,17 @@
 
 use std::path::Path;
 
+use brinell::case;
 use brinell::case::bearing::{
     BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, gmsh_parameters, write_template,
     write_with_fingerprint,
 };
+use brinell::job;
 use brinell::mesh::gmsh;
 use miette::{IntoDiagnostic, Result};
 
 const OUT: &str = "meshes/section-2.6.2";
+const CASES: &str = "cases/section-2.6.2";
 
 fn main() -> Result<()> {
     let work = std::env::temp_dir().join(format!("brinell-meshes-{}", std::process::id()));
@@ -37,7 +40,22 @@ fn main() -> Result<()> {
             }
         }
     }
+    for design in ["initial", "revised"] {
+        for place in ["centre", "offset-1.25", "offset-2.5"] {
+            ship_case(&format!("{design}-{place}"))?;
+        }
+    }
     std::fs::remove_dir_all(&work).into_diagnostic()
+}
+
+/// The mesh that the case itself asks for, by its load and steels.
+fn ship_case(name: &str) -> Result<()> {
+    let case = case::read(&Path::new(CASES).join(format!("{name}.toml")))?;
+    let out = Path::new(OUT).join(format!("{name}-auto.msh.gz"));
+    job::make_mesh(&case, &out)?;
+    let size = std::fs::metadata(&out).into_diagnostic()?.len();
+    println!("{} {} kB", out.display(), size.div_ceil(1000));
+    Ok(())
 }
 
 /// The bearing of the reference study, in inches.

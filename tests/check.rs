@@ -178,7 +178,7 @@ fn the_strip_of_problem_h_is_known_before_it_is_solved() {
 fn a_shipped_bearing_is_ready_and_its_coarse_mesh_warned_of() {
     let case = "cases/section-2.6.2/initial-centre.toml";
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let run = brinell(root, &format!("check {case} --json")).code(0);
+    let run = brinell(root, &format!("check {case} --mesh h025 --json")).code(0);
     let check: Value = serde_json::from_slice(run.get_output().stdout.as_slice()).unwrap();
     assert_eq!(check["cost"]["unknowns"], 24525);
     // The plates of a quarter: 4 in x 4 in x 1 in.
@@ -251,14 +251,14 @@ fn too_little_memory_is_told_before_and_refused_by_a_run() {
             .arg(env!("CARGO_BIN_EXE_brinell"));
         assert_cmd::Command::from_std(shell).assert()
     };
-    let run = under_limit(&format!("check {case} --json")).code(1);
+    let run = under_limit(&format!("check {case} --mesh h025 --json")).code(1);
     let check: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
     let left = check["machine"]["memory_bytes"].as_f64().unwrap();
     assert!(left < 6.1e8, "{left}");
     let problem = check["problems"][0].as_str().unwrap();
     assert!(problem.contains("GB of memory are needed"), "{problem}");
     let out = folder.path().display();
-    let run = under_limit(&format!("run {case} --out {out}")).code(2);
+    let run = under_limit(&format!("run {case} --mesh h025 --out {out}")).code(2);
     let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
     assert!(said.contains("GB are left"), "{said}");
 }

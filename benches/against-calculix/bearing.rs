@@ -127,7 +127,7 @@ fn cases(scale: f64, plain: &Path, full: &Path) -> Result<Case, String> {
         case.scale_mesh(scale, 1.0).map_err(|e| e.to_string())?;
         table += &format!("\nscale = {scale}");
     }
-    let text = case.source.text().replace("preset = \"h025\"", &table);
+    let text = case.source.text().replace("preset = \"auto\"", &table);
     let write = |path: &Path, text: &str| {
         std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))
     };

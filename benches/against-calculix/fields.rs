@@ -76,6 +76,7 @@ fn write_case(subject: &Subject, folder: &Path) -> Result<PathBuf, String> {
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join(subject.case);
     let text = std::fs::read_to_string(&shipped).map_err(|e| format!("{}: {e}", subject.case))?;
     let text = text.replace("unload = true", "");
+    let text = text.replace("preset = \"auto\"", "preset = \"h025\"");
     let path = folder.join("case.toml");
     std::fs::write(&path, text + "\n[controls]\nelement = \"full\"\n")
         .map_err(|e| format!("{}: {e}", path.display()))?;

@@ -50,6 +50,7 @@ fn write_case(model: Model, scale: f64, folder: &Path) -> Result<PathBuf, Failur
     let mut case: toml::Table = text.parse()?;
     let mesh = case.get_mut("mesh").and_then(toml::Value::as_table_mut);
     let mesh = mesh.ok_or("the case has no [mesh]")?;
+    mesh.insert("preset".into(), "h025".into());
     mesh.insert("scale".into(), scale.into());
     let path = folder.join("case.toml");
     std::fs::write(&path, case.to_string())?;

@@ -1,7 +1,7 @@
 //! `[bearing]`: the rolling bearing of five bodies, its load, friction and steels.
 
 use super::assumption::Assumption;
-use super::bearing::{BearingGeometry, GeometryError, MeshRequest};
+use super::bearing::{BearingGeometry, GeometryError, MeshRequest, Strips};
 use super::bearing_reader::Reader;
 use super::error::{CaseError, ErrorKind};
 use super::interfaces::BODIES;
@@ -9,6 +9,7 @@ use super::mesh_choice;
 use super::parse::Table;
 use super::source::Located;
 use super::steel::Steels;
+use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::units::Dimension;
 
 /// A bearing, in the units of its case.
@@ -44,14 +45,15 @@ impl BearingCase {
         let full = reader.full(&geometry)?;
         let stages = reader.stages(load)?;
         let unload_to = reader.unload()?;
-        let mesh = mesh_choice::request(root, full, assumptions)?;
-        mesh.check(&geometry)
-            .map_err(|error| misfit("mesh", error))?;
+        let mut mesh = mesh_choice::request(root, full, assumptions)?;
         let steels = Steels::read(root, assumptions)?;
         steels.check_names(&BODIES)?;
         for body in BODIES {
             steels.of(body)?;
         }
+        mesh.strips = strips(&geometry, load, &steels)?;
+        mesh.check(&geometry)
+            .map_err(|error| misfit("mesh", error))?;
         Ok(Self {
             geometry,
             mesh,
@@ -76,6 +78,34 @@ impl BearingCase {
             vec![0, 1]
         }
     }
+}
+
+/// The widths of the lines of contact as statics predicts them; `None` where it cannot.
+fn strips(
+    geometry: &BearingGeometry,
+    load: f64,
+    steels: &Steels,
+) -> Result<Option<Strips>, CaseError> {
+    let elastic = |body: &str| -> Result<Result<Elastic, DomainError>, CaseError> {
+        let steel = steels.of(body)?;
+        Ok(Elastic::new(steel.youngs_modulus, steel.poissons_ratio))
+    };
+    let [upper, upper_roller, middle, lower_roller, lower] = BODIES.map(elastic);
+    let [upper, upper_roller, middle, lower_roller, lower] =
+        [upper?, upper_roller?, middle?, lower_roller?, lower?];
+    let predicted = || {
+        let (upper_roller, lower_roller, middle) = (upper_roller?, lower_roller?, middle?);
+        let flat = [
+            contact_compliance(upper?, upper_roller)?,
+            contact_compliance(lower_roller, lower?)?,
+        ];
+        let valley = [
+            contact_compliance(upper_roller, middle)?,
+            contact_compliance(middle, lower_roller)?,
+        ];
+        Strips::predicted(geometry, load, flat, valley)
+    };
+    Ok(predicted().ok())
 }
 
 /// A displaced roller has one line of contact below and one above, whose normals differ by the

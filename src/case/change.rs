@@ -1,6 +1,6 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
-use super::bearing::{MeshRequest, Preset};
+use super::bearing::{MeshRequest, Preset, Strips};
 use super::bearing_reader::UNLOAD_TO;
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
@@ -23,9 +23,22 @@ impl Case {
             );
             CaseError::new(ErrorKind::Value, message).help(advice(name, names()))
         })?;
+        self.mesh_by(preset)
+    }
+
+    /// Meshes a bearing by the coarsest mesh of the series that the study and `--target` refine.
+    ///
+    /// # Errors
+    /// As [`set_preset`](Self::set_preset).
+    pub fn set_series(&mut self) -> Result<(), CaseError> {
+        self.mesh_by(Preset::Series)
+    }
+
+    fn mesh_by(&mut self, preset: Preset) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a mesh preset")?;
         let request = MeshRequest {
             preset,
+            strips: bearing.mesh.strips,
             full: bearing.mesh.full,
             ..MeshRequest::default()
         };
@@ -96,6 +109,21 @@ impl Case {
             .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
         bearing.mesh = request;
         Ok(())
+    }
+
+    /// Meshes a bearing for lines of contact of these widths, where its preset looks at them.
+    pub fn set_strips(&mut self, strips: Strips) {
+        if let Kind::Bearing(bearing) = &mut self.kind {
+            bearing.mesh.strips = Some(strips);
+        }
+        if strips.found {
+            let how = ", for lines of contact as wide as a solution found them";
+            for assumption in self.assumptions.iter_mut() {
+                if assumption.key == "mesh.preset" && !assumption.value.ends_with(how) {
+                    assumption.value.push_str(how);
+                }
+            }
+        }
     }
 
     /// Takes level `level` of the family that the mesh of the case belongs to; a case on a file

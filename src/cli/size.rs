@@ -98,7 +98,7 @@ pub struct SizeArgs {
     /// Ask the rule for so many times the load [default: 1.4 with eccentric, else 1].
     #[arg(long, allow_negative_numbers = true)]
     pub margin: Option<f64>,
-    /// Mesh preset of the cases: report-like, h025, h0125 or resolved [default: h0125].
+    /// Mesh preset of the cases: auto, report-like, h025 or h0125 [default: h0125].
     #[arg(long)]
     pub mesh: Option<String>,
     /// Units of the answer and of the case files, such as mm-N-MPa.

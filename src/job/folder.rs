@@ -1,7 +1,7 @@
 //! The folder that a run writes into: one run at a time, and nothing of an earlier one that could be
 //! taken for the answer of this one.
 
-use super::{JobError, SUMMARY, checkpoint};
+use super::{JobError, SUMMARY, checkpoint, mesh};
 use crate::output::{line_load, report};
 use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
@@ -38,7 +38,11 @@ impl Folder {
         }
         let stale = (line_load::FILES.into_iter())
             .chain([SUMMARY, report::FILE])
-            .chain((!resume).then_some(checkpoint::FILE));
+            .chain(
+                [checkpoint::FILE, mesh::STRIPS]
+                    .into_iter()
+                    .filter(|_| !resume),
+            );
         for file in stale {
             forget(&path.join(file))?;
         }
@@ -46,7 +50,7 @@ impl Folder {
     }
 }
 
-fn forget(path: &Path) -> Result<(), JobError> {
+pub(super) fn forget(path: &Path) -> Result<(), JobError> {
     match std::fs::remove_file(path) {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(path, error)),
         _ => Ok(()),

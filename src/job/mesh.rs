@@ -128,6 +128,14 @@ fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
 /// Name of a mesh that a job made, in its folder.
 pub const FILE: &str = "mesh.msh.gz";
 
+/// Where a run keeps what its second mesh is made for, in its folder.
+pub(super) fn strips_file(out: &Path) -> PathBuf {
+    out.join(STRIPS)
+}
+
+/// Name of that file.
+pub(super) const STRIPS: &str = "mesh-strips.txt";
+
 /// Where a mesh of the bearing may already be: shipped beside the case (`cases/a/b.toml` has its
 /// meshes in `meshes/a/b-<preset>.msh.gz`), or left by an earlier run.
 fn known_places(case: &Case, bearing: &BearingCase, out: Option<&Path>) -> Vec<PathBuf> {

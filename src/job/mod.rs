@@ -13,11 +13,14 @@ mod mesh;
 mod record;
 mod report;
 mod sizing;
+mod strips;
 
+use crate::case::bearing::Strips;
 use crate::case::{Case, Kind};
 use crate::linear::memory;
 use crate::mesh::Mesh;
 use crate::output::summary::{Checks, Counters, Named, Timing};
+use crate::output::warnings::Warning;
 use crate::output::{Summary, SummaryInputs, UnitLabels, line_load};
 use crate::results::State;
 use crate::results::bore::Bore;
@@ -37,6 +40,7 @@ pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unk
 use record::Recorder;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use strips::Watch;
 
 /// Name of the summary in the folder of a run.
 const SUMMARY: &str = "summary.json";
@@ -96,12 +100,19 @@ fn unloaded<'s>(scene: &Scene, solution: &'s Solution) -> Option<&'s State> {
     ending(scene, &solution.states, &solution.last).unloaded
 }
 
+/// Is the mesh of `case` sized by its lines of contact (the preset `auto`)?
+pub fn is_sized_by_lines(case: &Case) -> bool {
+    strips::sized_by_lines(case).is_some()
+}
+
 /// Has an earlier run into `folder` left what [`Options::resume`] goes on from?
 pub fn has_checkpoint(folder: &Path) -> bool {
     folder.join(checkpoint::FILE).is_file()
 }
 
-/// Runs `case` on its mesh, telling `observer` of every iteration.
+/// Runs `case` on its mesh, telling `observer` of every iteration. Where its mesh is sized by the
+/// lines of contact and the solution finds that it does not serve them, it is meshed once more and
+/// solved again.
 ///
 /// # Errors
 /// [`JobError`]; increments accepted before an error are on disk, and so is their summary.
@@ -112,10 +123,33 @@ pub fn run(
 ) -> Result<Outcome, JobError> {
     let start = Instant::now();
     let _folder = options.open()?;
-    let mesh = find_mesh(case, options.out.as_deref(), &mut |line| {
-        observer.message(line)
-    })?;
-    solve_on(case, mesh, options, start, observer)
+    let out = options.out.as_deref();
+    let mut case = case.clone();
+    let mut mesh_may_change = strips::sized_by_lines(&case).is_some();
+    if let Some(out) = out.filter(|_| options.resume && mesh_may_change)
+        && let Some(strips) = strips::kept(out)?
+    {
+        case.set_strips(strips);
+        mesh_may_change = false;
+    }
+    loop {
+        let mesh = find_mesh(&case, out, &mut |line| observer.message(line))?;
+        match solve_on(&case, mesh, options, start, mesh_may_change, observer)? {
+            Ended::Done(outcome) => return Ok(*outcome),
+            Ended::Remesh(strips) => {
+                observer.message(
+                    "the lines of contact are not as wide as statics says: meshed once more, as found",
+                );
+                if let Some(out) = out {
+                    // First gone: a checkpoint is of one mesh.
+                    folder::forget(&out.join(checkpoint::FILE))?;
+                    strips::keep(&strips, out)?;
+                }
+                case.set_strips(strips);
+                mesh_may_change = false;
+            }
+        }
+    }
 }
 
 /// Runs `case` on `mesh`, the making of which began at `start`.
@@ -130,7 +164,17 @@ pub fn run_on(
     observer: &mut dyn Observer,
 ) -> Result<Outcome, JobError> {
     let _folder = options.open()?;
-    solve_on(case, mesh, options, start, observer)
+    match solve_on(case, mesh, options, start, false, observer)? {
+        Ended::Done(outcome) => Ok(*outcome),
+        Ended::Remesh(_) => Err(JobError::Interrupted),
+    }
+}
+
+/// How a solution ended.
+enum Ended {
+    Done(Box<Outcome>),
+    /// The mesh does not serve lines of contact of these widths.
+    Remesh(Strips),
 }
 
 fn solve_on(
@@ -138,8 +182,9 @@ fn solve_on(
     mesh: Mesh,
     options: &Options,
     start: Instant,
+    mesh_may_change: bool,
     observer: &mut dyn Observer,
-) -> Result<Outcome, JobError> {
+) -> Result<Ended, JobError> {
     let mut scene = case.scene(mesh)?;
     let mesh_s = start.elapsed().as_secs_f64();
     observer.message(&format!(
@@ -158,7 +203,9 @@ fn solve_on(
     }
     let clock = Clock::start();
     let files = options.out.as_deref().zip(checkpoint);
-    let mut recorder = Recorder::new(case, files, restart.as_ref(), scene.clone(), observer)?;
+    let watched = mesh_may_change.then_some((case, &scene));
+    let mut watch = Watch::new(observer, watched);
+    let mut recorder = Recorder::new(case, files, restart.as_ref(), scene.clone(), &mut watch)?;
     let (solution, failure) = match solve::resume(&mut scene, restart.as_ref(), &mut recorder) {
         Ok(solution) => (solution, None),
         Err(unfinished) => match unfinished.solution {
@@ -169,6 +216,9 @@ fn solve_on(
     let writing = recorder.spent();
     let history = recorder.into_history();
     let solving = clock.spent().minus(writing);
+    if let Some(strips) = watch.better() {
+        return Ok(Ended::Remesh(strips));
+    }
     if !solution.complete && solution.last.displacement.is_empty() {
         return Err(JobError::Interrupted);
     }
@@ -190,7 +240,10 @@ fn solve_on(
     let second = (elastic.as_deref(), stays.as_deref());
     let recovered = recover(&scene, reported(&scene, &solution));
     let fields = (&solution, &recovered);
-    let summary = summarise(case, &scene, fields, second, timing, options)?;
+    let mut summary = summarise(case, &scene, fields, second, timing, options)?;
+    if let Some(text) = strips::shortcoming(case, &scene, reported(&scene, &solution)) {
+        summary.warnings.push(Warning(text));
+    }
     if let Some(out) = &options.out {
         summary.write(&out.join(SUMMARY))?;
         line_load::write(&summary, out)?;
@@ -203,12 +256,12 @@ fn solve_on(
     if let Some(error) = failure {
         return Err(error.into());
     }
-    Ok(Outcome {
+    Ok(Ended::Done(Box::new(Outcome {
         interrupted: !solution.complete || observer.cancelled(),
         scene,
         solution,
         summary,
-    })
+    })))
 }
 
 /// The displacement that stays after unloading, where there is unloading. Dents can be told without

@@ -84,7 +84,7 @@ pub fn case_file(proposal: &Proposal, candidate: &Candidate, position: Position)
         format!("tangent_modulus = \"{}\"", stress(request.tangent_modulus.value)),
         String::new(),
         "[mesh]".to_string(),
-        "# report-like, h025, h0125 or resolved.".to_string(),
+        "# auto, report-like, h025 or h0125.".to_string(),
         format!("preset = \"{}\"", request.preset.value),
     ];
     head(proposal, candidate, position) + &lines.join("\n") + "\n"

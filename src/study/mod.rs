@@ -45,7 +45,7 @@ pub const MEMBERS: [Member; 6] = [
 
 /// Preset of the coarse mesh.
 const REPORT_LIKE: &str = "report-like";
-/// Preset of the first resolved mesh.
+/// Folder of the resolved meshes.
 const RESOLVED: &str = "resolved";
 
 /// What a resolved mesh should reach, and where it stops so that the six cases take minutes each.
@@ -122,7 +122,7 @@ impl Member {
         }
         if meshes.resolved {
             let mut case = self.case()?;
-            case.set_preset(RESOLVED)?;
+            case.set_series()?;
             let options = options(RESOLVED);
             let (levels, verdict, _) =
                 target::refine(&case, &TARGET, &LIMITS, &options, observer, |_| {})?;

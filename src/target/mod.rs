@@ -66,6 +66,12 @@ pub fn refine(
     observer: &mut dyn Observer,
     mut told: impl FnMut(&Level),
 ) -> Result<(Vec<Level>, Verdict, Outcome), ConvergeError> {
+    let mut case = case.clone();
+    if job::is_sized_by_lines(&case) {
+        // A series of its own: that mesh is as fine at the contact as its second level.
+        case.set_series()?;
+    }
+    let case = &case;
     let mut series = Series::of(case, &[], SQRT_2)?;
     if let Series::Template { contact, .. } = &mut series {
         *contact = SQRT_2;

@@ -1,4 +1,5 @@
 //! The bearing template and the meshes that are shipped with the program.
 
+mod remesh;
 mod shipped_meshes;
 mod template;

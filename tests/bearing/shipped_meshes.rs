@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use brinell::case::Kind;
 use brinell::case::bearing::{
     BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, mesh_scale,
 };
@@ -37,6 +38,25 @@ fn shipped_meshes_carry_the_fingerprints_of_their_bearings() {
                 assert!((scale - 1.0).abs() < 1e-12, "{name}");
                 assert_eq!(mesh.bodies.len(), 5);
             }
+        }
+    }
+}
+
+/// Those of the preset `auto` also depend on the load and the steels.
+#[test]
+fn shipped_meshes_sized_by_their_lines_are_those_of_the_cases() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for design in ["initial", "revised"] {
+        for place in ["centre", "offset-1.25", "offset-2.5"] {
+            let name = format!("section-2.6.2/{design}-{place}");
+            let case = brinell::case::read(&root.join(format!("cases/{name}.toml"))).expect(&name);
+            let Kind::Bearing(bearing) = &case.kind else {
+                panic!("{name} is a bearing");
+            };
+            assert_eq!(bearing.mesh.preset, Preset::Auto, "{name}");
+            let mesh = msh::read(&root.join(format!("meshes/{name}-auto.msh.gz"))).expect(&name);
+            let wanted = bearing.fingerprint();
+            assert_eq!(mesh.fingerprint.as_deref(), Some(wanted.as_str()), "{name}");
         }
     }
 }

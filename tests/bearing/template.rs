@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use brinell::case::bearing::{
-    BearingGeometry, MeshRequest, Preset, Roller, RollerEnd, gmsh_parameters, rescale,
+    BearingGeometry, MeshRequest, Preset, Roller, RollerEnd, Strips, gmsh_parameters, rescale,
     shape_roller_ends, write_template,
 };
 use brinell::mesh::{Mesh, gmsh, msh};
@@ -214,6 +214,69 @@ fn quarter_of_the_hollow_bearing() {
         let mesh = mesh(&initial(), &request(preset));
         check(&mesh, &initial(), true, false);
         assert!(nodes.contains(&mesh.points.len()), "{}", mesh.points.len());
+    }
+}
+
+/// Bearings whose lines of contact are wide or narrow, with walls thin and thick and all ends.
+#[test]
+fn a_mesh_sized_by_its_lines() {
+    let base = initial();
+    let thin = BearingGeometry {
+        wall: Some(0.25),
+        end: RollerEnd::Radius(0.1),
+        ..base.clone()
+    };
+    let long = BearingGeometry {
+        length: 15.0,
+        plan: [15.0, 18.0],
+        upper_thickness: 3.0,
+        end: RollerEnd::Crown(0.003),
+        ..displaced(6.0)
+    };
+    let shallow = BearingGeometry {
+        slope: 0.5f64.to_radians(),
+        ..solid()
+    };
+    for (geometry, widths, scale) in [
+        (&base, [0.032, 0.034], 1.0),
+        (&base, [0.003, 0.003], 1.0),
+        (&base, [0.032, 0.034], 0.6),
+        (&thin, [0.02, 0.03], 1.0),
+        (&long, [0.05, 0.09], 1.3),
+        (&shallow, [0.08, 0.1], 1.0),
+        (&displaced(2.5), [0.055, 0.06], 1.3),
+    ] {
+        let request = MeshRequest {
+            strips: Some(Strips {
+                narrowest: widths[0],
+                widest: widths[1],
+                found: false,
+            }),
+            scale,
+            ..request(Preset::Auto)
+        };
+        let mesh = mesh(geometry, &request);
+        check(&mesh, geometry, false, !geometry.is_centred());
+        check_fine(&mesh, geometry, [scale * widths[0], widths[1]]);
+        // A tenth of the width takes some rows more, and no multiple.
+        assert!(mesh.points.len() < 120_000, "{}", mesh.points.len());
+    }
+}
+
+/// Three elements or more across the narrower width, out to 1.3 of the wider, below the upper plate.
+fn check_fine(mesh: &Mesh, geometry: &BearingGeometry, [narrow, wide]: [f64; 2]) {
+    let surface = mesh.surface("upper_plate_bottom").unwrap();
+    let mut rows: Vec<f64> = surface
+        .nodes()
+        .iter()
+        .map(|n| mesh.points[*n as usize][0] - geometry.offset)
+        .collect();
+    rows.sort_by(f64::total_cmp);
+    rows.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    for pair in rows.windows(2) {
+        if pair[0].abs() < 1.299 * wide && pair[1].abs() < 1.299 * wide {
+            assert!(3.0 * (pair[1] - pair[0]) <= narrow, "{pair:?}");
+        }
     }
 }
 

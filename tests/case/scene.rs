@@ -414,7 +414,7 @@ fn shipped_cases() {
             assert_eq!((geometry.diameter, geometry.wall), (3.0, Some(0.75)));
             assert_eq!(bearing.is_whole(), offset > 0.0);
             assert!(case.discrepancies.len() >= 4);
-            let mesh = shipped(&format!("{design}-{place}-h025"));
+            let mesh = shipped(&format!("{design}-{place}-auto"));
             assert_eq!(
                 case.scene(mesh).unwrap().mirrors.len(),
                 if offset > 0.0 { 0 } else { 2 }

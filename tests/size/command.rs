@@ -118,7 +118,7 @@ fn bad_input_is_named() {
         ),
         (
             &["--mesh", "fine"],
-            &["--mesh cannot be `fine`", "one of: h025"],
+            &["--mesh cannot be `fine`", "one of: auto"],
         ),
         (
             &["--units", "furlongs"],

@@ -91,7 +91,7 @@ mod tests {
         let mut solid = initial();
         solid.wall = None;
         seen.push(fingerprint(&solid, &request));
-        for preset in [Preset::H0125, Preset::Resolved { level: 1 }] {
+        for preset in [Preset::H025, Preset::H0125, Preset::Series] {
             let request = MeshRequest {
                 preset,
                 ..MeshRequest::default()

@@ -121,6 +121,12 @@ impl BearingGeometry {
         self.axis_height() + self.radius()
     }
 
+    /// The thickness of the thinnest plate.
+    pub fn thinnest_plate(&self) -> f64 {
+        let outer = self.upper_thickness.min(self.lower_thickness);
+        outer.min(self.intermediate_thickness)
+    }
+
     /// z of the lowest and the highest point of the stack.
     pub fn height_range(&self) -> [f64; 2] {
         [

@@ -3,6 +3,7 @@
 //!
 //! All lengths are in one unit, whatever it is; angles in radians.
 
+mod auto;
 mod end_shape;
 mod error;
 mod fingerprint;
@@ -12,6 +13,7 @@ mod preset;
 mod request;
 mod roller_end;
 mod sizes;
+mod strips;
 mod template;
 
 pub use end_shape::RollerEnd;
@@ -23,4 +25,5 @@ pub use preset::{Preset, UnknownPreset};
 pub use request::MeshRequest;
 pub use roller_end::shape_roller_ends;
 pub use sizes::{Kind, MESH_KEYS, MeshKey, Sizes};
+pub use strips::{FoundLine, Strips};
 pub use template::{TEMPLATE_FILES, TEMPLATE_MAIN, TEMPLATE_VERSION, write_template};

@@ -4,9 +4,11 @@ use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
 
+use super::auto;
 use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
 use super::sizes::Sizes;
+use super::strips::Strips;
 
 /// A named choice of element sizes.
 ///
@@ -15,14 +17,17 @@ use super::sizes::Sizes;
 /// bearing steel the contact strips scale with D too (half-width about 0.02 R at p0 = E*/100).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Preset {
-    /// 0.025 in across the contact lines.
+    /// Sized from the half-widths of the lines of contact.
     #[default]
+    Auto,
+    /// 0.025 in across the contact lines.
     H025,
     /// 0.0125 in across the contact lines.
     H0125,
-    /// A family of meshes for convergence: 0.025 in at level 0, every size finer by √2 from one
-    /// level to the next, the grading everywhere the same.
-    Resolved { level: u8 },
+    /// The coarsest mesh of the series that [`study`](crate::study) and
+    /// [`target`](crate::target) refine: 0.025 in, the grading everywhere the same. No user asks
+    /// for it by name.
+    Series,
     /// The uniform coarse mesh of the reference study, for comparison only.
     ReportLike,
 }
@@ -31,30 +36,28 @@ pub enum Preset {
 pub(super) const PLATE_TO_ROLLER: f64 = 1.06;
 
 impl Preset {
-    /// One of each, the default first.
-    pub const ALL: [Self; 4] = [
-        Self::H025,
-        Self::H0125,
-        Self::Resolved { level: 0 },
-        Self::ReportLike,
-    ];
+    /// Those that a case may ask for, the default first.
+    pub const ALL: [Self; 4] = [Self::Auto, Self::H025, Self::H0125, Self::ReportLike];
 
     /// As in case files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Auto => "auto",
             Self::H025 => "h025",
             Self::H0125 => "h0125",
-            Self::Resolved { .. } => "resolved",
+            Self::Series => "series",
             Self::ReportLike => "report-like",
         }
     }
 
-    /// The element sizes for a bearing.
-    pub fn sizes(self, geometry: &BearingGeometry) -> Sizes {
+    /// The element sizes for a bearing whose lines of contact are as wide as `strips`; all but
+    /// `auto` look at the diameter alone.
+    pub fn sizes(self, geometry: &BearingGeometry, strips: &Strips) -> Sizes {
         match self {
+            Self::Auto => auto::sizes(geometry, strips),
             Self::H025 => graded(geometry, 0.025, 2.0),
             Self::H0125 => graded(geometry, 0.0125, 3.0),
-            Self::Resolved { level } => resolved(geometry, level),
+            Self::Series => series(geometry),
             Self::ReportLike => report_like(geometry),
         }
     }
@@ -63,11 +66,6 @@ impl Preset {
 /// A scale for lengths: 1 for the reference bearing.
 fn unit(geometry: &BearingGeometry) -> f64 {
     geometry.diameter / 3.0
-}
-
-fn thinnest_plate(geometry: &BearingGeometry) -> f64 {
-    let outer = geometry.upper_thickness.min(geometry.lower_thickness);
-    outer.min(geometry.intermediate_thickness)
 }
 
 /// Graded from `size` across the contact lines, with `fine_elements` of it on either side.
@@ -92,7 +90,7 @@ fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
         wall_cap: wall * 0.4,
         plan_cap: unit.min(half_plan / 4.0),
         middle_cap: (0.7 * unit).min(half_plan / 5.0),
-        depth_cap: (0.3 * unit).min(thinnest_plate(geometry) / 3.0),
+        depth_cap: (0.3 * unit).min(geometry.thinnest_plate() / 3.0),
         wall_least: 6.0,
         depth_least: 5.0,
         along_least: 12.0,
@@ -104,9 +102,9 @@ fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
     sizes
 }
 
-fn resolved(geometry: &BearingGeometry, level: u8) -> Sizes {
+fn series(geometry: &BearingGeometry) -> Sizes {
     let base = graded(geometry, 0.025, 2.0);
-    let coarsest = Sizes {
+    Sizes {
         crossing_size: 1.2 * base.crossing_size,
         growth: 2.25,
         depth_growth: 2.25,
@@ -120,8 +118,7 @@ fn resolved(geometry: &BearingGeometry, level: u8) -> Sizes {
         wall_least: 4.0,
         depth_least: 4.0,
         ..base
-    };
-    coarsest.scaled(2f64.powf(-0.5 * f64::from(level)))
+    }
 }
 
 /// Rollers: 24 elements around, 2 through the wall, 0.5 in along; plates: 0.3 in, 3 layers.
@@ -145,7 +142,7 @@ fn report_like(geometry: &BearingGeometry) -> Sizes {
         wall_cap: wall / 2.0,
         plan_cap: 0.3 * unit,
         middle_cap: 0.3 * unit,
-        depth_cap: thinnest_plate(geometry) / 3.0,
+        depth_cap: geometry.thinnest_plate() / 3.0,
         wall_least: 2.0,
         depth_least: 3.0,
         along_least: 1.0,
@@ -172,7 +169,7 @@ impl FromStr for Preset {
 #[error("there is no mesh preset `{0}`")]
 #[diagnostic(
     code(brinell::case::preset),
-    help("one of: h025, h0125, resolved, report-like")
+    help("one of: auto, h025, h0125, report-like")
 )]
 pub struct UnknownPreset(pub String);
 
@@ -187,6 +184,10 @@ mod tests {
             assert_eq!(preset.to_string().parse(), Ok(preset));
         }
         assert!("h05".parse::<Preset>().is_err());
-        assert_eq!(Preset::default().sizes(&initial()).roller_size, 0.025);
+        let (geometry, nominal) = (initial(), Strips::nominal(&initial()));
+        let sizes = |preset: Preset| preset.sizes(&geometry, &nominal);
+        assert_eq!(sizes(Preset::H025).roller_size, 0.025);
+        assert_eq!(Preset::default(), Preset::Auto);
+        assert!("series".parse::<Preset>().is_err(), "no preset of users");
     }
 }

@@ -6,11 +6,14 @@ use super::error::GeometryError;
 use super::geometry::BearingGeometry;
 use super::preset::{PLATE_TO_ROLLER, Preset};
 use super::sizes::{Kind, MESH_KEYS, Sizes};
+use super::strips::{FoundLine, Strips};
 
 /// How a bearing is to be meshed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshRequest {
     pub preset: Preset,
+    /// What `auto` is sized by; `None` where nothing is known of the load.
+    pub strips: Option<Strips>,
     /// Numbers in place of those of the preset, by key of [`MESH_KEYS`]; lengths in the unit of
     /// the bearing. A `roller_size` without a `plate_size` changes both.
     pub overrides: Vec<(String, f64)>,
@@ -28,6 +31,7 @@ impl Default for MeshRequest {
     fn default() -> Self {
         Self {
             preset: Preset::default(),
+            strips: None,
             overrides: Vec::new(),
             scale: 1.0,
             contact_scale: 1.0,
@@ -53,7 +57,8 @@ impl MeshRequest {
     }
 
     fn unscaled(&self, geometry: &BearingGeometry) -> Sizes {
-        let mut sizes = self.preset.sizes(geometry);
+        let strips = self.strips.unwrap_or_else(|| Strips::nominal(geometry));
+        let mut sizes = self.preset.sizes(geometry, &strips);
         for (key, value) in &self.overrides {
             if let Some(number) = sizes.get_mut(key) {
                 *number = *value;
@@ -80,6 +85,21 @@ impl MeshRequest {
             contact_scale: self.contact_scale * scale,
             ..self.clone()
         }
+    }
+
+    /// Lines of contact that these elements do not serve: fewer than three across a half-width, or
+    /// coarser ones within 1.3 of it. Asked before they are scaled, so that all scales of a mesh
+    /// are made for the same lines.
+    pub fn unserved<'l>(
+        &self,
+        geometry: &BearingGeometry,
+        lines: &'l [FoundLine],
+    ) -> Vec<&'l FoundLine> {
+        let sizes = self.unscaled(geometry);
+        let size = sizes.roller_size.max(sizes.plate_size);
+        let fine = sizes.fine_elements * sizes.roller_size;
+        let unserved = |line: &&FoundLine| !line.is_served(geometry, size, fine);
+        lines.iter().filter(unserved).collect()
     }
 
     /// Can this mesh be made?
@@ -143,6 +163,7 @@ mod tests {
     #[test]
     fn a_scale_takes_every_number_along() {
         let base = MeshRequest {
+            preset: Preset::H025,
             overrides: vec![("wall_least".into(), 8.0), ("growth".into(), 4.0)],
             ..MeshRequest::default()
         };

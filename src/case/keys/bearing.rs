@@ -128,10 +128,12 @@ pub const BEARING_MESH: Keys = Keys {
     keys: &[
         key(
             "preset",
-            "`h025`, `h0125`, `resolved` or `report-like`",
-            "`h025`",
-            "0.025 in across the lines of contact of a roller of 3 in (D/120); half of that; level 0 of \
-             a family for convergence; the uniform coarse mesh of the reference study, to compare with",
+            "`auto`, `h025`, `h0125` or `report-like`",
+            "`auto`",
+            "three elements or more across the half-width of every line of contact, meshed once more \
+             where the solution finds another width than statics; 0.025 in across the lines of a roller \
+             of 3 in (D/120); half of that; the uniform coarse mesh of the reference study, to compare \
+             with",
         ),
         key(
             "scale",

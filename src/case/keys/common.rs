@@ -45,7 +45,7 @@ pub const ROOT: Keys = Keys {
         key(
             "mesh",
             "table",
-            "preset `h025` of a bearing; required in a scene",
+            "preset `auto` of a bearing; required in a scene",
             "the mesh",
         ),
         key(

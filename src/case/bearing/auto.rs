@@ -1,0 +1,124 @@
+//! The preset `auto`: element sizes from the half-widths of the lines of contact.
+
+use super::end_shape::RollerEnd;
+use super::geometry::BearingGeometry;
+use super::preset::PLATE_TO_ROLLER;
+use super::sizes::Sizes;
+use super::strips::Strips;
+
+/// Elements across the half-width of the narrowest line: a tenth more than are asked for, on the
+/// plates too, whose elements are the larger ones.
+const ACROSS: f64 = 3.5;
+/// Fine elements reach this many half-widths of the widest line.
+const REACH: f64 = 1.35;
+/// More fine rows than this are of no use: lines whose widths differ so much cannot share a size.
+const MOST_ROWS: f64 = 40.0;
+
+/// Sizes for lines of these widths.
+///
+/// What they do, measured on ten bearings: the size across decides p0 and the half-width, and its
+/// layers below the face the Mises stress, whose peak is 0.8 a deep; what is round of the roller,
+/// and the layers of its wall, decide the stress of the bore and the descent; all others move them
+/// by 0.3 % at most.
+pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
+    let diameter = geometry.diameter;
+    let fine = strips.narrowest / ACROSS;
+    let rows = (REACH * strips.widest / fine - 1e-6).ceil();
+    let half_length = geometry.length / 2.0;
+    let half_plan = geometry.plan[0].max(geometry.plan[1]) / 2.0;
+    let wall = geometry.wall.unwrap_or(geometry.radius() / 2.0);
+    let end_size = (diameter / 20.0).min(half_length / 16.0);
+    // A few elements on a fillet, where it begins no fewer than at the very end.
+    let (end_size, along_growth) = match geometry.end {
+        RollerEnd::Radius(radius) => (end_size.min(radius / 8.0), 1.6),
+        RollerEnd::Square | RollerEnd::Crown(_) => (end_size, 2.0),
+    };
+    Sizes {
+        uniform: false,
+        roller_size: fine,
+        plate_size: PLATE_TO_ROLLER * fine,
+        fine_elements: rows.clamp(1.0, MOST_ROWS),
+        fine_layers: 3.0,
+        crossing_size: (diameter / 20.0).min(half_length / 20.0),
+        end_size,
+        growth: 2.5,
+        depth_growth: 2.5,
+        along_growth,
+        around_cap: 0.1 * diameter,
+        along_cap: (0.27 * diameter).min(half_length / 6.0),
+        wall_cap: (0.057 * diameter).min(0.4 * wall),
+        plan_cap: (0.43 * diameter).min(half_plan / 4.0),
+        middle_cap: (0.33 * diameter).min(half_plan / 5.0),
+        depth_cap: (0.1 * diameter).min(geometry.thinnest_plate() / 3.0),
+        wall_least: 9.0,
+        depth_least: 5.0,
+        along_least: 8.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::strips::{self, FoundLine};
+
+    const STEEL: f64 = 2.0 * 0.91 / 29500.0;
+
+    fn predicted(geometry: &BearingGeometry, load: f64) -> Strips {
+        Strips::predicted(geometry, load, [STEEL; 2], [STEEL; 2]).unwrap()
+    }
+
+    #[test]
+    fn every_line_has_three_elements_across_and_fine_ones_beyond_its_edge() {
+        for (offset, load) in [(0.0, 65.0), (0.0, 6.5), (2.5, 65.0), (2.5, 120.0)] {
+            let geometry = BearingGeometry {
+                offset,
+                ..initial()
+            };
+            let strips = predicted(&geometry, load);
+            let sizes = sizes(&geometry, &strips);
+            assert!(strips::ACROSS * sizes.plate_size <= strips.narrowest);
+            assert!(sizes.fine_elements * sizes.roller_size >= strips::REACH * strips.widest);
+            assert!(sizes.fine_elements <= 6.0, "no more rows than that takes");
+        }
+    }
+
+    #[test]
+    fn a_quarter_of_the_load_has_half_the_width() {
+        let [full, quarter] = [65.0, 16.25].map(|load| predicted(&initial(), load));
+        assert!((full.narrowest / quarter.narrowest - 2.0).abs() < 0.01);
+        let floor = predicted(&initial(), 1e-3);
+        assert_eq!(floor.narrowest, 1e-3 * 3.0);
+    }
+
+    #[test]
+    fn what_was_found_serves_what_was_found() {
+        let line = |valley, across, half_width| FoundLine {
+            valley,
+            across,
+            half_width,
+        };
+        let geometry = initial();
+        let at = geometry.v_line();
+        // The narrow line alone, a wide one beside it, one that has moved aside, two that merged.
+        for lines in [
+            vec![line(true, at, 0.02)],
+            vec![line(true, at, 0.02), line(false, 0.0, 0.05)],
+            vec![line(true, at + 0.01, 0.03)],
+            vec![line(true, 0.0, 0.15), line(false, 0.0, 0.1)],
+        ] {
+            let strips = Strips::found(&geometry, &lines).unwrap();
+            let sizes = sizes(&geometry, &strips);
+            let reach = sizes.fine_elements * sizes.roller_size;
+            for line in lines {
+                assert!(
+                    line.is_served(&geometry, sizes.plate_size, reach),
+                    "{line:?}"
+                );
+                assert!(!line.is_served(&geometry, 0.4 * line.half_width, reach));
+                assert!(!line.is_served(&geometry, sizes.plate_size, 0.5 * line.half_width));
+            }
+        }
+        assert_eq!(Strips::found(&geometry, &[]), None);
+    }
+}

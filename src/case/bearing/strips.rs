@@ -1,0 +1,142 @@
+//! How wide the lines of contact are: as statics predicts, or as a solution found them.
+
+use super::geometry::BearingGeometry;
+use crate::analytic::DomainError;
+use crate::analytic::displaced::DisplacedRoller;
+use crate::analytic::hertz::LineContact;
+
+/// Half-widths of the lines of contact that a mesh is made for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strips {
+    /// Half-width a of the narrowest line, where its load is largest.
+    pub narrowest: f64,
+    /// How far the fine elements must serve, from where a line lies in the geometry: the largest
+    /// half-width, and more where a line has moved aside.
+    pub widest: f64,
+    /// Did a solution find them? Else statics predicts them.
+    pub found: bool,
+}
+
+/// A line of contact of a solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FoundLine {
+    /// In the valley, or on a flat plate?
+    pub valley: bool,
+    /// Where its pressure is centred, across the roller.
+    pub across: f64,
+    /// Half-width a at its heaviest row.
+    pub half_width: f64,
+}
+
+/// Of half-widths, a share of the diameter: strips are narrower in bearings that carry next to
+/// nothing, and meshes of them would spend all elements on nothing.
+const LEAST: f64 = 1e-3;
+
+impl Strips {
+    /// Of steel on steel at p0 = E*/100, where nothing is known of the load: a = 0.02 R.
+    pub fn nominal(geometry: &BearingGeometry) -> Self {
+        Self::predicted_widths(geometry, [0.02 * geometry.radius()])
+    }
+
+    /// As statics predicts them under the load P; `flat` and `valley` are the compliances C_E
+    /// between the rollers and the flat plates, and between the rollers and the intermediate plate.
+    ///
+    /// Even loads are too low: rollers that cross press harder in the middle, the more so the
+    /// longer they are, and each of the two lines of a valley there carries as much as the line
+    /// above both; displaced ones press harder at their ends than a rigid roller on springs does.
+    /// Largest load per length, in the mean of ten bearings, of which single ones differ by a third:
+    ///
+    /// ```text
+    /// centred    flat  P/L (1 + 0.05 (L/D)^1.4)    each valley line  1.1 P/L
+    /// displaced  flat  1.25 w                      valley line       1.08 w
+    /// ```
+    /// with w of [`DisplacedRoller::linear`].
+    ///
+    /// # Errors
+    /// [`DomainError`] for a load or compliance that is not positive, or a roller whose load lies
+    /// beyond its end.
+    pub fn predicted(
+        geometry: &BearingGeometry,
+        load: f64,
+        flat: [f64; 2],
+        valley: [f64; 2],
+    ) -> Result<Self, DomainError> {
+        let slender = geometry.length / geometry.diameter;
+        let [on_flat, in_valley] = if geometry.is_centred() {
+            let even = load / geometry.length;
+            [even * (1.0 + 0.05 * slender.powf(1.4)), 1.1 * even]
+        } else {
+            let linear = DisplacedRoller::new(load, geometry.length, geometry.offset)?.linear();
+            [1.25 * linear.largest, 1.08 * linear.largest]
+        };
+        let width = |load: f64, compliance: f64| {
+            LineContact::new(load, geometry.radius(), compliance).map(|line| line.half_width)
+        };
+        Ok(Self::predicted_widths(
+            geometry,
+            [
+                width(on_flat, flat[0])?,
+                width(on_flat, flat[1])?,
+                width(in_valley, valley[0])?,
+                width(in_valley, valley[1])?,
+            ],
+        ))
+    }
+
+    fn predicted_widths<const N: usize>(geometry: &BearingGeometry, widths: [f64; N]) -> Self {
+        Self::of(geometry, &widths, &widths, false)
+    }
+
+    /// As these lines have them; `None` where there are none.
+    pub fn found(geometry: &BearingGeometry, lines: &[FoundLine]) -> Option<Self> {
+        let narrow: Vec<f64> = lines.iter().map(|line| line.half_width).collect();
+        let wide: Vec<f64> = (lines.iter())
+            .map(|line| line.reach(geometry) / REACH)
+            .collect();
+        (!lines.is_empty()).then(|| Self::of(geometry, &narrow, &wide, true))
+    }
+
+    fn of(geometry: &BearingGeometry, narrow: &[f64], wide: &[f64], found: bool) -> Self {
+        // Three digits: one mesh whatever the units, though the numbers differ in their last ones.
+        let rounded = |width: f64| {
+            let share = (width / geometry.diameter).max(LEAST);
+            let digits = 10f64.powf(2.0 - share.log10().floor());
+            (share * digits).round() / digits * geometry.diameter
+        };
+        Self {
+            narrowest: rounded(narrow.iter().copied().fold(f64::INFINITY, f64::min)),
+            widest: rounded(wide.iter().copied().fold(0.0, f64::max)),
+            found,
+        }
+    }
+}
+
+/// The fine elements reach this many half-widths to either side of a line.
+pub const REACH: f64 = 1.3;
+/// Elements across a half-width, at least.
+pub const ACROSS: f64 = 3.0;
+
+impl FoundLine {
+    /// Do elements of this size across it, and so many half-widths of them, serve this line? `fine`
+    /// is how far elements of `size` reach to either side of where the line lies in the geometry.
+    pub fn is_served(&self, geometry: &BearingGeometry, size: f64, fine: f64) -> bool {
+        ACROSS * size <= self.half_width && self.reach(geometry) <= fine
+    }
+
+    /// How far the fine elements must reach from where the line lies in the geometry. What a
+    /// roller covers between the two lines of its valley is on both their fine elements.
+    fn reach(&self, geometry: &BearingGeometry) -> f64 {
+        if !self.valley {
+            return (self.across - geometry.offset).abs() + REACH * self.half_width;
+        }
+        let line = geometry.v_line();
+        let half = REACH * self.half_width;
+        if geometry.is_centred() {
+            let across = self.across.abs();
+            let outward = across + half - line;
+            let inward = line - (across - half).max(0.0);
+            return outward.max(inward);
+        }
+        (self.across - line).abs() + half
+    }
+}

@@ -1,21 +1,52 @@
 //! `brinell verify`: the ladder of problems with known answers.
 
+use super::console::Console;
+use super::run::set_threads;
 use super::{CommandResult, Status, say};
+use crate::output::file::write_atomically;
+use crate::verify::coverage::{self, Answer, Keep, Set};
 use crate::verify::{Claim, Extent, VerifyError, extreme, matrix, suites};
 use clap::Args;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct VerifyArgs {
     /// Climb the whole ladder, the slow rungs too.
     #[arg(long)]
     pub all: bool,
-    /// One family only; `extreme` runs the cases of cases/extreme at the edge of what can be solved.
+    /// One family only; `extreme` runs the cases of cases/extreme at the edge of what can be solved,
+    /// `coverage` asks of many bearings whether their error bars hold.
     #[arg(long, value_name = "NAME")]
     pub suite: Option<String>,
-    /// Write docs/verification.md, or docs/stability.md for the extreme cases.
+    /// Write docs/verification.md; docs/stability.md for the extreme cases, docs/coverage.md for the bars.
     #[arg(long)]
     pub write: bool,
+    #[command(flatten)]
+    pub coverage: CoverageArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "With --suite coverage")]
+pub struct CoverageArgs {
+    /// Draws thirty bearings, beside the ten that have names.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Make the stored true values that are missing, on two fine meshes each: hours. What is done is
+    /// kept; delete a file of cases/coverage to have all of it anew.
+    #[arg(long)]
+    pub remake: bool,
+    /// Only bearings whose names begin so.
+    #[arg(long, value_name = "NAME")]
+    pub only: Option<String>,
+    /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume goes on from.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Read solutions that an earlier run left in --out, and solve only what is not there.
+    #[arg(long, requires = "out")]
+    pub resume: bool,
+    /// Threads to use (default: all cores).
+    #[arg(long, value_name = "N")]
+    pub threads: Option<u16>,
 }
 
 /// The page that `--write` writes, from the folder where the command is run.
@@ -25,10 +56,17 @@ const PAGE: &str = "docs/verification.md";
 const EXTREME: &str = "cases/extreme/suite.toml";
 const EXTREME_PAGE: &str = "docs/stability.md";
 
+const COVERAGE_PAGE: &str = "docs/coverage.md";
+/// A claim a line, in the folder of `--out`.
+const COVERAGE_LINES: &str = "coverage.jsonl";
+
 /// Carries out the command.
 pub fn run(args: &VerifyArgs) -> CommandResult {
     if args.suite.as_deref() == Some("extreme") {
         return run_extreme(args.write);
+    }
+    if args.suite.as_deref() == Some("coverage") {
+        return run_coverage(&args.coverage, args.write);
     }
     let bad = |report: miette::Report| (Status::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
@@ -92,6 +130,80 @@ fn run_extreme(write: bool) -> CommandResult {
     } else {
         Status::Failed
     })
+}
+
+fn run_coverage(args: &CoverageArgs, write: bool) -> CommandResult {
+    let bad = |report: miette::Report| (Status::BadInput, report);
+    let cannot = |path: &Path, error: std::io::Error| {
+        bad(miette::miette!(
+            "{} cannot be written: {error}",
+            path.display()
+        ))
+    };
+    set_threads(args.threads);
+    let mut console = Console::new(true);
+    let mut suite = coverage::Suite {
+        sets: vec![Set::Named, Set::Drawn(args.seed)],
+        only: args.only.clone(),
+        keep: Keep {
+            folder: args.out.clone(),
+            resume: args.resume,
+        },
+        observer: &mut console,
+        say: &mut |text| say(text),
+    };
+    if let Some(out) = &args.out {
+        std::fs::create_dir_all(out).map_err(|error| cannot(out, error))?;
+        for bearing in suite.sets.iter().flat_map(|set| set.bearings()) {
+            let path = out.join(format!("{}.toml", bearing.name));
+            std::fs::write(&path, &bearing.text).map_err(|error| cannot(&path, error))?;
+        }
+    }
+    let answer = if args.remake {
+        suite.remake()
+    } else {
+        suite.measure()
+    };
+    let sets = suite.sets.clone();
+    console.finish();
+    let answer = answer.map_err(|error| bad(error.into()))?;
+    if args.remake {
+        return Ok(status(&answer, true));
+    }
+    if let Some(out) = &args.out {
+        let written = write_atomically(&out.join(COVERAGE_LINES), |file| {
+            for record in &answer.records {
+                serde_json::to_writer(&mut *file, record)?;
+                writeln!(file)?;
+            }
+            Ok(())
+        });
+        written.map_err(|error| bad(miette::miette!("{error}")))?;
+    }
+    let criteria = coverage::criteria(&answer.records);
+    for criterion in &criteria {
+        say(&coverage::criterion(criterion));
+    }
+    if write && !answer.interrupted {
+        let page = coverage::page(&answer.records, &sets, &answer.unsolved, &answer.unknown);
+        let path = Path::new(COVERAGE_PAGE);
+        std::fs::write(path, page).map_err(|error| cannot(path, error))?;
+        say(&format!("written to {COVERAGE_PAGE}"));
+    }
+    Ok(status(
+        &answer,
+        criteria.iter().all(|c| c.holds() != Some(false)),
+    ))
+}
+
+fn status(answer: &Answer, sound: bool) -> Status {
+    if answer.interrupted {
+        Status::Interrupted
+    } else if sound && answer.unsolved.is_empty() {
+        Status::Done
+    } else {
+        Status::Failed
+    }
 }
 
 fn write(path: &Path, claims: &[Claim], unsolved: &[(&str, VerifyError)]) -> std::io::Result<()> {

@@ -4,6 +4,7 @@
 //! tolerance is what it is; [`suites`] lists them.
 
 pub mod claim;
+pub mod coverage;
 pub mod energy;
 mod error;
 pub mod extreme;

@@ -1,0 +1,125 @@
+//! What is asked of the claims.
+
+use super::measure::Record;
+use super::tally::{Tally, quantile};
+
+/// A demand, what was found, and whether that will do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Criterion {
+    pub what: String,
+    pub wanted: f64,
+    /// None where there is nothing to judge by.
+    pub found: Option<f64>,
+    /// At least as much is wanted, or at most.
+    pub least: bool,
+}
+
+impl Criterion {
+    pub fn holds(&self) -> Option<bool> {
+        let found = self.found?;
+        Some(if self.least {
+            found >= self.wanted
+        } else {
+            found <= self.wanted
+        })
+    }
+}
+
+/// Accuracy on `auto`: figure, elastic only, middle of the errors, nine of ten.
+type Accuracy = (&'static str, bool, Option<f64>, Option<f64>);
+
+const ACCURACY: [Accuracy; 6] = [
+    ("peak_pressure", false, Some(0.02), Some(0.05)),
+    ("hertz_p0", false, None, Some(0.02)),
+    ("mises_away", true, Some(0.025), Some(0.07)),
+    ("line_load", false, Some(0.01), None),
+    ("bore_mises", false, Some(0.025), None),
+    ("descent", false, Some(0.025), None),
+];
+
+/// Kinds and presets in the order in which they come.
+pub fn groups(records: &[Record], key: impl Fn(&Record) -> String) -> Vec<String> {
+    let mut names: Vec<String> = records.iter().map(key).collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+/// All demands.
+pub fn criteria(records: &[Record]) -> Vec<Criterion> {
+    let all = Tally::of(records);
+    let mut list = vec![
+        least("of all claims hold", 0.95, all.covered()),
+        most("of all claims cannot be decided", 0.1, all.undecided()),
+    ];
+    let presets = groups(records, |r| r.preset.clone());
+    for preset in &presets {
+        let of = |r: &&Record| r.preset == *preset;
+        let tally = Tally::of(records.iter().filter(of));
+        let limit = if preset == "h025" { 0.4 } else { 0.1 };
+        let text = |what: &str| format!("{preset}: {what}");
+        list.push(most(text("are not resolved"), limit, tally.without_bar()));
+        list.push(most(
+            text("bar over error, in the middle"),
+            4.0,
+            tally.width(),
+        ));
+    }
+    for preset in &presets {
+        for what in groups(records, |r| r.reading.what.clone()) {
+            let of = |r: &&Record| r.preset == *preset && r.reading.what == what;
+            let tally = Tally::of(records.iter().filter(of));
+            list.push(least(
+                format!("{preset}: {what} hold"),
+                0.9,
+                tally.covered(),
+            ));
+        }
+    }
+    let lines = |what: &str| {
+        let of = |r: &&Record| r.elastic && r.reading.what == what;
+        let has = |r: &&Record| what != "hertz_p0" || r.reading.bar.is_some();
+        records.iter().filter(of).filter(has).count()
+    };
+    let interfaces = lines("peak_pressure");
+    let claimed = (interfaces > 0).then(|| lines("hertz_p0") as f64 / interfaces as f64);
+    list.push(least("of the elastic lines have hertz_p0", 0.8, claimed));
+    for (what, elastic, middle, most_of) in ACCURACY {
+        let of = |r: &&Record| {
+            let kind = match what {
+                // Where no edge is loaded the peak itself is away from edges.
+                "mises_away" => ["mises_away", "peak_mises"].contains(&r.reading.what.as_str()),
+                _ => r.reading.what == what,
+            };
+            r.preset == "auto" && kind && (r.elastic || !elastic) && r.reading.bar.is_some()
+        };
+        let errors: Vec<f64> = (records.iter().filter(of))
+            .filter_map(Record::error)
+            .collect();
+        for (share, name, limit) in [
+            (0.5, "in the middle", middle),
+            (0.9, "nine of ten", most_of),
+        ] {
+            let found = quantile(errors.clone(), share);
+            let criterion = |limit| most(format!("auto: error of {what}, {name}"), limit, found);
+            list.extend(limit.map(criterion));
+        }
+    }
+    list
+}
+
+fn least(what: impl Into<String>, wanted: f64, found: Option<f64>) -> Criterion {
+    Criterion {
+        what: what.into(),
+        wanted,
+        found,
+        least: true,
+    }
+}
+
+fn most(what: impl Into<String>, wanted: f64, found: Option<f64>) -> Criterion {
+    Criterion {
+        least: false,
+        ..least(what, wanted, found)
+    }
+}

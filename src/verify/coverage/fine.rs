@@ -1,0 +1,93 @@
+//! The two fine meshes of a bearing, from which its true values are extrapolated.
+
+use super::solution::Solved;
+use crate::case::bearing::{MeshRequest, Preset};
+use crate::case::{Case, CaseError, ErrorKind, Kind};
+use std::f64::consts::PI;
+
+/// Sizes of the elements, relative to those of the finer mesh; finer last.
+pub const SCALES: [f64; 2] = [1.4, 1.0];
+
+/// Elements across the narrowest half-width, and how many of the widest ones the fine zone reaches.
+/// A displaced bearing is modelled as a whole, at some four times the cost.
+const CENTRED: Fineness = Fineness {
+    across: 6.0,
+    layers: 4.0,
+    growth: 1.8,
+    far: 0.05,
+};
+const DISPLACED: Fineness = Fineness {
+    across: 4.5,
+    layers: 3.0,
+    growth: 2.2,
+    far: 0.07,
+};
+const REACH: f64 = 1.4;
+
+struct Fineness {
+    across: f64,
+    /// Of the smallest elements, below the surface.
+    layers: f64,
+    growth: f64,
+    /// Elements around and through the walls of rollers, in diameters: they decide about the descent
+    /// and the stress of the bore.
+    far: f64,
+}
+
+/// `case` on its two fine meshes. How wide its strips are is known from the line loads of `coarse`,
+/// which coarse meshes have within some per cent.
+///
+/// # Errors
+/// Where the case is no bearing, or a mesh cannot be made so fine.
+pub fn cases(case: &Case, coarse: &Solved) -> Result<[Case; 2], CaseError> {
+    let [coarser, finer] = SCALES;
+    Ok([scaled(case, coarse, coarser)?, scaled(case, coarse, finer)?])
+}
+
+fn scaled(case: &Case, coarse: &Solved, scale: f64) -> Result<Case, CaseError> {
+    let mut case = case.clone();
+    let wrong = |text: String| CaseError::new(ErrorKind::Value, text);
+    let Kind::Bearing(bearing) = &mut case.kind else {
+        return Err(wrong("fine meshes are those of bearings".into()));
+    };
+    let geometry = &bearing.geometry;
+    let fineness = if bearing.is_whole() {
+        DISPLACED
+    } else {
+        CENTRED
+    };
+    let steel = bearing.steels.of("upper_roller")?;
+    let compliance = 2.0 * (1.0 - steel.poissons_ratio.powi(2)) / steel.youngs_modulus;
+    let half_width = |load: f64| (4.0 * load * geometry.radius() * compliance / PI).sqrt();
+    let widths = coarse.strips.values().map(|s| half_width(s.line_load));
+    let (narrow, wide) = widths.fold((f64::INFINITY, 0.0f64), |(least, most), a| {
+        (least.min(a), most.max(a))
+    });
+    if !(wide > 0.0) {
+        return Err(wrong("nothing is in contact".into()));
+    }
+    let size = narrow / fineness.across;
+    let far = fineness.far * geometry.diameter;
+    let wall = geometry.wall.unwrap_or(geometry.radius());
+    let overrides = [
+        ("roller_size", size),
+        ("fine_elements", (REACH * wide / size).ceil()),
+        ("fine_layers", fineness.layers),
+        ("growth", fineness.growth),
+        ("depth_growth", fineness.growth),
+        ("around_cap", far),
+        ("wall_cap", far.min(wall / 6.0)),
+    ];
+    bearing.mesh = MeshRequest {
+        preset: Preset::H0125,
+        overrides: overrides
+            .map(|(key, value)| (key.to_owned(), value))
+            .to_vec(),
+        scale,
+        full: bearing.mesh.full,
+        ..MeshRequest::default()
+    };
+    let fits = bearing.mesh.check(&bearing.geometry);
+    fits.map_err(|error| wrong(error.to_string()))?;
+    Ok(case)
+}

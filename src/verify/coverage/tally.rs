@@ -1,0 +1,89 @@
+//! Shares and middles over many claims.
+
+use super::measure::{Record, Verdict};
+
+/// What came of a group of claims.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Tally {
+    pub claims: usize,
+    pub holds: usize,
+    pub missed: usize,
+    pub undecidable: usize,
+    pub unresolved: usize,
+    /// True errors and bars of the claims that have both, relative: middle, and nine of ten.
+    pub error: Option<f64>,
+    pub error_90: Option<f64>,
+    pub bar: Option<f64>,
+}
+
+impl Tally {
+    pub fn of<'r>(records: impl IntoIterator<Item = &'r Record>) -> Self {
+        let mut tally = Self::default();
+        let (mut errors, mut bars) = (Vec::new(), Vec::new());
+        for record in records {
+            tally.claims += 1;
+            match record.verdict {
+                Verdict::Holds => tally.holds += 1,
+                Verdict::Missed => tally.missed += 1,
+                Verdict::Undecidable => tally.undecidable += 1,
+                Verdict::Unresolved => tally.unresolved += 1,
+                Verdict::Unclaimed => tally.claims -= 1,
+            }
+            if let (Some(error), Some(bar)) = (record.error(), record.bar()) {
+                errors.push(error);
+                bars.push(bar);
+            }
+        }
+        Self {
+            error: quantile(errors.clone(), 0.5),
+            error_90: quantile(errors, 0.9),
+            bar: quantile(bars, 0.5),
+            ..tally
+        }
+    }
+
+    /// Share of the claims that can be decided that hold.
+    pub fn covered(&self) -> Option<f64> {
+        share(self.holds, self.holds + self.missed)
+    }
+
+    /// Of all claims.
+    pub fn undecided(&self) -> Option<f64> {
+        share(self.undecidable, self.claims)
+    }
+
+    /// Of all claims.
+    pub fn without_bar(&self) -> Option<f64> {
+        share(self.unresolved, self.claims)
+    }
+
+    /// The bar in the middle over the error in the middle.
+    pub fn width(&self) -> Option<f64> {
+        Some(self.bar? / self.error.filter(|e| *e > 0.0)?)
+    }
+}
+
+fn share(part: usize, whole: usize) -> Option<f64> {
+    (whole > 0).then(|| part as f64 / whole as f64)
+}
+
+/// The value below which a share of the list lies, interpolated; none of an empty list.
+pub fn quantile(mut list: Vec<f64>, share: f64) -> Option<f64> {
+    list.sort_by(f64::total_cmp);
+    let at = share * list.len().checked_sub(1)? as f64;
+    let (low, high) = (at.floor() as usize, at.ceil() as usize);
+    Some(list[low] + (at - low as f64) * (list[high] - list[low]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_lie_between_the_values() {
+        assert_eq!(quantile(vec![], 0.5), None);
+        assert_eq!(quantile(vec![3.0], 0.9), Some(3.0));
+        assert_eq!(quantile(vec![3.0, 1.0, 2.0], 0.5), Some(2.0));
+        assert_eq!(quantile(vec![0.0, 1.0], 0.9), Some(0.9));
+    }
+}

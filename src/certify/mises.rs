@@ -1,7 +1,11 @@
 //! Peak stress and strain of bodies.
 
 use super::{Claim, Errors, Quantity, claim_of};
+use crate::analytic::subsurface::LineField;
+use crate::results::hertz::{Departure, HeaviestLine};
+use crate::results::hex::distance;
 use crate::results::peaks::{BodyPeaks, Peak};
+use crate::scene::{ContactPair, Partner, Scene};
 
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
                        mesh; look at the elastic peak and the plastic strain";
@@ -11,6 +15,11 @@ const SINGULAR: &str = "at a loaded edge: singular in elasticity, grows with eve
 
 const UNCERTAIN_FLOW: &str = "the error of the elastic peak is as large as what it exceeds the yield limit by: \
                               the plastic strain may be zero";
+
+const COARSE: &str = "below a strip of contact whose half-width is a node apart or less: there is no peak to be read";
+
+/// Distance of nodes over the half-width of a strip above which the peak below is not read.
+const COARSEST: f64 = 0.9;
 
 /// Share of the distance between the largest value at an integration point and the nodal one.
 const OVERSHOOT: f64 = 0.5;
@@ -23,10 +32,22 @@ const OVERSHOOT: f64 = 0.5;
 /// element, while a centre lies close to it; the largest value at an integration point overshoots
 /// most. Their differences are the estimate. Beside a loaded edge there is none, and the peak away
 /// from such edges is claimed, too.
-pub(super) fn claims(own: &[BodyPeaks], elastic: Option<&[BodyPeaks]>) -> Vec<Claim> {
+///
+/// Below a Hertzian strip the half space says how large the peak is, within what the bodies add to it:
+/// the distance from that is an error, too, and with a node and less in a half-width there is no peak
+/// to be read at all.
+pub(super) fn claims(
+    own: &[BodyPeaks],
+    elastic: Option<&[BodyPeaks]>,
+    strips: &[Strip],
+) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
         let yielded = body.peeq_max > 0.0;
+        let mises = |peaks: &BodyPeaks, names| {
+            let below = strips.iter().filter(|strip| strip.body == index);
+            mises(peaks, names, &below.collect::<Vec<_>>())
+        };
         let mut peaks = mises(body, [Quantity::PeakMises, Quantity::MisesAway]);
         if !yielded {
             claims.extend(peaks);
@@ -74,18 +95,70 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Claim>) -> Claim {
     }
 }
 
+/// A Hertzian strip on a body.
+pub(super) struct Strip {
+    pub body: usize,
+    pub centre: [f64; 3],
+    pub half_width: f64,
+    /// Distance of the nodes in its middle.
+    pub spacing: f64,
+    /// Largest Mises stress below it in a half space.
+    pub mises: f64,
+}
+
+impl Strip {
+    /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side.
+    pub fn all(scene: &Scene, lines: &[Option<HeaviestLine>]) -> Vec<Self> {
+        let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
+            let line = line.as_ref()?;
+            // Flow or not: this is of the elastic peak.
+            let hertz = line
+                .contact
+                .filter(|_| matches!(line.departs, None | Some(Departure::Flow)))?;
+            let on = |side: &Partner| {
+                let body = side.body(&scene.mesh)?;
+                let nu = scene.materials.get(body)?.poissons_ratio;
+                Some(Self {
+                    body,
+                    centre: line.line.heaviest.centre,
+                    half_width: hertz.half_width,
+                    spacing: line.line.heaviest.middle_spacing(),
+                    mises: LineField::below(&hertz, nu).ok()?.peak_mises().value,
+                })
+            };
+            Some([on(&pair.upper), on(&pair.lower)])
+        };
+        let pairs = scene.contacts.iter().zip(lines).filter_map(of_pair);
+        pairs.flatten().flatten().collect()
+    }
+
+    /// Is the peak of the stress below the strip there?
+    fn is_above(&self, at: &[f64; 3]) -> bool {
+        distance(self.centre, *at) <= 3.0 * self.half_width.max(self.spacing)
+    }
+}
+
 /// The nodal peak of a body, and that away from loaded edges where it lies at one.
-fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2]) -> Vec<Claim> {
+fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Vec<Claim> {
     let Some([nodal, centroid]) = body.nodal.zip(body.centroid).map(<[Peak; 2]>::from) else {
         return Vec::new();
     };
     let claim = |what: Quantity, [nodal, centroid]: [Peak; 2], overshoot: f64| {
-        let spread = (nodal.value - centroid.value).abs();
+        let spread = (nodal.value - centroid.value)
+            .abs()
+            .max(OVERSHOOT * overshoot);
+        let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
+        let (error, note) = match strip {
+            Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
+            Some(strip) => (Some(spread.max((nodal.value - strip.mises).abs())), None),
+            None => (Some(spread), None),
+        };
         Claim {
             error: Errors {
-                discretisation: Some(spread.max(OVERSHOOT * overshoot)),
+                discretisation: error,
                 ..Errors::default()
             },
+            note,
             ..claim_of(what, &body.name, nodal.value)
         }
     };

@@ -19,6 +19,7 @@ use crate::results::load::{applied, copies, descent};
 use crate::results::peaks::BodyPeaks;
 use crate::results::recovery::Recovered;
 use crate::scene::{PlaneMotion, Scene};
+use mises::Strip;
 use pressure::Contact;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -241,7 +242,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Claim> {
         ..
     } = *evidence;
     let mut claims: Vec<Claim> = descent_claim(evidence).into_iter().collect();
-    let flowing = mises::claims(peaks, evidence.elastic);
+    let flowing = mises::claims(peaks, evidence.elastic, &Strip::all(scene, evidence.lines));
     claims.extend(other::bores(evidence.bores));
     for (pair, interface) in interfaces.iter().enumerate() {
         let at = interface.max_pressure_at;

@@ -77,7 +77,13 @@ impl Contact<'_> {
 
     /// With a relative error, where that says anything.
     fn claim(&self, what: Quantity, value: f64, error: Option<f64>, why: &'static str) -> Claim {
-        let error = error.filter(|e| e.is_finite() && *e <= WORTHLESS);
+        // The rim of an area is never known better than to an element.
+        let most = if what == Quantity::ContactArea {
+            0.5
+        } else {
+            WORTHLESS
+        };
+        let error = error.filter(|e| e.is_finite() && *e <= most);
         Claim {
             error: Errors {
                 discretisation: error.map(|e| e * value),
@@ -94,12 +100,21 @@ impl Contact<'_> {
         if self.at_edge {
             return claim(None, EDGE);
         }
-        let error = match self.line.and_then(|line| Some((line, hertzian(line)?))) {
-            Some((line, hertz)) => {
-                Some(of_strip(&line.line.heaviest, &hertz, value) + 0.5 * load_error(line))
-            }
-            None => Some(FALL * fall(self.scene, field, self.pair)),
-        };
+        let fall = || FALL * fall(self.scene, field, self.pair);
+        let error = self
+            .line
+            .map_or_else(fall, |line| match (line.contact, line.departs) {
+                // The pressure that the line load makes is known better than what nodes read of it.
+                (Some(hertz), None) => {
+                    (value / hertz.peak_pressure - 1.0).abs() + hertz_error(line)
+                }
+                (Some(hertz), Some(Departure::Flow)) => {
+                    let a = line.line.heaviest.half_width.max(hertz.half_width);
+                    of_nodes(&line.line.heaviest, a) + load_error(line)
+                }
+                _ => fall(),
+            });
+        let error = Some(error);
         claim(error, COARSE)
     }
 
@@ -114,7 +129,7 @@ impl Contact<'_> {
     /// `None` where nothing is known of the curvature.
     fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Claim> {
         let value = line.pressure().or(line.contact.map(|c| c.peak_pressure))?;
-        let error = hertzian(line).map(|_| HALF_SPACE + 0.5 * load_error(line));
+        let error = hertzian(line).map(|_| hertz_error(line));
         Some(self.claim(Quantity::HertzPressure, value, error, NOT_HERTZ))
     }
 
@@ -123,7 +138,7 @@ impl Contact<'_> {
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
         let error = match hertzian(line) {
-            Some(hertz) => (a / hertz.half_width - 1.0).abs() + HALF_SPACE + 0.5 * load_error(line),
+            Some(hertz) => (a / hertz.half_width - 1.0).abs() + hertz_error(line),
             None => 0.5 * edge * edge + load_error(line),
         };
         self.claim(Quantity::HalfWidth, a, Some(error), COARSE)
@@ -159,16 +174,17 @@ fn load_error(line: &HeaviestLine) -> f64 {
     LINE_LOAD + KINK * line.kink
 }
 
-/// Relative error of the largest consistent pressure `value` of a Hertzian strip.
-fn of_strip(row: &StripRow, hertz: &LineContact, value: f64) -> f64 {
-    let a = hertz.half_width;
+/// The same of Hertz's pressure and half-width, which go with its root.
+fn hertz_error(line: &HeaviestLine) -> f64 {
+    HALF_SPACE + 0.5 * load_error(line)
+}
+
+/// Relative error of the largest consistent pressure of a strip: what the mean over a hat function
+/// takes off the peak, and what spacings that differ do.
+fn of_nodes(row: &StripRow, a: f64) -> f64 {
     let [middle, edge] = [row.middle_spacing(), row.edge_spacing()].map(|h| (h / a).powi(2));
-    let read = largest_mean(row, a);
-    let low = 1.0 - read;
     let uneven = AT_EDGE * (edge - middle).max(0.0) + MIDDLE * middle;
-    // What an exact solution would not read.
-    let beyond = (value / (hertz.peak_pressure * read) - 1.0).abs();
-    low.hypot(uneven) + beyond
+    (1.0 - largest_mean(row, a)).hypot(uneven)
 }
 
 /// The largest mean of √(1 − x²/a²) over a node's hat function, as the nodes of the row stand.

@@ -53,12 +53,13 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
             let hertz = (scene.compliance(pair))
                 .and_then(|compliance| LineContact::new(load / share, radius, compliance));
             let Ok(hertz) = hertz else { continue };
-            let measured = whole && line.half_width >= MEASURED * line.spacing;
+            let row = &line.heaviest;
+            let measured = whole && row.half_width >= MEASURED * row.edge_spacing();
             found.push(FoundLine {
                 valley: pair.name.contains("intermediate_plate"),
                 across: line.across,
                 half_width: match measured {
-                    true => line.half_width,
+                    true => row.half_width,
                     false => hertz.half_width,
                 },
             });
@@ -135,7 +136,7 @@ impl Observer for Watch<'_> {
     fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         if let Some((case, scene)) = &self.watched
             && self.better.is_none()
-            && state.step <= scene.full_step()
+            && state.step <= scene.reported_step()
         {
             self.better = better(case, scene, state);
         }

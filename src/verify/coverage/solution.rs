@@ -208,8 +208,8 @@ fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
         let to = |end: Option<&f64>| end.map_or(f64::INFINITY, |end| (end - at).abs());
         let (first, last) = (to(line.at.first()), to(line.at.last()));
         Some(Strip {
-            half_width: line.half_width,
-            spacing: line.spacing,
+            half_width: line.heaviest.half_width,
+            spacing: line.heaviest.edge_spacing(),
             line_load: load,
             // At a mirror plane the line goes on.
             from_end: if mirrored {

@@ -7,7 +7,7 @@ use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
 use super::load::{Loads, modelled_share};
 use super::model::Model;
 use super::source::{Located, Place, Source};
-use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Step, Support};
+use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
 
 /// The name of the rigid plane that carries the load.
 const LOADED: &str = "top";
@@ -44,6 +44,11 @@ impl BearingCase {
             upper: located(Partner::Surface(interface.upper.to_string())),
             lower: located(Partner::Surface(interface.lower.to_string())),
             carrier: None,
+            // Both halves of the stack alike.
+            preferred: match interface.roller_above {
+                true => Side::Upper,
+                false => Side::Lower,
+            },
             friction: self.friction,
             friction_is_default: false,
             penalty_factor: 1.0,

@@ -13,8 +13,10 @@ pub struct Contact {
     pub name: Located<String>,
     pub upper: Located<Partner>,
     pub lower: Located<Partner>,
-    /// `None`: chosen by softness, then fineness.
+    /// `None`: chosen by how stiff the two sides are, see [`carrier`](super::carrier).
     pub carrier: Option<Side>,
+    /// The side that carries where both are equally stiff.
+    pub preferred: Side,
     pub friction: f64,
     /// Was no friction given?
     pub friction_is_default: bool,
@@ -78,6 +80,7 @@ impl Contact {
             .transpose()?;
         Ok(Self {
             carrier: carrier(table, &upper, &lower)?,
+            preferred: Side::Upper,
             name,
             upper,
             lower,

@@ -114,7 +114,7 @@ impl Contact {
         let sides = [&self.upper.value, &self.lower.value];
         let carrier = self
             .carrier
-            .unwrap_or_else(|| carrier::choose(mesh, steels, sides));
+            .unwrap_or_else(|| carrier::choose(mesh, steels, sides, self.preferred));
         Ok(ContactPair {
             name: self.name.value.clone(),
             upper: self.upper.value.clone(),

@@ -26,9 +26,9 @@ const NOT_HERTZ: &str = "the strip is not Hertz's: it carries up to an edge, ste
 const WORTHLESS: f64 = 0.3;
 
 /// A load per length is this good at best: far field, and rows along the line.
-const LINE_LOAD: f64 = 0.004;
+const LINE_LOAD: f64 = 0.005;
 /// Share of the kink at the peak of a line load that is its error.
-const KINK: f64 = 0.5;
+const KINK: f64 = 0.2;
 /// Finite bodies depart from half spaces by so much in pressure.
 const HALF_SPACE: f64 = 0.01;
 /// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its
@@ -38,7 +38,7 @@ const AT_EDGE: f64 = 0.25;
 /// Share of the fall from the largest pressure to its neighbours that is its error.
 const FALL: f64 = 0.35;
 /// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
-const RIM: f64 = 0.25;
+const RIM: f64 = 0.2;
 
 /// What is known of an interface.
 pub(super) struct Contact<'a> {

@@ -28,7 +28,7 @@ pub struct Sight {
     normal: Vec3,
     /// Undeformed gap, open positive.
     pub gap: f64,
-    /// Overlap that flat facets make of round bodies: the sagittas of the two facets.
+    /// Overlap that flat facets make of round bodies.
     pub sagitta: f64,
 }
 
@@ -62,14 +62,13 @@ pub fn sights(pair: &Pair, distance: f64) -> Vec<Sight> {
 /// A side that looks.
 struct Viewer {
     side: Side,
-    /// By how much the flat facets lie below the round surface that they stand for.
-    sagittas: Vec<f64>,
+    bends: Vec<Bend>,
 }
 
 /// A side that is looked at, the images behind mirror planes included.
 struct Scenery {
     side: Side,
-    sagittas: Vec<f64>,
+    bends: Vec<Bend>,
     tree: FacetTree,
     distance: f64,
 }
@@ -85,15 +84,15 @@ struct Seen {
 
 impl Viewer {
     fn new(side: Side) -> Self {
-        let sagittas = sagittas(&side);
-        Self { side, sagittas }
+        let bends = bends(&side);
+        Self { side, bends }
     }
 
     fn scenery(&self, mirrors: &[usize], distance: f64) -> Scenery {
         let side = self.side.clone().with_images(mirrors, distance);
         Scenery {
             tree: FacetTree::new(&side.corners),
-            sagittas: sagittas(&side),
+            bends: bends(&side),
             side,
             distance,
         }
@@ -136,7 +135,7 @@ impl Viewer {
                 opposite: Some((opposite.0, opposite.1, signs)),
                 normal,
                 gap: seen.gap,
-                sagitta: self.sagittas[index] + at.sagittas[seen.facet],
+                sagitta: sagitta(self.bends[index], at.bends[seen.facet]),
             })
         };
         self.points().into_par_iter().filter_map(sight).collect()
@@ -154,7 +153,7 @@ impl Viewer {
                 opposite: None,
                 normal: scale(normal, -1.0),
                 gap,
-                sagitta: self.sagittas[index],
+                sagitta: 0.125 * self.bends[index].curvature * self.bends[index].size.powi(2),
             })
         };
         self.points().into_iter().filter_map(sight).collect()
@@ -208,9 +207,21 @@ fn shape_of(corner: Option<usize>) -> [f64; 4] {
     }
 }
 
-/// The sagitta of every facet, h φ / 4 with its diagonal h and the angle φ by which it turns from its
-/// middle to a corner: h² / 8R on a circle.
-fn sagittas(side: &Side) -> Vec<f64> {
+/// Size and curvature of a facet: its diagonal h, and 2 φ / h with the angle φ by which the surface
+/// turns from the facet's middle to a corner.
+#[derive(Clone, Copy)]
+struct Bend {
+    size: f64,
+    curvature: f64,
+}
+
+/// What flat facets on both sides, of surfaces that touch, may overlap by: either side takes the shape
+/// of the other, so that the chords of both lie below the curvature of both, (κ₁ + κ₂) (h₁² + h₂²) / 8.
+fn sagitta(a: Bend, b: Bend) -> f64 {
+    0.125 * (a.curvature + b.curvature) * (a.size.powi(2) + b.size.powi(2))
+}
+
+fn bends(side: &Side) -> Vec<Bend> {
     let mut mean: BTreeMap<u32, Vec3> = BTreeMap::new();
     for (nodes, normal) in side.nodes.iter().zip(&side.normals) {
         for node in nodes {
@@ -219,13 +230,17 @@ fn sagittas(side: &Side) -> Vec<f64> {
         }
     }
     let facets = side.nodes.iter().zip(&side.corners).zip(&side.normals);
-    let sagitta = |((nodes, corners), normal): ((&[u32; 4], &[Vec3; 4]), &Vec3)| {
+    let bend = |((nodes, corners), normal): ((&[u32; 4], &[Vec3; 4]), &Vec3)| {
         let turned = |node: &u32| {
             let mean = mean.get(node).copied().and_then(unit).unwrap_or(*normal);
             norm(cross(*normal, mean)).min(1.0).asin()
         };
         let most = nodes.iter().map(turned).fold(0.0, f64::max);
-        0.25 * most * norm(sub(corners[2], corners[0]))
+        let size = norm(sub(corners[2], corners[0]));
+        Bend {
+            size,
+            curvature: 2.0 * most / size.max(f64::MIN_POSITIVE),
+        }
     };
-    facets.map(sagitta).collect()
+    facets.map(bend).collect()
 }

@@ -39,32 +39,38 @@ impl LoadedEdges {
             let Some(surface) = carrier(scene, pair) else {
                 continue;
             };
-            let boundary = boundary_nodes(scene, surface);
-            let active = field
-                .nodes
-                .iter()
-                .enumerate()
-                .filter(|(i, _)| field.is_active(*i));
-            let loaded = active
+            let active: Vec<u32> = (field.nodes.iter().enumerate())
+                .filter(|(i, _)| field.is_active(*i))
                 .map(|(_, node)| *node)
-                .filter(|n| boundary.binary_search(n).is_ok());
-            let loaded: Vec<u32> = loaded.collect();
-            if loaded.is_empty() {
+                .collect();
+            if active.is_empty() {
                 continue;
             }
-            let at_edge = |face: &&Face| face.nodes.iter().any(|n| loaded.binary_search(n).is_ok());
-            let faces = surface.faces.iter().filter(at_edge);
-            let sizes = faces.map(|face| {
-                let corners = face.corners(&scene.mesh);
-                distance(corners[0], corners[2])
+            edges.add(scene, surface, |face| {
+                face.nodes.iter().any(|n| active.binary_search(n).is_ok())
             });
-            let longest = sizes.fold(REACH * extent(&scene.mesh, surface), f64::max);
-            edges.reach = edges.reach.max(longest);
-            edges
-                .positions
-                .extend(loaded.iter().map(|n| scene.mesh.points[*n as usize]));
+            // Where the other surface ends, the carrier may go on.
+            let [_, other] = scene.contacts[pair].carrier_first();
+            if let Some(other) = other.surface(&scene.mesh) {
+                let pressed = Pressed::new(scene, surface, &active);
+                edges.add(scene, other, |face| pressed.reaches(&face.corners(&scene.mesh)));
+            }
         }
         edges
+    }
+
+    /// Adds the nodes on the boundary of a surface that belong to faces under pressure.
+    fn add(&mut self, scene: &Scene, surface: &Surface, loaded: impl Fn(&Face) -> bool) {
+        let mesh = &scene.mesh;
+        let boundary = boundary_nodes(scene, surface);
+        let at_boundary = |face: &&Face| face.nodes.iter().any(|n| boundary.binary_search(n).is_ok());
+        for face in surface.faces.iter().filter(at_boundary).filter(|f| loaded(f)) {
+            let corners = face.corners(mesh);
+            let longest = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
+            self.reach = self.reach.max(longest);
+            let nodes = face.nodes.iter().filter(|n| boundary.binary_search(n).is_ok());
+            self.positions.extend(nodes.map(|n| mesh.points[*n as usize]));
+        }
     }
 
     /// Does no contact surface end while it carries pressure?
@@ -77,6 +83,36 @@ impl LoadedEdges {
     /// The edge may be that of the other body: its end presses a singularity into this one too.
     pub fn are_near(&self, at: &[f64; 3]) -> bool {
         (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)
+    }
+}
+
+/// Boxes about the carrier's nodes in contact, each as large as half of the faces around it.
+struct Pressed(Vec<([f64; 3], f64)>);
+
+impl Pressed {
+    fn new(scene: &Scene, surface: &Surface, active: &[u32]) -> Self {
+        let mut sizes: BTreeMap<u32, f64> = BTreeMap::new();
+        for face in &surface.faces {
+            let corners = face.corners(&scene.mesh);
+            let size = 0.5 * distance(corners[0], corners[2]);
+            for node in face.nodes.iter().filter(|n| active.binary_search(n).is_ok()) {
+                let known = sizes.entry(*node).or_default();
+                *known = known.max(size);
+            }
+        }
+        let boxes = sizes.into_iter().map(|(n, size)| (scene.mesh.points[n as usize], size));
+        Self(boxes.collect())
+    }
+
+    /// Does one of them reach the face of the other side with these corners?
+    fn reaches(&self, corners: &[[f64; 3]; 4]) -> bool {
+        self.0.iter().any(|(at, size)| {
+            (0..3).all(|i| {
+                let low = corners.iter().map(|c| c[i]).fold(f64::INFINITY, f64::min);
+                let high = corners.iter().map(|c| c[i]).fold(f64::NEG_INFINITY, f64::max);
+                at[i] + size >= low && at[i] - size <= high
+            })
+        })
     }
 }
 
@@ -133,7 +169,8 @@ fn mirror_planes(scene: &Scene) -> Vec<(usize, f64)> {
             let nodes = surface.nodes();
             let mut at = nodes.iter().map(|n| scene.mesh.points[*n as usize][axis]);
             let Some(first) = at.next() else { continue };
-            let size = first.abs();
+            // Bodies are moved into touch along directions with rounding in them.
+            let size = extent(&scene.mesh, surface);
             if support.gradient[axis] == [0.0; 3] && at.all(|x| (x - first).abs() <= 1e-9 * size) {
                 planes.push((axis, first));
             }

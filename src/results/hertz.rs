@@ -20,6 +20,8 @@ use nalgebra::{Matrix3, Vector3};
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeaviestLine {
     pub line: ContactLine,
+    /// The axis along it.
+    pub axis: usize,
     /// Its largest load per length.
     pub line_load: f64,
     /// Share by which that load stands out from the straight line between the rows beside it.
@@ -65,6 +67,7 @@ impl HeaviestLine {
             kink,
             contact: hertz,
             departs,
+            axis,
             line,
         })
     }

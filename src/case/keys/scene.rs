@@ -130,7 +130,7 @@ pub const CONTACT: Keys = Keys {
         key(
             "carrier",
             "`upper` or `lower`",
-            "the curved side, or the upper one",
+            "the softer side, of equal steels the one with coarser facets, else the upper one",
             "the side whose nodes carry the pressure",
         ),
         key("friction", "share, 0 or more", "0", "Coulomb's coefficient"),

@@ -167,12 +167,15 @@ pub fn pressed(scene: &Scene) -> State {
         acts_at: nodes.iter().map(at).collect(),
         nodes,
         pressure: vec![pressure; n],
+        multiplier: vec![pressure; n],
         gap: vec![-1e-6; n],
         traction: vec![[0.0, 0.1 * pressure, 0.0]; n],
         slip: vec![0.0; n],
         status: vec![1; n],
         area,
         force,
+        penetration: 1e-6,
+        unexplained: 0.0,
     };
     let elements = scene.mesh.hexes.len();
     State {

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   brinell run case.toml                       tables here, files in results/case
-  brinell run case.toml --mesh h0125          a finer mesh
+  brinell run case.toml --mesh h0125          another mesh
   brinell run case.toml --target mises=3%     finer meshes until the stress is that good
   brinell run case.toml --resume              on from where it was stopped
 

@@ -143,6 +143,8 @@ pub fn run(
                 if let Some(out) = out {
                     // First gone: a checkpoint is of one mesh.
                     folder::forget(&out.join(checkpoint::FILE))?;
+                    // Rows of a sweep share one file of their first mesh: no writing into that.
+                    folder::forget(&out.join(MESH_FILE))?;
                     strips::keep(&strips, out)?;
                 }
                 case.set_strips(strips);

@@ -28,9 +28,13 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
     let half_plan = geometry.plan[0].max(geometry.plan[1]) / 2.0;
     let wall = geometry.wall.unwrap_or(geometry.radius() / 2.0);
     let end_size = (diameter / 20.0).min(half_length / 16.0);
-    // A few elements on a fillet, where it begins no fewer than at the very end.
+    // A few elements on a fillet, where it begins no fewer than at the very end; along a strip
+    // nothing changes over less than its width.
     let (end_size, along_growth) = match geometry.end {
-        RollerEnd::Radius(radius) => (end_size.min(radius / 8.0), 1.6),
+        RollerEnd::Radius(radius) => {
+            let least = strips.narrowest / 2.0;
+            (end_size.min((radius / 8.0).max(least)), 1.6)
+        }
         RollerEnd::Square | RollerEnd::Crown(_) => (end_size, 2.0),
     };
     Sizes {
@@ -45,7 +49,7 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
         depth_growth: 2.5,
         along_growth,
         around_cap: 0.1 * diameter,
-        along_cap: (0.27 * diameter).min(half_length / 6.0),
+        along_cap: (0.4 * diameter).min(half_length / 6.0),
         wall_cap: (0.057 * diameter).min(0.4 * wall),
         plan_cap: (0.43 * diameter).min(half_plan / 4.0),
         middle_cap: (0.33 * diameter).min(half_plan / 5.0),

@@ -88,7 +88,7 @@ impl MeshRequest {
     }
 
     /// Lines of contact that these elements do not serve: fewer than three across a half-width, or
-    /// coarser ones within 1.3 of it. Asked before they are scaled, so that all scales of a mesh
+    /// coarser ones within 1.3 of it, on the rollers. Asked before they are scaled, so that all scales of a mesh
     /// are made for the same lines.
     pub fn unserved<'l>(
         &self,
@@ -96,8 +96,8 @@ impl MeshRequest {
         lines: &'l [FoundLine],
     ) -> Vec<&'l FoundLine> {
         let sizes = self.unscaled(geometry);
-        let size = sizes.roller_size.max(sizes.plate_size);
-        let fine = sizes.fine_elements * sizes.roller_size;
+        let size = sizes.roller_size;
+        let fine = sizes.fine_elements * size;
         let unserved = |line: &&FoundLine| !line.is_served(geometry, size, fine);
         lines.iter().filter(unserved).collect()
     }

@@ -35,9 +35,12 @@ pub struct CoverageArgs {
     /// kept; delete a file of cases/coverage to have all of it anew.
     #[arg(long)]
     pub remake: bool,
-    /// Only bearings whose names begin so.
+    /// Only bearings whose names begin so; may be given again.
     #[arg(long, value_name = "NAME")]
-    pub only: Option<String>,
+    pub only: Vec<String>,
+    /// Only this preset; may be given again.
+    #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
+    pub mesh: Vec<String>,
     /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume goes on from.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -145,6 +148,11 @@ fn run_coverage(args: &CoverageArgs, write: bool) -> CommandResult {
     let mut suite = coverage::Suite {
         sets: vec![Set::Named, Set::Drawn(args.seed)],
         only: args.only.clone(),
+        presets: match args.mesh.is_empty() {
+            true => coverage::presets(),
+            false => args.mesh.clone(),
+        },
+        plastic: true,
         keep: Keep {
             folder: args.out.clone(),
             resume: args.resume,

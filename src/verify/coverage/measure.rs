@@ -19,8 +19,6 @@ pub enum Verdict {
     Undecidable,
     /// The claim says itself that it is not resolved.
     Unresolved,
-    /// Nothing is claimed.
-    Unclaimed,
 }
 
 /// A claim of a run and the truth about it.
@@ -57,10 +55,7 @@ impl Record {
 /// A claim holds if the value is within bar and uncertainty of the true one.
 pub fn judge(reading: &Reading, truth: Option<Truth>) -> Verdict {
     let Some(bar) = reading.bar else {
-        return match reading.unclaimed {
-            true => Verdict::Unclaimed,
-            false => Verdict::Unresolved,
-        };
+        return Verdict::Unresolved;
     };
     match truth {
         Some(truth) if truth.uncertainty <= bar / 3.0 => {

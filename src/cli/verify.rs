@@ -28,8 +28,8 @@ pub struct VerifyArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "With --suite coverage")]
 pub struct CoverageArgs {
-    /// Draws thirty bearings, beside the ten that have names.
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    /// What thirty bearings are drawn by, beside the ten that have names.
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub seed: u64,
     /// Make the stored true values that are missing, on two fine meshes each: hours. What is done is
     /// kept; delete a file of cases/coverage to have all of it anew.
@@ -38,17 +38,20 @@ pub struct CoverageArgs {
     /// Only bearings whose names begin so; may be given again.
     #[arg(long, value_name = "NAME")]
     pub only: Vec<String>,
-    /// Only this preset; may be given again.
+    /// Only on this mesh [default: on h025, h0125 and auto]; may be given again.
     #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
     pub mesh: Vec<String>,
-    /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume goes on from.
-    #[arg(long, value_name = "DIR")]
+    /// With elastic steel only.
+    #[arg(long)]
+    pub elastic: bool,
+    /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume reads.
+    #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Read solutions that an earlier run left in --out, and solve only what is not there.
     #[arg(long, requires = "out")]
     pub resume: bool,
-    /// Threads to use (default: all cores).
-    #[arg(long, value_name = "N")]
+    /// Threads to use [default: one a core].
+    #[arg(long, value_name = "COUNT")]
     pub threads: Option<u16>,
 }
 
@@ -152,7 +155,7 @@ fn run_coverage(args: &CoverageArgs, write: bool) -> CommandResult {
             true => coverage::presets(),
             false => args.mesh.clone(),
         },
-        plastic: true,
+        plastic: !args.elastic,
         keep: Keep {
             folder: args.out.clone(),
             resume: args.resume,

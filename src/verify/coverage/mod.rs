@@ -80,7 +80,7 @@ impl Suite<'_> {
             for bearing in self.bearings(set) {
                 let displaced = bearing.is_displaced()?;
                 wanted.push((displaced, false, set, bearing.clone()));
-                if !bearing.is_elastic()? {
+                if self.plastic && !bearing.is_elastic()? {
                     wanted.push((displaced, true, set, bearing));
                 }
             }

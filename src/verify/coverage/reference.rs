@@ -232,3 +232,56 @@ pub fn make(
         Err(_) => Err(JobError::Interrupted),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair(what: &str, two: [f64; 2]) -> Pair {
+        let places = BTreeMap::from([("overall".to_owned(), two.map(Some))]);
+        Pair {
+            version: String::new(),
+            unknowns: [0; 2],
+            cpu_s: [0.0; 2],
+            figures: BTreeMap::from([(what.to_owned(), places)]),
+        }
+    }
+
+    /// An error of order 2 at sizes of 1.4 and 1 is (1.4² − 1) = 0.96 of the difference on the finer mesh.
+    #[test]
+    fn true_values_are_within_their_uncertainty() {
+        for order in [1.6, 2.0, 2.6] {
+            for (what, least) in [("descent", 0.0), ("peak_pressure", 0.1)] {
+                let on = |size: f64| 10.0 * (1.0 - 0.01 * size.powf(order));
+                let pair = pair(what, [on(1.4), on(1.0)]);
+                let scatter = BTreeMap::from([("peak_pressure".to_owned(), 0.01)]);
+                let truth = pair.truth(what, "overall", &scatter).unwrap();
+                let error = (truth.value - 10.0).abs();
+                assert!(
+                    error <= truth.uncertainty,
+                    "{what} {order}: {error} {truth:?}"
+                );
+                assert!(truth.uncertainty >= least);
+                assert!(truth.uncertainty < 0.12);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_stored_of_a_bearing_is_not_taken_for_another_one() {
+        let mut bearing = Set::Named.bearings().remove(0);
+        let mut known = References::default();
+        known.keep(&bearing, true, pair("descent", [1.0, 2.0]));
+        known.keep(&bearing, false, pair("descent", [1.0, 3.0]));
+        assert!(
+            known
+                .of(&bearing)
+                .is_some_and(|s| s.has(true) && s.has(false))
+        );
+        bearing.text.push('\n');
+        assert!(known.of(&bearing).is_none());
+        known.keep(&bearing, true, pair("descent", [1.0, 2.0]));
+        assert!(known.of(&bearing).is_some_and(|s| !s.has(false)));
+        assert_eq!(known.0.len(), 1);
+    }
+}

@@ -28,24 +28,30 @@ pub struct VerifyArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "With --suite coverage")]
 pub struct CoverageArgs {
-    /// Draws thirty bearings, beside the ten that have names.
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    /// What thirty bearings are drawn by, beside the ten that have names.
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub seed: u64,
     /// Make the stored true values that are missing, on two fine meshes each: hours. What is done is
     /// kept; delete a file of cases/coverage to have all of it anew.
     #[arg(long)]
     pub remake: bool,
-    /// Only bearings whose names begin so.
+    /// Only bearings whose names begin so; may be given again.
     #[arg(long, value_name = "NAME")]
-    pub only: Option<String>,
-    /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume goes on from.
-    #[arg(long, value_name = "DIR")]
+    pub only: Vec<String>,
+    /// Only on this mesh [default: on h025, h0125 and auto]; may be given again.
+    #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
+    pub mesh: Vec<String>,
+    /// With elastic steel only.
+    #[arg(long)]
+    pub elastic: bool,
+    /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume reads.
+    #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Read solutions that an earlier run left in --out, and solve only what is not there.
     #[arg(long, requires = "out")]
     pub resume: bool,
-    /// Threads to use (default: all cores).
-    #[arg(long, value_name = "N")]
+    /// Threads to use [default: one a core].
+    #[arg(long, value_name = "COUNT")]
     pub threads: Option<u16>,
 }
 
@@ -145,6 +151,11 @@ fn run_coverage(args: &CoverageArgs, write: bool) -> CommandResult {
     let mut suite = coverage::Suite {
         sets: vec![Set::Named, Set::Drawn(args.seed)],
         only: args.only.clone(),
+        presets: match args.mesh.is_empty() {
+            true => coverage::presets(),
+            false => args.mesh.clone(),
+        },
+        plastic: !args.elastic,
         keep: Keep {
             folder: args.out.clone(),
             resume: args.resume,

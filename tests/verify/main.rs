@@ -1,6 +1,7 @@
 //! Problems with known answers.
 
 mod contacts;
+mod coverage;
 mod extreme;
 mod ladder;
 mod rates;

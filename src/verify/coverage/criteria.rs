@@ -30,7 +30,7 @@ type Accuracy = (&'static str, bool, Option<f64>, Option<f64>);
 
 const ACCURACY: [Accuracy; 6] = [
     ("peak_pressure", false, Some(0.02), Some(0.05)),
-    ("hertz_p0", false, None, Some(0.02)),
+    ("hertz_pressure", false, None, Some(0.02)),
     ("mises_away", true, Some(0.025), Some(0.07)),
     ("line_load", false, Some(0.01), None),
     ("bore_mises", false, Some(0.025), None),
@@ -78,11 +78,11 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
     }
     let lines = |what: &str| {
         let of = |r: &&Record| r.elastic && r.reading.what == what;
-        let has = |r: &&Record| what != "hertz_p0" || r.reading.bar.is_some();
+        let has = |r: &&Record| what != "hertz_pressure" || r.reading.bar.is_some();
         records.iter().filter(of).filter(has).count()
     };
     let interfaces = lines("peak_pressure");
-    let claimed = (interfaces > 0).then(|| lines("hertz_p0") as f64 / interfaces as f64);
+    let claimed = (interfaces > 0).then(|| lines("hertz_pressure") as f64 / interfaces as f64);
     list.push(least("of the elastic lines have hertz_p0", 0.8, claimed));
     for (what, elastic, middle, most_of) in ACCURACY {
         let of = |r: &&Record| {

@@ -1,30 +1,14 @@
 //! The two fine meshes of a bearing, from which its true values are extrapolated.
 
+use super::bearing::Set;
 use super::solution::Solved;
 use crate::case::bearing::{MeshRequest, Preset};
 use crate::case::{Case, CaseError, ErrorKind, Kind};
 use std::f64::consts::PI;
 
-/// Sizes of the elements, relative to those of the finer mesh; finer last.
-pub const SCALES: [f64; 2] = [1.4, 1.0];
-
-/// Elements across the narrowest half-width, and how many of the widest ones the fine zone reaches.
-/// A displaced bearing is modelled as a whole, at some four times the cost.
-const CENTRED: Fineness = Fineness {
-    across: 6.0,
-    layers: 4.0,
-    growth: 1.8,
-    far: 0.05,
-};
-const DISPLACED: Fineness = Fineness {
-    across: 4.5,
-    layers: 3.0,
-    growth: 2.2,
-    far: 0.07,
-};
-const REACH: f64 = 1.4;
-
+/// How fine. A displaced bearing is modelled as a whole, at some four times the cost.
 struct Fineness {
+    /// Elements across the narrowest half-width.
     across: f64,
     /// Of the smallest elements, below the surface.
     layers: f64,
@@ -34,14 +18,41 @@ struct Fineness {
     far: f64,
 }
 
+const CENTRED: Fineness = Fineness {
+    across: 5.5,
+    layers: 4.0,
+    growth: 1.8,
+    far: 0.045,
+};
+
+const DISPLACED: Fineness = Fineness {
+    across: 4.5,
+    layers: 3.0,
+    growth: 2.2,
+    far: 0.06,
+};
+
+/// Element sizes of the two meshes, relative to that; finer last. The named bearings are known better:
+/// other pages measure errors by them. Flow takes ten increments and more, so that its meshes have to be
+/// coarser.
+const NAMED: [f64; 2] = [1.4, 1.0];
+const DRAWN: [f64; 2] = [1.96, 1.4];
+
+/// How many of the widest half-widths the fine zone reaches to either side.
+const REACH: f64 = 1.4;
+
 /// `case` on its two fine meshes. How wide its strips are is known from the line loads of `coarse`,
 /// which coarse meshes have within some per cent.
 ///
 /// # Errors
 /// Where the case is no bearing, or a mesh cannot be made so fine.
-pub fn cases(case: &Case, coarse: &Solved) -> Result<[Case; 2], CaseError> {
-    let [coarser, finer] = SCALES;
-    Ok([scaled(case, coarse, coarser)?, scaled(case, coarse, finer)?])
+pub fn cases(set: Set, case: &Case, coarse: &Solved) -> Result<[(f64, Case); 2], CaseError> {
+    let [coarser, finer] = match set {
+        Set::Named if !case.controls.plasticity => NAMED,
+        _ => DRAWN,
+    };
+    let case = |scale| Ok::<_, CaseError>((scale, scaled(case, coarse, scale)?));
+    Ok([case(coarser)?, case(finer)?])
 }
 
 fn scaled(case: &Case, coarse: &Solved, scale: f64) -> Result<Case, CaseError> {

@@ -19,8 +19,6 @@ pub enum Verdict {
     Undecidable,
     /// The claim says itself that it is not resolved.
     Unresolved,
-    /// Nothing is claimed.
-    Unclaimed,
 }
 
 /// A claim of a run and the truth about it.
@@ -57,10 +55,7 @@ impl Record {
 /// A claim holds if the value is within bar and uncertainty of the true one.
 pub fn judge(reading: &Reading, truth: Option<Truth>) -> Verdict {
     let Some(bar) = reading.bar else {
-        return match reading.unclaimed {
-            true => Verdict::Unclaimed,
-            false => Verdict::Unresolved,
-        };
+        return Verdict::Unresolved;
     };
     match truth {
         Some(truth) if truth.uncertainty <= bar / 3.0 => {
@@ -137,4 +132,28 @@ fn strip(solved: &Solved, place: &str) -> Option<Strip> {
     let strips = (solved.strips.iter()).filter(|(name, _)| touches(name));
     let heaviest = strips.max_by(|a, b| a.1.line_load.total_cmp(&b.1.line_load));
     heaviest.map(|(_, strip)| *strip)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bar plus uncertainty, the latter at most a third of the bar.
+    #[test]
+    fn claims_are_judged() {
+        let reading = |bar| Reading {
+            what: "descent".into(),
+            place: "overall".into(),
+            value: 10.0,
+            bar,
+            note: None,
+        };
+        let truth = |value, uncertainty| Some(Truth { value, uncertainty });
+        let judged = |bar, truth| judge(&reading(bar), truth);
+        assert_eq!(judged(Some(0.9), truth(11.1, 0.3)), Verdict::Holds);
+        assert_eq!(judged(Some(0.9), truth(11.3, 0.3)), Verdict::Missed);
+        assert_eq!(judged(Some(0.9), truth(10.0, 0.31)), Verdict::Undecidable);
+        assert_eq!(judged(Some(0.9), None), Verdict::Undecidable);
+        assert_eq!(judged(None, truth(10.0, 0.0)), Verdict::Unresolved);
+    }
 }

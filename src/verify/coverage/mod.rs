@@ -27,14 +27,24 @@ use crate::case::bearing::Preset;
 use crate::job::JobError;
 use crate::solve::Observer;
 
-/// The presets whose claims are judged, as far as there are.
+/// The presets whose claims are judged.
 const PRESETS: [&str; 3] = ["h025", "h0125", "auto"];
+
+/// Those of them that there are.
+pub fn presets() -> Vec<String> {
+    let there = |name: &&str| Preset::ALL.iter().any(|preset| preset.name() == *name);
+    let names = PRESETS.into_iter().filter(there);
+    names.map(str::to_owned).collect()
+}
 
 /// What is to be done, where it is kept and who is told.
 pub struct Suite<'a> {
     pub sets: Vec<Set>,
-    /// Only bearings whose names begin so.
-    pub only: Option<String>,
+    /// Only bearings whose names begin so; all where there are none.
+    pub only: Vec<String>,
+    pub presets: Vec<String>,
+    /// As drawn, too, and not only elastic?
+    pub plastic: bool,
     pub keep: Keep,
     pub observer: &'a mut dyn Observer,
     /// Hears of every bearing that is done.
@@ -54,7 +64,8 @@ pub struct Answer {
 
 impl Suite<'_> {
     fn bearings(&self, set: Set) -> Vec<Bearing> {
-        let wanted = |b: &Bearing| (self.only.as_ref()).is_none_or(|o| b.name.starts_with(o));
+        let begins = |b: &Bearing| self.only.iter().any(|name| b.name.starts_with(name));
+        let wanted = |b: &Bearing| self.only.is_empty() || begins(b);
         set.bearings().into_iter().filter(wanted).collect()
     }
 
@@ -69,7 +80,7 @@ impl Suite<'_> {
             for bearing in self.bearings(set) {
                 let displaced = bearing.is_displaced()?;
                 wanted.push((displaced, false, set, bearing.clone()));
-                if !bearing.is_elastic()? {
+                if self.plastic && !bearing.is_elastic()? {
                     wanted.push((displaced, true, set, bearing));
                 }
             }
@@ -83,7 +94,7 @@ impl Suite<'_> {
                 continue;
             }
             let name = format!("{}, {}", bearing.name, steel(!plastic));
-            match reference::make(&bearing, !plastic, &self.keep, self.observer) {
+            match reference::make((set, &bearing), !plastic, &self.keep, self.observer) {
                 Ok(pair) => {
                     let [coarse, fine] = pair.cpu_s;
                     let unknowns = pair.unknowns;
@@ -115,8 +126,7 @@ impl Suite<'_> {
     /// [`JobError`] where a drawn case is not understood.
     pub fn measure(&mut self) -> Result<Answer, JobError> {
         let mut answer = Answer::default();
-        let there = |name: &&str| Preset::ALL.iter().any(|preset| preset.name() == *name);
-        let presets: Vec<&str> = PRESETS.into_iter().filter(there).collect();
+        let presets = self.presets.clone();
         for set in self.sets.clone() {
             let known = References::read(set);
             let scatter = known.scatter();
@@ -125,14 +135,10 @@ impl Suite<'_> {
                     answer.unknown.push(bearing.name);
                     continue;
                 };
-                let steels: &[bool] = if bearing.is_elastic()? {
-                    &[true]
-                } else {
-                    &[true, false]
-                };
-                for (preset, elastic) in
-                    (presets.iter()).flat_map(|p| steels.iter().map(move |e| (*p, *e)))
-                {
+                let both = self.plastic && !bearing.is_elastic()?;
+                let steels: &[bool] = if both { &[true, false] } else { &[true] };
+                let runs = (presets.iter()).flat_map(|p| steels.iter().map(move |e| (p, *e)));
+                for (preset, elastic) in runs {
                     if !stored.has(elastic) {
                         answer
                             .unknown

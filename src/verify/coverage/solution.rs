@@ -1,6 +1,7 @@
 //! A bearing, solved on one mesh, and what is claimed of it.
 
 use crate::case::Case;
+use crate::certify::{self, Claim};
 use crate::converge::cost::Meter;
 use crate::job::{self, JobError, Options, Outcome};
 use crate::output::Summary;
@@ -8,11 +9,10 @@ use crate::results::contact_lines::contact_lines;
 use crate::results::line_load::Slices;
 use crate::solve::Observer;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A claim, as a reader of `summary.json` finds it.
+/// A claim, as `summary.json` has it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reading {
     /// Such as `peak_mises`.
@@ -23,17 +23,15 @@ pub struct Reading {
     /// Half the length of the bar; none where the figure is not resolved.
     pub bar: Option<f64>,
     pub note: Option<String>,
-    /// A figure of the summary that nothing is claimed of.
-    #[serde(default)]
-    pub unclaimed: bool,
 }
 
 /// How the line of an interface that carries most is meshed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Strip {
     pub half_width: f64,
-    /// Mean distance of its nodes.
-    pub spacing: f64,
+    /// Distance of its nodes in its middle, and of the last one that presses from the first open one.
+    pub middle: f64,
+    pub edge: f64,
     /// Largest load per length, and how far that is from the end of the line.
     pub line_load: f64,
     pub from_end: f64,
@@ -124,76 +122,23 @@ fn remove_fields(folder: &Path) {
     }
 }
 
-/// The claims of a summary. Peaks at loaded edges belong to their mesh and are none.
+/// The claims of a summary. A peak at a loaded edge has no limit, and is none where another stands in
+/// its place.
 fn readings(summary: &Summary) -> Vec<Reading> {
-    let Ok(Value::Array(claims)) = serde_json::to_value(&summary.certificate) else {
-        return Vec::new();
-    };
-    let mut readings: Vec<Reading> = claims.iter().filter_map(reading).collect();
-    for other in others(summary) {
-        let same = |r: &Reading| r.what == other.what && r.place == other.place;
-        if !readings.iter().any(same) {
-            readings.push(other);
-        }
-    }
-    readings
+    let unresolved = certify::unresolved(&summary.certificate);
+    let counts = |c: &&Claim| c.is_resolved() || unresolved.contains(c);
+    let claims = summary.certificate.iter().filter(counts);
+    claims.filter_map(reading).collect()
 }
 
-/// Figures that are no claims, or not yet.
-fn others(summary: &Summary) -> Vec<Reading> {
-    let reading = |what: &str, place: &str, value: Option<f64>| {
-        Some(Reading {
-            what: what.to_owned(),
-            place: place.to_owned(),
-            value: value?,
-            bar: None,
-            note: None,
-            unclaimed: true,
-        })
-    };
-    let mut list = Vec::new();
-    for (name, interface) in &summary.interfaces.0 {
-        let lines = &interface.lines;
-        let heaviest = lines.iter().map(|line| line.peak).reduce(f64::max);
-        let length = lines.iter().map(|line| line.length * line.images as f64);
-        let length = (!lines.is_empty()).then(|| length.sum());
-        list.push(reading("line_load", name, heaviest));
-        list.push(reading("contact_length", name, length));
-        let [x, y, _] = interface.force;
-        list.push(reading("horizontal_force", name, Some(x.hypot(y))));
-    }
-    for (name, roller) in &summary.rollers.0 {
-        list.push(reading("bore_mises", name, roller.bore_mises));
-        list.push(reading("bore_mises_nodal", name, roller.bore_mises_nodal));
-    }
-    let dents = summary.unloaded.iter().flat_map(|u| &u.dents.0);
-    list.extend(dents.map(|(name, dent)| reading("dent", name, Some(dent.depth))));
-    list.into_iter().flatten().collect()
-}
-
-fn reading(claim: &Value) -> Option<Reading> {
-    let text = |key: &str| claim.get(key).and_then(Value::as_str).map(str::to_owned);
-    let note = text("note");
-    let singular = note.as_deref().is_some_and(|n| n.contains("singular"));
-    let resolved = claim.get("resolved").and_then(Value::as_bool) != Some(false);
-    (!singular).then_some(())?;
+fn reading(claim: &Claim) -> Option<Reading> {
     Some(Reading {
-        what: text("what")?,
-        place: text("where")?,
-        value: claim.get("value")?.as_f64()?,
-        bar: claim.get("error").filter(|_| resolved).and_then(total),
-        note,
-        unclaimed: false,
+        what: serde_json::to_value(claim.what).ok()?.as_str()?.to_owned(),
+        place: claim.place.clone(),
+        value: claim.value,
+        bar: claim.bar(),
+        note: claim.note.map(str::to_owned),
     })
-}
-
-/// An error, or the sum of its causes; that of the mesh must be known.
-fn total(error: &Value) -> Option<f64> {
-    let Some(causes) = error.as_object() else {
-        return error.as_f64();
-    };
-    causes.get("discretisation")?.as_f64()?;
-    Some(causes.values().filter_map(Value::as_f64).sum())
 }
 
 fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
@@ -209,7 +154,8 @@ fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
         let (first, last) = (to(line.at.first()), to(line.at.last()));
         Some(Strip {
             half_width: line.heaviest.half_width,
-            spacing: line.heaviest.edge_spacing(),
+            middle: line.heaviest.middle_spacing(),
+            edge: line.heaviest.edge_spacing(),
             line_load: load,
             // At a mirror plane the line goes on.
             from_end: if mirrored {

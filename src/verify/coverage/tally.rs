@@ -27,7 +27,6 @@ impl Tally {
                 Verdict::Missed => tally.missed += 1,
                 Verdict::Undecidable => tally.undecidable += 1,
                 Verdict::Unresolved => tally.unresolved += 1,
-                Verdict::Unclaimed => tally.claims -= 1,
             }
             if let (Some(error), Some(bar)) = (record.error(), record.bar()) {
                 errors.push(error);

@@ -29,7 +29,10 @@ pub(super) fn choose(
     [upper, lower]: [&Partner; 2],
     preferred: Side,
 ) -> Side {
-    match (stiffness(mesh, steels, upper), stiffness(mesh, steels, lower)) {
+    match (
+        stiffness(mesh, steels, upper),
+        stiffness(mesh, steels, lower),
+    ) {
         (Some(above), Some(below)) if above > EQUAL * below => Side::Lower,
         (Some(above), Some(below)) if below > EQUAL * above => Side::Upper,
         (Some(_), Some(_)) => preferred,

@@ -333,12 +333,17 @@ fn increment(claim: &Claim, scene: &Scene, state: &State, measured: &[Interface]
 /// What penetration does to a figure: all of it to the descent, and to stresses and pressures the
 /// stress of a strain of penetration over element size.
 fn penetration(claim: &Claim, scene: &Scene, measured: &[Interface]) -> Option<f64> {
-    let strains = measured
+    // What is left is pressed together by both sides, the softer one most of all.
+    let pressed = measured
         .iter()
-        .filter_map(|i| Some(i.contact_error / i.face_side?));
-    let strain = strains.fold(0.0, f64::max);
-    let stiffest = scene.materials.iter().map(|s| s.youngs_modulus);
-    let stress = stiffest.fold(0.0, f64::max) * strain;
+        .zip(&scene.contacts)
+        .filter_map(|(i, pair)| {
+            let strain = i.contact_error / i.face_side?;
+            Some((strain, strain / scene.compliance(pair).ok()?))
+        });
+    let (strain, stress) = pressed.fold((0.0f64, 0.0f64), |most, (strain, stress)| {
+        (most.0.max(strain), most.1.max(stress))
+    });
     let peak = measured.iter().map(|i| i.max_pressure).fold(0.0, f64::max);
     match claim.what {
         Quantity::Descent => Some(measured.iter().map(|i| i.contact_error).sum()),

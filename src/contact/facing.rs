@@ -10,7 +10,7 @@ use super::mortar::{Opposite, Pair};
 use super::search::FacetTree;
 use super::segment::{self, interpolate};
 use super::side::Side;
-use crate::geometry::{Vec3, add, cross, dot, norm, scale, sub, unit};
+use crate::geometry::{Vec3, add, dot, norm, scale, sub, unit};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -84,7 +84,7 @@ struct Seen {
 
 impl Viewer {
     fn new(side: Side) -> Self {
-        let bends = bends(&side);
+        let bends = Bend::all(&side);
         Self { side, bends }
     }
 
@@ -92,7 +92,7 @@ impl Viewer {
         let side = self.side.clone().with_images(mirrors, distance);
         Scenery {
             tree: FacetTree::new(&side.corners),
-            bends: bends(&side),
+            bends: Bend::all(&side),
             side,
             distance,
         }
@@ -135,7 +135,10 @@ impl Viewer {
                 opposite: Some((opposite.0, opposite.1, signs)),
                 normal,
                 gap: seen.gap,
-                sagitta: sagitta(self.bends[index], at.bends[seen.facet]),
+                sagitta: sagitta(
+                    [self.bends[index], at.bends[seen.facet]],
+                    [&side.corners[index], &at.side.corners[seen.facet]],
+                ),
             })
         };
         self.points().into_par_iter().filter_map(sight).collect()
@@ -153,7 +156,11 @@ impl Viewer {
                 opposite: None,
                 normal: scale(normal, -1.0),
                 gap,
-                sagitta: 0.125 * self.bends[index].curvature * self.bends[index].size.powi(2),
+                sagitta: 0.5
+                    * sagitta(
+                        [self.bends[index], Bend::default()],
+                        [&self.side.corners[index]; 2],
+                    ),
             })
         };
         self.points().into_iter().filter_map(sight).collect()
@@ -207,40 +214,57 @@ fn shape_of(corner: Option<usize>) -> [f64; 4] {
     }
 }
 
-/// Size and curvature of a facet: its diagonal h, and 2 φ / h with the angle φ by which the surface
-/// turns from the facet's middle to a corner.
-#[derive(Clone, Copy)]
+/// The edge of a facet along which the surface turns most: its direction, and the angle by which the
+/// surface turns over its length.
+#[derive(Clone, Copy, Default)]
 struct Bend {
-    size: f64,
+    along: Vec3,
     curvature: f64,
+}
+
+impl Bend {
+    /// Of every facet, from the mean normals at its nodes.
+    fn all(side: &Side) -> Vec<Self> {
+        let mut mean: BTreeMap<u32, Vec3> = BTreeMap::new();
+        for (nodes, normal) in side.nodes.iter().zip(&side.normals) {
+            for node in nodes {
+                let sum = mean.entry(*node).or_default();
+                *sum = add(*sum, *normal);
+            }
+        }
+        let normal = |node: &u32| mean.get(node).copied().and_then(unit).unwrap_or_default();
+        let edge = |nodes: &[u32; 4], corners: &[Vec3; 4], k: usize| {
+            let next = (k + 1) % 4;
+            let edge = sub(corners[next], corners[k]);
+            let along = unit(edge)?;
+            let turn = dot(sub(normal(&nodes[next]), normal(&nodes[k])), along).abs();
+            let curvature = turn / norm(edge);
+            Some(Self { along, curvature })
+        };
+        let most = |(nodes, corners)| {
+            let edges = (0..4).filter_map(|k| edge(nodes, corners, k));
+            let worst = edges.max_by(|a, b| a.curvature.total_cmp(&b.curvature));
+            worst.unwrap_or_default()
+        };
+        side.nodes.iter().zip(&side.corners).map(most).collect()
+    }
+}
+
+/// Longest extent of a facet along a direction.
+fn extent(corners: &[Vec3; 4], along: Vec3) -> f64 {
+    let at = corners.map(|c| dot(c, along));
+    let most = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    most - at.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 /// What flat facets on both sides, of surfaces that touch, may overlap by: either side takes the shape
 /// of the other, so that the chords of both lie below the curvature of both, (κ₁ + κ₂) (h₁² + h₂²) / 8.
-fn sagitta(a: Bend, b: Bend) -> f64 {
-    0.125 * (a.curvature + b.curvature) * (a.size.powi(2) + b.size.powi(2))
-}
-
-fn bends(side: &Side) -> Vec<Bend> {
-    let mut mean: BTreeMap<u32, Vec3> = BTreeMap::new();
-    for (nodes, normal) in side.nodes.iter().zip(&side.normals) {
-        for node in nodes {
-            let sum = mean.entry(*node).or_default();
-            *sum = add(*sum, *normal);
-        }
-    }
-    let facets = side.nodes.iter().zip(&side.corners).zip(&side.normals);
-    let bend = |((nodes, corners), normal): ((&[u32; 4], &[Vec3; 4]), &Vec3)| {
-        let turned = |node: &u32| {
-            let mean = mean.get(node).copied().and_then(unit).unwrap_or(*normal);
-            norm(cross(*normal, mean)).min(1.0).asin()
-        };
-        let most = nodes.iter().map(turned).fold(0.0, f64::max);
-        let size = norm(sub(corners[2], corners[0]));
-        Bend {
-            size,
-            curvature: 2.0 * most / size.max(f64::MIN_POSITIVE),
-        }
+fn sagitta([a, b]: [Bend; 2], corners: [&[Vec3; 4]; 2]) -> f64 {
+    let along = if a.curvature > b.curvature {
+        a.along
+    } else {
+        b.along
     };
-    facets.map(bend).collect()
+    let sizes = corners.map(|corners| extent(corners, along).powi(2));
+    0.125 * (a.curvature + b.curvature) * (sizes[0] + sizes[1])
 }

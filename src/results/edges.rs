@@ -53,7 +53,9 @@ impl LoadedEdges {
             let [_, other] = scene.contacts[pair].carrier_first();
             if let Some(other) = other.surface(&scene.mesh) {
                 let pressed = Pressed::new(scene, surface, &active);
-                edges.add(scene, other, |face| pressed.reaches(&face.corners(&scene.mesh)));
+                edges.add(scene, other, |face| {
+                    pressed.reaches(&face.corners(&scene.mesh))
+                });
             }
         }
         edges
@@ -63,13 +65,23 @@ impl LoadedEdges {
     fn add(&mut self, scene: &Scene, surface: &Surface, loaded: impl Fn(&Face) -> bool) {
         let mesh = &scene.mesh;
         let boundary = boundary_nodes(scene, surface);
-        let at_boundary = |face: &&Face| face.nodes.iter().any(|n| boundary.binary_search(n).is_ok());
-        for face in surface.faces.iter().filter(at_boundary).filter(|f| loaded(f)) {
+        let at_boundary =
+            |face: &&Face| face.nodes.iter().any(|n| boundary.binary_search(n).is_ok());
+        for face in surface
+            .faces
+            .iter()
+            .filter(at_boundary)
+            .filter(|f| loaded(f))
+        {
             let corners = face.corners(mesh);
             let longest = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
             self.reach = self.reach.max(longest);
-            let nodes = face.nodes.iter().filter(|n| boundary.binary_search(n).is_ok());
-            self.positions.extend(nodes.map(|n| mesh.points[*n as usize]));
+            let nodes = face
+                .nodes
+                .iter()
+                .filter(|n| boundary.binary_search(n).is_ok());
+            self.positions
+                .extend(nodes.map(|n| mesh.points[*n as usize]));
         }
     }
 
@@ -95,12 +107,18 @@ impl Pressed {
         for face in &surface.faces {
             let corners = face.corners(&scene.mesh);
             let size = 0.5 * distance(corners[0], corners[2]);
-            for node in face.nodes.iter().filter(|n| active.binary_search(n).is_ok()) {
+            for node in face
+                .nodes
+                .iter()
+                .filter(|n| active.binary_search(n).is_ok())
+            {
                 let known = sizes.entry(*node).or_default();
                 *known = known.max(size);
             }
         }
-        let boxes = sizes.into_iter().map(|(n, size)| (scene.mesh.points[n as usize], size));
+        let boxes = sizes
+            .into_iter()
+            .map(|(n, size)| (scene.mesh.points[n as usize], size));
         Self(boxes.collect())
     }
 
@@ -109,7 +127,10 @@ impl Pressed {
         self.0.iter().any(|(at, size)| {
             (0..3).all(|i| {
                 let low = corners.iter().map(|c| c[i]).fold(f64::INFINITY, f64::min);
-                let high = corners.iter().map(|c| c[i]).fold(f64::NEG_INFINITY, f64::max);
+                let high = corners
+                    .iter()
+                    .map(|c| c[i])
+                    .fold(f64::NEG_INFINITY, f64::max);
                 at[i] + size >= low && at[i] - size <= high
             })
         })

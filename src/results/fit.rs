@@ -50,6 +50,7 @@ impl State {
             let of = |array: &str| format!("{array} of {}", pair.name);
             same(&of("pressure"), field.pressure.len(), n)?;
             same(&of("multiplier"), field.multiplier.len(), n)?;
+            same(&of("sagitta"), field.sagitta.len(), n)?;
             same(&of("gap"), field.gap.len(), n)?;
             same(&of("traction"), field.traction.len(), n)?;
             same(&of("slip"), field.slip.len(), n)?;

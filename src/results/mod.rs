@@ -127,6 +127,8 @@ pub struct ContactField {
     /// Where that force acts on the undeformed carrier surface and on the one opposite: the centre of
     /// what the node stands for. At the rim that is not the node.
     pub acts_at: Vec<[[f64; 3]; 2]>,
+    /// By how much flat facets around each node may miss the shapes that touch there, as a length.
+    pub sagitta: Vec<f64>,
     /// Deepest overlap of the two sides, zero or positive: from nodes and middles of facets to the
     /// other side's true shape, whatever the contact conditions say.
     pub penetration: f64,
@@ -163,6 +165,7 @@ impl ContactField {
             area: vec![0.0; count],
             force: vec![[0.0; 3]; count],
             acts_at: vec![[[0.0; 3]; 2]; count],
+            sagitta: vec![0.0; count],
             penetration: 0.0,
             unexplained: 0.0,
         }

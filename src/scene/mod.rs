@@ -214,6 +214,9 @@ pub struct Controls {
     pub element: ElementKind,
     /// How linear systems are solved.
     pub solver: SolverKind,
+    /// Times the initial gap up to which contact is integrated at first. The answer does not depend on
+    /// it, as contact is found wherever bodies meet: that is what it is there to prove.
+    pub contact_reach: f64,
 }
 
 /// How linear systems are solved. The answer does not depend on it; time and memory do.
@@ -252,6 +255,7 @@ impl Default for Controls {
             plasticity: true,
             element: ElementKind::default(),
             solver: SolverKind::default(),
+            contact_reach: 1.0,
         }
     }
 }

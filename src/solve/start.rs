@@ -50,12 +50,12 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
 /// The initial gap up to which contact is integrated: a little more than bodies approach each other
 /// in small-strain contact, and all that they are made to travel.
 pub fn reach(scene: &Scene) -> f64 {
-    (1e-3 * extent(scene)).max(2.0 * travel(scene))
+    scene.controls.contact_reach * (1e-3 * extent(scene)).max(2.0 * travel(scene))
 }
 
 /// The initial gap, over the least one, up to which contact is likely to close.
 pub fn likely_gap(scene: &Scene) -> f64 {
-    (1e-4 * extent(scene)).max(2.0 * travel(scene))
+    scene.controls.contact_reach * (1e-4 * extent(scene)).max(2.0 * travel(scene))
 }
 
 /// The largest displacement that is prescribed.

@@ -125,6 +125,11 @@ fn look(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
         if let Some(at) = node.filter(|at| field.gap[*at].is_infinite()) {
             field.gap[at] = gap;
         }
+        for node in &sight.carrier.0 {
+            if let Ok(at) = field.nodes.binary_search(node) {
+                field.sagitta[at] = field.sagitta[at].max(sight.sagitta);
+            }
+        }
         field.penetration = field.penetration.max(-gap);
         field.unexplained = field.unexplained.max(-gap - sight.sagitta);
     }

@@ -21,8 +21,11 @@ const COARSE: &str = "below a strip of contact whose half-width is a node apart 
 /// Distance of nodes over the half-width of a strip above which the peak below is not read.
 const COARSEST: f64 = 0.9;
 
+/// What nodal averages miss of a peak that lies between nodes, of itself.
+const SMOOTH: f64 = 0.02;
+
 /// What bodies of finite size and a strip beside add to the largest stress below a strip, of itself.
-const BODIES: f64 = 0.02;
+const BODIES: f64 = 0.03;
 
 /// Share of the distance between the largest value at an integration point and the nodal one.
 const OVERSHOOT: f64 = 0.5;
@@ -116,10 +119,10 @@ impl Strip {
     pub fn all(scene: &Scene, lines: &[Option<HeaviestLine>]) -> Vec<Self> {
         let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
             let line = line.as_ref()?;
-            // Flow or not: this is of the elastic peak.
+            // Of the elastic peak, flow or not; where lines merge no strip makes it.
             let hertz = line
                 .contact
-                .filter(|_| matches!(line.departs, None | Some(Departure::Flow)))?;
+                .filter(|_| line.departs != Some(Departure::Width))?;
             let on = |side: &Partner| {
                 let body = side.body(&scene.mesh)?;
                 let nu = scene.materials.get(body)?.poissons_ratio;
@@ -162,7 +165,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
                 let off = (nodal.value - strip.mises).abs() + BODIES * strip.mises;
                 (Some(spread.max(off)), None)
             }
-            None => (Some(spread), None),
+            None => (Some(spread + SMOOTH * nodal.value), None),
         };
         Claim {
             error: Errors {

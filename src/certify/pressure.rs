@@ -20,6 +20,8 @@ use std::collections::BTreeSet;
 const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
                       the mesh";
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
+const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
+                      apart, or a shape that is no line";
 const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
 const NOT_HERTZ: &str = "the strip is not Hertz's: it carries up to an edge, steel flows below it, lines \
@@ -29,7 +31,9 @@ const NOT_HERTZ: &str = "the strip is not Hertz's: it carries up to an edge, ste
 const WORTHLESS: f64 = 0.3;
 
 /// A load per length is this good at best: far field, and rows along the line.
-const LINE_LOAD: f64 = 0.005;
+const LINE_LOAD: f64 = 0.008;
+/// Beside a loaded edge, in addition.
+const BESIDE_EDGE: f64 = 0.02;
 /// Share of the kink at the peak of a line load that is its error.
 const KINK: f64 = 0.2;
 /// Finite bodies depart from half spaces by so much in pressure.
@@ -46,7 +50,7 @@ const FALL: f64 = 0.6;
 /// the spacing over four half-widths.
 const SHAPELESS: f64 = 0.5;
 /// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
-const RIM: f64 = 0.2;
+const RIM: f64 = 0.22;
 
 /// What is known of an interface.
 pub(super) struct Contact<'a> {
@@ -152,11 +156,8 @@ impl Contact<'_> {
     }
 
     fn line_load(&self, line: &HeaviestLine) -> Claim {
-        let (error, why) = match line.departs {
-            Some(Departure::LoadedEdge) => (None, EDGE),
-            _ => (Some(load_error(line)), COARSE),
-        };
-        self.claim(Quantity::LineLoad, line.line_load, error, why)
+        let error = Some(load_error(line)).filter(|_| line.departs != Some(Departure::Width));
+        self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
     }
 
     /// `None` where nothing is known of the curvature.
@@ -170,11 +171,14 @@ impl Contact<'_> {
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
-        let error = match hertzian(line) {
-            Some(hertz) => (a / hertz.half_width - 1.0).abs() + hertz_error(line),
-            None => 0.5 * edge * edge + load_error(line),
+        let error = match (line.contact, line.departs) {
+            (Some(hertz), None | Some(Departure::LoadedEdge)) => {
+                Some((a / hertz.half_width - 1.0).abs() + hertz_error(line))
+            }
+            (_, Some(Departure::Width)) => None,
+            _ => Some(0.5 * edge * edge + load_error(line)),
         };
-        self.claim(Quantity::HalfWidth, a, Some(error), COARSE)
+        self.claim(Quantity::HalfWidth, a, error, MERGED)
     }
 
     /// Where a line lifts off, the place lies between two rows.
@@ -204,7 +208,11 @@ fn hertzian(line: &HeaviestLine) -> Option<LineContact> {
 
 /// Relative error of the largest load per length.
 fn load_error(line: &HeaviestLine) -> f64 {
-    LINE_LOAD + KINK * line.kink
+    let edge = match line.departs {
+        Some(Departure::LoadedEdge) => BESIDE_EDGE,
+        _ => 0.0,
+    };
+    LINE_LOAD + edge + KINK * line.kink
 }
 
 /// The same of Hertz's pressure and half-width, which go with its root.

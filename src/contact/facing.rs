@@ -225,28 +225,34 @@ struct Bend {
 impl Bend {
     /// Of every facet, from the mean normals at its nodes.
     fn all(side: &Side) -> Vec<Self> {
-        let mut mean: BTreeMap<u32, Vec3> = BTreeMap::new();
-        for (nodes, normal) in side.nodes.iter().zip(&side.normals) {
+        // An image has nodes of its own.
+        let key = |index: usize, node: u32| (node, side.signs[index].map(|sign| sign < 0.0));
+        let mut mean: BTreeMap<_, Vec3> = BTreeMap::new();
+        for (index, (nodes, normal)) in side.nodes.iter().zip(&side.normals).enumerate() {
             for node in nodes {
-                let sum = mean.entry(*node).or_default();
+                let sum = mean.entry(key(index, *node)).or_default();
                 *sum = add(*sum, *normal);
             }
         }
-        let normal = |node: &u32| mean.get(node).copied().and_then(unit).unwrap_or_default();
-        let edge = |nodes: &[u32; 4], corners: &[Vec3; 4], k: usize| {
+        let normal = |index: usize, node: u32| {
+            let mean = mean.get(&key(index, node)).copied();
+            mean.and_then(unit).unwrap_or_default()
+        };
+        let edge = |index: usize, k: usize| {
+            let (nodes, corners) = (&side.nodes[index], &side.corners[index]);
             let next = (k + 1) % 4;
             let edge = sub(corners[next], corners[k]);
             let along = unit(edge)?;
-            let turn = dot(sub(normal(&nodes[next]), normal(&nodes[k])), along).abs();
-            let curvature = turn / norm(edge);
+            let turn = sub(normal(index, nodes[next]), normal(index, nodes[k]));
+            let curvature = dot(turn, along).abs() / norm(edge);
             Some(Self { along, curvature })
         };
-        let most = |(nodes, corners)| {
-            let edges = (0..4).filter_map(|k| edge(nodes, corners, k));
+        let most = |index| {
+            let edges = (0..4).filter_map(|k| edge(index, k));
             let worst = edges.max_by(|a, b| a.curvature.total_cmp(&b.curvature));
             worst.unwrap_or_default()
         };
-        side.nodes.iter().zip(&side.corners).map(most).collect()
+        (0..side.nodes.len()).map(most).collect()
     }
 }
 

@@ -34,33 +34,12 @@ pub struct LineLoad {
 
 impl Slices {
     /// `count` equal slices over the extent of the carrier surface of pair `pair`, along the roller,
-    /// or along the longer horizontal side where none of the two surfaces is a cylinder along an
-    /// axis. `None` without such a surface or without extent.
+    /// or along the longer horizontal side of the more slender of the two surfaces where none of them
+    /// is a cylinder along an axis. `None` without such a surface or without extent.
     pub fn equal(scene: &Scene, pair: usize, count: usize) -> Option<Self> {
         let surface = carrier(scene, pair)?;
-        let extent = |axis: usize| {
-            let at = surface
-                .faces
-                .iter()
-                .flat_map(|f| f.nodes)
-                .map(|n| scene.mesh.points[n as usize]);
-            at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-                (low.min(p[axis]), high.max(p[axis]))
-            })
-        };
-        let length = |axis: usize| {
-            let (low, high) = extent(axis);
-            // A mirrored side is twice as long as it looks.
-            (high - low)
-                * if scene.mirrors.contains(&axis) {
-                    2.0
-                } else {
-                    1.0
-                }
-        };
-        let longer = if length(1) > length(0) { 1 } else { 0 };
-        let axis = roller_axis(scene, pair).unwrap_or(longer);
-        let (low, high) = extent(axis);
+        let axis = roller_axis(scene, pair).unwrap_or_else(|| longest_axis(scene, pair, surface));
+        let [low, high] = extent(scene, surface, axis);
         let step = (high - low) / count.max(1) as f64;
         let whole = step.is_finite() && step > 0.0;
         whole.then(|| Self {
@@ -68,6 +47,41 @@ impl Slices {
             edges: (0..=count.max(1)).map(|i| low + step * i as f64).collect(),
         })
     }
+}
+
+/// Least and largest coordinate of a surface along an axis.
+fn extent(scene: &Scene, surface: &Surface, axis: usize) -> [f64; 2] {
+    let nodes = surface.faces.iter().flat_map(|f| f.nodes);
+    let at = nodes.map(|n| scene.mesh.points[n as usize][axis]);
+    let ends = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+        (low.min(p), high.max(p))
+    });
+    [ends.0, ends.1]
+}
+
+/// The longer horizontal side of the more slender surface of a pair; of the carrier, if both are alike.
+fn longest_axis(scene: &Scene, pair: usize, carrier: &Surface) -> usize {
+    // A mirrored side is twice as long as it looks.
+    let length = |surface: &Surface, axis: usize| {
+        let [low, high] = extent(scene, surface, axis);
+        match scene.mirrors.contains(&axis) {
+            true => 2.0 * (high - low),
+            false => high - low,
+        }
+    };
+    let slenderness = |surface: &Surface| {
+        let [a, b] = [0, 1].map(|axis| length(surface, axis));
+        a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
+    };
+    let contact = &scene.contacts[pair];
+    let sides = [&contact.upper, &contact.lower].into_iter();
+    let other = sides.filter_map(|side| side.surface(&scene.mesh));
+    let more = |most: &Surface, other: &Surface| slenderness(other) > 1.001 * slenderness(most);
+    let slender = other.fold(carrier, |most, other| match more(most, other) {
+        true => other,
+        false => most,
+    });
+    usize::from(length(slender, 1) > length(slender, 0))
 }
 
 /// The axis along which one of the surfaces of a pair is a cylinder.

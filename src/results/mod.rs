@@ -132,7 +132,7 @@ pub struct ContactField {
     /// Deepest overlap of the two sides, zero or positive: from nodes and middles of facets to the
     /// other side's true shape, whatever the contact conditions say.
     pub penetration: f64,
-    /// What of it is deeper than the sagittas of the facets: the mesh does not explain it.
+    /// What of it is deeper than the facets explain, by their sagittas.
     pub unexplained: f64,
 }
 

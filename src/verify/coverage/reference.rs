@@ -60,6 +60,7 @@ pub struct References(Vec<Stored>);
 /// A true value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Truth {
+    #[serde(rename = "true_value")]
     pub value: f64,
     /// How far it may be off.
     pub uncertainty: f64,

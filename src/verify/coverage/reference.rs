@@ -81,6 +81,15 @@ impl References {
         Self(serde_json::from_str(&text).unwrap_or_default())
     }
 
+    /// How many bearings are stored.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// One bearing a line.
     ///
     /// # Errors

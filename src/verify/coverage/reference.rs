@@ -261,7 +261,8 @@ mod tests {
     #[test]
     fn true_values_are_within_their_uncertainty() {
         for order in [1.6, 2.0, 2.6] {
-            for (what, least) in [("descent", 0.0), ("peak_pressure", 0.1)] {
+            // The floor is 1 % of the value on the finer mesh, 9.9.
+            for (what, least) in [("descent", 0.0), ("peak_pressure", 0.099)] {
                 let on = |size: f64| 10.0 * (1.0 - 0.01 * size.powf(order));
                 let pair = pair(what, [on(1.4), on(1.0)]);
                 let scatter = BTreeMap::from([("peak_pressure".to_owned(), 0.01)]);
@@ -272,7 +273,8 @@ mod tests {
                     "{what} {order}: {error} {truth:?}"
                 );
                 assert!(truth.uncertainty >= least);
-                assert!(truth.uncertainty < 0.12);
+                // No more than the difference of the meshes, or the floor.
+                assert!(truth.uncertainty <= (on(1.4) - on(1.0)).abs().max(0.1));
             }
         }
     }

@@ -60,6 +60,7 @@ pub struct References(Vec<Stored>);
 /// A true value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Truth {
+    #[serde(rename = "true_value")]
     pub value: f64,
     /// How far it may be off.
     pub uncertainty: f64,
@@ -78,6 +79,15 @@ impl References {
     pub fn read(set: Set) -> Self {
         let text = std::fs::read_to_string(path(set)).unwrap_or_default();
         Self(serde_json::from_str(&text).unwrap_or_default())
+    }
+
+    /// How many bearings are stored.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     /// One bearing a line.
@@ -251,7 +261,8 @@ mod tests {
     #[test]
     fn true_values_are_within_their_uncertainty() {
         for order in [1.6, 2.0, 2.6] {
-            for (what, least) in [("descent", 0.0), ("peak_pressure", 0.1)] {
+            // The floor is 1 % of the value on the finer mesh, 9.9.
+            for (what, least) in [("descent", 0.0), ("peak_pressure", 0.099)] {
                 let on = |size: f64| 10.0 * (1.0 - 0.01 * size.powf(order));
                 let pair = pair(what, [on(1.4), on(1.0)]);
                 let scatter = BTreeMap::from([("peak_pressure".to_owned(), 0.01)]);
@@ -262,7 +273,8 @@ mod tests {
                     "{what} {order}: {error} {truth:?}"
                 );
                 assert!(truth.uncertainty >= least);
-                assert!(truth.uncertainty < 0.12);
+                // No more than the difference of the meshes, or the floor.
+                assert!(truth.uncertainty <= (on(1.4) - on(1.0)).abs().max(0.1));
             }
         }
     }

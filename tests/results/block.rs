@@ -174,6 +174,7 @@ pub fn pressed(scene: &Scene) -> State {
         status: vec![1; n],
         area,
         force,
+        sagitta: vec![0.0; n],
         penetration: 1e-6,
         unexplained: 0.0,
     };

@@ -24,6 +24,9 @@ const COARSEST: f64 = 0.9;
 /// What nodal averages miss of a peak that lies between nodes, of itself.
 const SMOOTH: f64 = 0.02;
 
+/// Facets in a half-width from which on the peak that is read counts for more than that of a half space.
+const FINE: f64 = 3.0;
+
 /// What bodies of finite size and a strip beside add to the largest stress below a strip, of itself.
 const BODIES: f64 = 0.03;
 
@@ -122,7 +125,7 @@ impl Strip {
             // Of the elastic peak, flow or not; where lines merge no strip makes it.
             let hertz = line
                 .contact
-                .filter(|_| line.departs != Some(Departure::Width))?;
+                .filter(|_| line.is_long() && line.departs != Some(Departure::Width))?;
             let on = |side: &Partner| {
                 let body = side.body(&scene.mesh)?;
                 let nu = scene.materials.get(body)?.poissons_ratio;
@@ -162,7 +165,10 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         let (error, note) = match strip {
             Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
             Some(strip) => {
+                // The finer the mesh, the more is what it says worth beside the half space.
+                let weight = (FINE * strip.spacing / strip.half_width).min(1.0);
                 let off = (nodal.value - strip.mises).abs() + BODIES * strip.mises;
+                let off = weight * off;
                 (Some(spread.max(off)), None)
             }
             None => (Some(spread + SMOOTH * nodal.value), None),

@@ -33,6 +33,11 @@ pub struct Sight {
 }
 
 impl Sight {
+    /// From the middle of a facet of the carrier?
+    pub fn is_middle(&self) -> bool {
+        self.node.is_none() && self.carrier.1 == [0.25; 4]
+    }
+
     /// The gap under the displacements `u`, open positive.
     pub fn gap_at(&self, u: &[[f64; 3]]) -> f64 {
         let at =

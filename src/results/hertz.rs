@@ -72,9 +72,18 @@ impl HeaviestLine {
         })
     }
 
+    /// Is it a line? Where it lifts off it has to be three times as long as it is wide: a patch that is
+    /// no longer is one of spheres.
+    pub fn is_long(&self) -> bool {
+        let line = &self.line;
+        line.lifted_off <= 0.0 || line.length > 6.0 * line.heaviest.half_width
+    }
+
     /// Hertz's pressure under the largest line load; `None` where the strip is not Hertz's.
     pub fn pressure(&self) -> Option<f64> {
-        let contact = self.contact.filter(|_| self.departs.is_none())?;
+        let contact = self
+            .contact
+            .filter(|_| self.departs.is_none() && self.is_long())?;
         Some(contact.peak_pressure)
     }
 }

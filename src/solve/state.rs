@@ -114,29 +114,50 @@ fn contact_fields(
     fields
 }
 
-/// Overlap over the sagitta of the facets that the mesh explains. In the facet where contact ends one
-/// weighted gap balances what opens against what overlaps: 2 to 3 sagittas on lines and spheres with two
-/// to five facets across the half-width.
+/// Overlap that the mesh explains, over the sagitta and the bend of the facets. In the facet where contact
+/// ends one weighted gap balances what opens against what overlaps: 2 to 3 sagittas on lines and spheres
+/// with two to five facets across the half-width.
 const AT_RIM: f64 = 4.0;
 
 /// What is seen of a pair without any contact row: the gaps of nodes that no row exists for, and the
 /// deepest overlap of the two sides.
 fn look(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
-    for sight in sights {
-        let gap = sight.gap_at(u);
-        let node = sight
-            .node
-            .and_then(|node| field.nodes.binary_search(&node).ok());
-        if let Some(at) = node.filter(|at| field.gap[*at].is_infinite()) {
-            field.gap[at] = gap;
+    let gaps: Vec<f64> = sights.iter().map(|sight| sight.gap_at(u)).collect();
+    let place = |node: u32| field.nodes.binary_search(&node).ok();
+    let mut seen = vec![None; field.nodes.len()];
+    for (sight, gap) in sights.iter().zip(&gaps) {
+        if let Some(at) = sight.node.and_then(place) {
+            seen[at] = Some(*gap);
         }
-        for node in &sight.carrier.0 {
-            if let Ok(at) = field.nodes.binary_search(node) {
-                field.sagitta[at] = field.sagitta[at].max(sight.sagitta);
-            }
+    }
+    // Where meshes do not match, flat facets on either side bend differently: by how much the middle of
+    // a facet is off the mean of its corners.
+    let mut bend = vec![0.0f64; field.nodes.len()];
+    for (sight, gap) in sights.iter().zip(&gaps).filter(|(s, _)| s.is_middle()) {
+        let corners = sight
+            .carrier
+            .0
+            .map(|node| place(node).and_then(|at| seen[at]));
+        if let [Some(a), Some(b), Some(c), Some(d)] = corners {
+            let off = (gap - 0.25 * (a + b + c + d)).abs();
+            let nodes = sight.carrier.0.into_iter().filter_map(place);
+            nodes.for_each(|at| bend[at] = bend[at].max(off));
         }
+    }
+    let mut sagitta = vec![0.0f64; field.nodes.len()];
+    for (sight, gap) in sights.iter().zip(&gaps) {
+        let nodes = || sight.carrier.0.into_iter().filter_map(place);
+        nodes().for_each(|at| sagitta[at] = sagitta[at].max(sight.sagitta));
+        let bend = nodes().map(|at| bend[at]).fold(0.0, f64::max);
+        let explained = AT_RIM * (sight.sagitta + bend);
         field.penetration = field.penetration.max(-gap);
-        field.unexplained = field.unexplained.max(-gap - AT_RIM * sight.sagitta);
+        field.unexplained = field.unexplained.max(-gap - explained);
+    }
+    field.sagitta = sagitta;
+    for (gap, seen) in field.gap.iter_mut().zip(seen) {
+        if gap.is_infinite() {
+            *gap = seen.unwrap_or(f64::INFINITY);
+        }
     }
 }
 

@@ -114,8 +114,10 @@ fn add_body(summary: &Summary, name: &str, body: &BodySummary, out: &mut Figures
 
 fn add_interface(summary: &Summary, name: &str, contact: &InterfaceSummary, out: &mut Figures) {
     let mut add = |figure: &str, value: Option<f64>| out.add(format!("{name}.{figure}"), value);
-    add("p0", Some(contact.max_pressure));
-    add("p0_error", error(summary, Quantity::PeakPressure, name));
+    add("p_max", Some(contact.max_pressure));
+    add("p_max_error", error(summary, Quantity::PeakPressure, name));
+    add("p0", contact.hertz_p0);
+    add("p0_error", error(summary, Quantity::HertzPressure, name));
     let loads = contact.lines.iter().map(|line| line.peak);
     add("largest_line_load", loads.reduce(f64::max));
     let lines = summary.sizing.iter().flat_map(|s| &s.lines);

@@ -214,3 +214,10 @@ pub fn close(a: f64, b: f64) {
         "{a} is not {b}"
     );
 }
+
+/// Statuses and coefficients as the pressures have them: for pressures that a test has changed.
+pub fn settle(field: &mut ContactField) {
+    field.multiplier.clone_from(&field.pressure);
+    let status = field.pressure.iter().map(|p| u8::from(*p > 0.0));
+    field.status = status.collect();
+}

@@ -1,4 +1,4 @@
-use crate::block::{close, pressed, stack};
+use crate::block::{close, pressed, settle, stack};
 use brinell::results::contact_lines::contact_lines;
 
 #[test]
@@ -27,6 +27,7 @@ fn a_line_beside_the_mirror_is_two_and_may_lift_off() {
             *pressure = 0.0;
         }
     }
+    settle(&mut state.contacts[0]);
     let [line] = contact_lines(&scene, &state, 0, 1).try_into().unwrap();
     assert_eq!((line.across, line.images), (0.5, 2));
     // The node at the rim stands for 0.125 of the width.
@@ -55,6 +56,7 @@ fn two_lines_with_open_nodes_between_are_told_apart() {
             *pressure *= 1.0 + x;
         }
     }
+    settle(&mut state.contacts[0]);
     let lines = contact_lines(&scene, &state, 0, 0);
     let across: Vec<f64> = lines.iter().map(|l| l.across).collect();
     assert_eq!(across.len(), 2);

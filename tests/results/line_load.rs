@@ -1,6 +1,6 @@
 //! `line-load.csv` and `line-load.svg`, from states with known line loads.
 
-use crate::block::{close, pressed, stack};
+use crate::block::{close, pressed, settle, stack};
 use crate::summary::summarise;
 use brinell::output::line_load::{FILES, whole_lines, write};
 use brinell::output::plot::{Figure, Line, Panel, Scale, svg};
@@ -21,6 +21,7 @@ fn two_lines() -> (Scene, State) {
             false => 1.0 + y / 3.0,
         };
     }
+    settle(field);
     (scene, state)
 }
 
@@ -104,6 +105,7 @@ fn without_lines_nothing_is_written() {
     let scene = stack();
     let mut state = pressed(&scene);
     state.contacts[0].pressure.fill(0.0);
+    settle(&mut state.contacts[0]);
     let folder = tempfile::tempdir().unwrap();
     write(&summarise(&scene, &state), folder.path()).unwrap();
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);

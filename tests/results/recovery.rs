@@ -1,4 +1,4 @@
-use crate::block::{add_block, close, fill_stress, pressed, stack};
+use crate::block::{add_block, close, fill_stress, pressed, settle, stack};
 use brinell::mesh::Mesh;
 use brinell::results::State;
 use brinell::results::edges::LoadedEdges;
@@ -191,6 +191,7 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
         let [x, y, _] = scene.mesh.points[*node as usize];
         *p *= f64::from(u8::from(x < 0.4 && y < 0.9));
     }
+    settle(field);
     assert!(LoadedEdges::find(&scene, &state).is_empty());
     scene.mirrors.clear();
     assert!(!LoadedEdges::find(&scene, &state).is_empty());

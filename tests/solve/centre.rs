@@ -110,7 +110,8 @@ fn check_lines(summary: &Summary, in_valley: usize) {
                 .sum()
         };
         let total: f64 = lines.iter().map(|line| of(line)).sum();
-        assert!((total / interface.pressure_integral - 1.0).abs() < 1e-9);
+        // Consistent pressures are lengths of vectors: around a node the normals turn by h/R, 1/60.
+        assert!((total / interface.pressure_integral - 1.0).abs() < 1e-4);
         if !name.contains("intermediate") {
             assert_eq!(lines.len(), 1);
             continue;

@@ -14,11 +14,11 @@ pub(super) fn interfaces(summary: &Summary) -> String {
     let mut contact = Columns::new(&[
         "interface",
         &format!("p max {}", units.stress),
+        "Hertz p0",
         &format!("area {}", units.area()),
         &format!("half-width {}", units.length),
         &format!("penetration {}", units.length),
         "of descent",
-        "of element",
         "open/stick/slip",
     ]);
     for (name, interface) in &summary.interfaces.0 {
@@ -59,11 +59,11 @@ fn contact_row(name: &str, interface: &InterfaceSummary, descent: Option<f64>) -
     vec![
         name.to_string(),
         significant(interface.max_pressure, DIGITS),
+        number(interface.hertz_p0),
         significant(interface.area, DIGITS),
         number(interface.half_width),
         significant(interface.max_penetration, 3),
         share(relative),
-        share(interface.penetration_per_element),
         format!("{}/{}/{}", counts.open, counts.stick, counts.slip),
     ]
 }

@@ -13,8 +13,8 @@ const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and 
 const SINGULAR: &str = "at a loaded edge: singular in elasticity, grows with every refinement until \
                         the steel yields";
 
-const UNCERTAIN_FLOW: &str = "the error of the elastic peak is as large as what it exceeds the yield limit by: \
-                              the plastic strain may be zero";
+const UNCERTAIN_FLOW: &str =
+    "the elastic peak is as uncertain as its excess over yield: it may be zero";
 
 const COARSE: &str = "below a strip of contact whose half-width is a node apart or less: there is no peak to be read";
 

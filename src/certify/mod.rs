@@ -272,9 +272,9 @@ pub fn certify(evidence: &Evidence) -> Vec<Claim> {
     claims
 }
 
-/// The difference between raw and smoothed stress holds more than the energy of the error where stress
-/// changes within an element, as in walls that bend: twice as much on ten bearings.
-const SHARE_OF_ENERGY: f64 = 0.7;
+/// The smoothed stress is not the true one: of incompatible modes the estimate tends to the error from
+/// below, by a hundredth on problem H.
+const MARGIN: f64 = 1.05;
 
 /// Travel of the loaded plane. A displacement method finds too little of it: the work of the load
 /// on what is missing is the energy of the error.
@@ -285,8 +285,7 @@ fn descent_claim(evidence: &Evidence) -> Option<Claim> {
     let driven = |m: &PlaneMotion| matches!(m, PlaneMotion::Driven(_));
     let by_force = !scene.tractions.is_empty()
         || (scene.rigid_planes.iter()).any(|plane| plane.motion.iter().any(driven));
-    let energy =
-        SHARE_OF_ENERGY * energy::of_error(scene, state, evidence.recovered) * copies(scene);
+    let energy = MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
     Some(Claim {
         what: Quantity::Descent,
         place: "overall".to_owned(),

@@ -94,7 +94,7 @@ fn of_unresolved(claims: &[&Claim]) -> Option<String> {
         .collect();
     (!named.is_empty()).then(|| {
         let named = named.join("; ");
-        format!("not resolved by this mesh, so that no error can be given: {named}")
+        format!("not resolved by this mesh: {named}")
     })
 }
 

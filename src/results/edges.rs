@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::State;
 use super::hex::distance;
-use crate::mesh::{Face, Mesh, Surface};
+use crate::mesh::{Mesh, Surface};
 use crate::scene::Scene;
 
 /// The loaded edges of a state.
@@ -46,42 +46,37 @@ impl LoadedEdges {
             if active.is_empty() {
                 continue;
             }
-            edges.add(scene, surface, |face| {
-                face.nodes.iter().any(|n| active.binary_search(n).is_ok())
+            edges.add(scene, surface, |side| {
+                side.iter().any(|n| active.binary_search(n).is_ok())
             });
             // Where the other surface ends, the carrier may go on.
             let [_, other] = scene.contacts[pair].carrier_first();
             if let Some(other) = other.surface(&scene.mesh) {
                 let pressed = Pressed::new(scene, surface, &active);
-                edges.add(scene, other, |face| {
-                    pressed.reaches(&face.corners(&scene.mesh))
+                edges.add(scene, other, |side| {
+                    pressed.reaches(&side.map(|n| scene.mesh.points[n as usize]))
                 });
             }
         }
         edges
     }
 
-    /// Adds the nodes on the boundary of a surface that belong to faces under pressure.
-    fn add(&mut self, scene: &Scene, surface: &Surface, loaded: impl Fn(&Face) -> bool) {
+    /// Adds the sides of faces on the boundary of a surface that are under pressure.
+    fn add(&mut self, scene: &Scene, surface: &Surface, loaded: impl Fn(&[u32; 2]) -> bool) {
         let mesh = &scene.mesh;
         let boundary = boundary_nodes(scene, surface);
-        let at_boundary =
-            |face: &&Face| face.nodes.iter().any(|n| boundary.binary_search(n).is_ok());
-        for face in surface
-            .faces
-            .iter()
-            .filter(at_boundary)
-            .filter(|f| loaded(f))
-        {
-            let corners = face.corners(mesh);
-            let longest = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
-            self.reach = self.reach.max(longest);
-            let nodes = face
-                .nodes
-                .iter()
-                .filter(|n| boundary.binary_search(n).is_ok());
-            self.positions
-                .extend(nodes.map(|n| mesh.points[*n as usize]));
+        let on_boundary = |node: &u32| boundary.binary_search(node).is_ok();
+        for face in &surface.faces {
+            for k in 0..4 {
+                let side = [face.nodes[k], face.nodes[(k + 1) % 4]];
+                if !side.iter().all(on_boundary) || !loaded(&side) {
+                    continue;
+                }
+                let corners = face.corners(mesh);
+                let longest = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
+                self.reach = self.reach.max(longest);
+                self.positions.extend(side.map(|n| mesh.points[n as usize]));
+            }
         }
     }
 
@@ -122,15 +117,11 @@ impl Pressed {
         Self(boxes.collect())
     }
 
-    /// Does one of them reach the face of the other side with these corners?
-    fn reaches(&self, corners: &[[f64; 3]; 4]) -> bool {
+    /// Does one of them reach the side of a face between these ends?
+    fn reaches(&self, ends: &[[f64; 3]; 2]) -> bool {
         self.0.iter().any(|(at, size)| {
             (0..3).all(|i| {
-                let low = corners.iter().map(|c| c[i]).fold(f64::INFINITY, f64::min);
-                let high = corners
-                    .iter()
-                    .map(|c| c[i])
-                    .fold(f64::NEG_INFINITY, f64::max);
+                let [low, high] = [ends[0][i].min(ends[1][i]), ends[0][i].max(ends[1][i])];
                 at[i] + size >= low && at[i] - size <= high
             })
         })

@@ -6,7 +6,6 @@
 //! stand, and what they read beyond that is an error that one sees.
 
 use super::{Claim, Errors, Quantity, claim_of};
-use crate::analytic::hertz::LineContact;
 use crate::geometry::{norm, sub};
 use crate::results::contact_lines::StripRow;
 use crate::results::edges::carrier;
@@ -24,8 +23,6 @@ const MERGED: &str = "the strip is wider or narrower than its load makes it: lin
                       apart, or a shape that is no line";
 const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
-const NOT_HERTZ: &str = "the strip is not Hertz's: it carries up to an edge, steel flows below it, lines \
-                         merge, or the load changes from row to row";
 
 /// Beyond this relative error a figure is not resolved.
 const WORTHLESS: f64 = 0.3;
@@ -50,6 +47,8 @@ const AT_EDGE: f64 = 0.25;
 /// Share of the fall from the largest pressure to its neighbours that is its error: the mean over a hat
 /// function takes a third of it off the peak of a smooth patch, and the mesh as much.
 const FALL: f64 = 0.6;
+/// A pressure that falls by less from an edge is even, as between blocks of one size, and no singularity.
+const EVEN: f64 = 0.02;
 /// Sagitta of the facets at the peak over the length by which the pressure there presses a facet's depth
 /// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
 /// the spacing over four half-widths.
@@ -119,19 +118,21 @@ impl Contact<'_> {
     fn peak_pressure(&self, field: &ContactField) -> Claim {
         let value = self.interface.max_pressure;
         let claim = |error, why| self.claim(Quantity::PeakPressure, value, error, why);
-        if self.at_edge {
+        let falls = fall(self.scene, field, self.pair);
+        if self.at_edge && falls > EVEN {
             return claim(None, EDGE);
         }
         if self.shapelessness(field) > SHAPELESS {
             return claim(None, SHAPE);
         }
-        let fall = || FALL * fall(self.scene, field, self.pair);
+        let fall = || FALL * falls;
         let error = self
             .line()
             .map_or_else(fall, |line| match (line.contact, line.departs) {
                 // The pressure that the line load makes is known better than what nodes read of it.
                 (Some(hertz), None) => {
-                    (value / hertz.peak_pressure - 1.0).abs() + READ + hertz_error(line)
+                    let read = READ * coarseness(&line.line.heaviest);
+                    (value / hertz.peak_pressure - 1.0).abs() + read + 0.5 * load_error(line)
                 }
                 (Some(hertz), Some(Departure::Flow)) => {
                     let a = line.line.heaviest.half_width.max(hertz.half_width);
@@ -170,11 +171,15 @@ impl Contact<'_> {
         self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
     }
 
-    /// `None` where nothing is known of the curvature.
+    /// `None` where the strip is not Hertz's.
     fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Claim> {
-        let value = line.pressure().or(line.contact.map(|c| c.peak_pressure))?;
-        let error = hertzian(line).map(|_| hertz_error(line));
-        Some(self.claim(Quantity::HertzPressure, value, error, NOT_HERTZ))
+        let value = line.pressure()?;
+        Some(self.claim(
+            Quantity::HertzPressure,
+            value,
+            Some(hertz_error(line)),
+            COARSE,
+        ))
     }
 
     fn half_width(&self, line: &HeaviestLine) -> Claim {
@@ -184,7 +189,8 @@ impl Contact<'_> {
         let hertz = line.contact.filter(|_| line.is_long());
         let error = match (hertz, line.departs) {
             (Some(hertz), None | Some(Departure::LoadedEdge)) => {
-                Some((a / hertz.half_width - 1.0).abs() + WIDTH * edge * edge + hertz_error(line))
+                let spacing = WIDTH * edge * edge;
+                Some((a / hertz.half_width - 1.0).abs() + spacing + 0.5 * load_error(line))
             }
             (Some(_), Some(Departure::Width)) => None,
             _ => Some(0.5 * edge * edge + load_error(line)),
@@ -212,9 +218,11 @@ impl Contact<'_> {
     }
 }
 
-/// Hertz's contact, where the strip is one or departs from it by flow alone.
-fn hertzian(line: &HeaviestLine) -> Option<LineContact> {
-    line.contact.filter(|_| line.departs.is_none())
+/// What a mesh this fine leaves of errors that do not fall with the square of its spacing, in the middle of a
+/// strip: all of them down to three nodes in a half-width.
+fn coarseness(row: &StripRow) -> f64 {
+    const FINE: f64 = 3.0;
+    (FINE * row.middle_spacing() / row.half_width).min(1.0)
 }
 
 /// Relative error of the largest load per length.
@@ -223,7 +231,7 @@ fn load_error(line: &HeaviestLine) -> f64 {
         Some(Departure::LoadedEdge) => BESIDE_EDGE,
         _ => 0.0,
     };
-    LINE_LOAD + edge + KINK * line.kink
+    coarseness(&line.line.heaviest) * LINE_LOAD + edge + KINK * line.kink
 }
 
 /// The same of Hertz's pressure and half-width, which go with its root.

@@ -91,17 +91,21 @@ fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Lin
             force,
         });
     }
-    let Shape::Cylinder {
-        axis,
-        radius,
-        convex: true,
-        ..
-    } = shape(scene, carrier)
-    else {
-        return None;
-    };
+    // Either side may be the cylinder, whichever carries.
+    let (axis, radius, round, other) =
+        [(carrier, other), (other, carrier)]
+            .into_iter()
+            .find_map(|(side, other)| match shape(scene, side) {
+                Shape::Cylinder {
+                    axis,
+                    radius,
+                    convex: true,
+                    ..
+                } => Some((axis, radius, side, other)),
+                _ => None,
+            })?;
     let curvature = 1.0 / radius + shape(scene, other).curvature(axis, 0.999)?;
-    let length = length(scene, carrier, axis);
+    let length = length(scene, round, axis);
     (curvature > 0.0 && length > 0.0).then(|| Line {
         axis,
         radius: 1.0 / curvature,

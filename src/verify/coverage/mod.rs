@@ -1,9 +1,9 @@
 //! Do the bars hold? Claims of ordinary runs of many bearings beside values of much finer meshes.
 //!
-//! Ten bearings have names, thirty are drawn by a seed ([`draw`]). The true values of a set are in a
-//! file below `cases/coverage`, from two fine meshes each ([`reference`]); [`measure`] solves a bearing
-//! on the presets and judges every claim of its certificate, whatever it is about; [`page`] and
-//! [`criteria`] say what came of it.
+//! Ten bearings have names, thirty are drawn by a seed (`draw`). The true values of a set are in a
+//! file below `cases/coverage`, from two fine meshes each (`reference`); `measure` solves a bearing
+//! on the presets and judges every claim of its certificate, whatever it is about; `page` and
+//! `criteria` say what came of it.
 
 mod bearing;
 mod criteria;

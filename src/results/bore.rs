@@ -124,7 +124,7 @@ fn angles_from_load(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Vec<f64
 }
 
 /// Centre of the circle that fits `points` best: least squares on |p|² = 2 c·p + k.
-fn circle_centre(points: &[[f64; 2]]) -> Option<[f64; 2]> {
+pub(super) fn circle_centre(points: &[[f64; 2]]) -> Option<[f64; 2]> {
     // Shifted to a point of the set, so that a roller far off the origin fits as well.
     let [u0, v0] = *points.first()?;
     let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());

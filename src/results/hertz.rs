@@ -5,6 +5,7 @@
 //! form turns it into the pressure.
 
 use super::State;
+use super::bore::circle_centre;
 use super::contact_lines::{ContactLine, contact_lines};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
@@ -14,7 +15,6 @@ use crate::geometry::dot;
 use crate::mesh::shape::fit;
 use crate::mesh::{Mesh, Surface};
 use crate::scene::{ContactPair, Partner, Scene};
-use nalgebra::{Matrix3, Vector3};
 
 /// The line of a pair that carries most per length, and what Hertz says of it.
 #[derive(Debug, Clone, PartialEq)]
@@ -188,16 +188,7 @@ fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option
     let points: Vec<[f64; 2]> = row
         .map(|n| [u, v].map(|k| mesh.points[*n as usize][k]))
         .collect();
-    let [u0, v0] = *points.first()?;
-    // Least squares on |p|² = 2 c·p + k, from a point of the row.
-    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for [u, v] in &points {
-        let row = Vector3::new(u - u0, v - v0, 1.0);
-        matrix += row * row.transpose();
-        right += row * (row.x * row.x + row.y * row.y);
-    }
-    let solution = matrix.lu().solve(&right)?;
-    let middle = [u0 + 0.5 * solution.x, v0 + 0.5 * solution.y];
+    let middle = circle_centre(&points)?;
     let from = |p: &[f64; 2]| (p[0] - middle[0]).hypot(p[1] - middle[1]);
     let radius = points.iter().map(from).sum::<f64>() / points.len() as f64;
     let fits = points

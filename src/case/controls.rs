@@ -43,6 +43,9 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     if let Some(field) = table.get("iterations") {
         controls.iterations = field.count()?.value;
     }
+    if let Some(field) = table.get("increment_error") {
+        controls.increment_error = field.boolean()?.value;
+    }
     if let Some(field) = table.get("plasticity") {
         controls.plasticity = field.boolean()?.value;
     }

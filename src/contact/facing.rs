@@ -219,12 +219,12 @@ fn shape_of(corner: Option<usize>) -> [f64; 4] {
     }
 }
 
-/// The edge of a facet along which the surface turns most: its direction, and the angle by which the
-/// surface turns over its length.
+/// How a surface turns over a facet, along its edges one way and the other: directions, and the angles by
+/// which it turns over a length.
 #[derive(Clone, Copy, Default)]
 struct Bend {
-    along: Vec3,
-    curvature: f64,
+    along: [Vec3; 2],
+    curvature: [f64; 2],
 }
 
 impl Bend {
@@ -249,15 +249,28 @@ impl Bend {
             let edge = sub(corners[next], corners[k]);
             let along = unit(edge)?;
             let turn = sub(normal(index, nodes[next]), normal(index, nodes[k]));
-            let curvature = dot(turn, along).abs() / norm(edge);
-            Some(Self { along, curvature })
+            Some((along, dot(turn, along).abs() / norm(edge)))
         };
-        let most = |index| {
-            let edges = (0..4).filter_map(|k| edge(index, k));
-            let worst = edges.max_by(|a, b| a.curvature.total_cmp(&b.curvature));
-            worst.unwrap_or_default()
+        let bend = |index| {
+            let mut bend = Self::default();
+            for (k, way) in [0, 1, 0, 1].into_iter().enumerate() {
+                let Some((along, curvature)) = edge(index, k) else {
+                    continue;
+                };
+                if bend.along[way] == [0.0; 3] || curvature > bend.curvature[way] {
+                    (bend.along[way], bend.curvature[way]) = (along, curvature);
+                }
+            }
+            bend
         };
-        (0..side.nodes.len()).map(most).collect()
+        (0..side.nodes.len()).map(bend).collect()
+    }
+
+    /// The curvature along a direction, by Euler's theorem as if the edges followed the principal ones.
+    fn curvature_along(&self, direction: Vec3) -> f64 {
+        let ways = self.along.iter().zip(&self.curvature);
+        ways.map(|(along, curvature)| curvature * dot(*along, direction).powi(2))
+            .sum()
     }
 }
 
@@ -269,13 +282,14 @@ fn extent(corners: &[Vec3; 4], along: Vec3) -> f64 {
 }
 
 /// What flat facets on both sides, of surfaces that touch, may overlap by: either side takes the shape
-/// of the other, so that the chords of both lie below the curvature of both, (κ₁ + κ₂) (h₁² + h₂²) / 8.
+/// of the other, so that the chords of both lie below the curvature of both, (κ₁ + κ₂) (h₁² + h₂²) / 8,
+/// along that edge where it is most: a fillet curves along the roller, where elements are long.
 fn sagitta([a, b]: [Bend; 2], corners: [&[Vec3; 4]; 2]) -> f64 {
-    let along = if a.curvature > b.curvature {
-        a.along
-    } else {
-        b.along
+    let along = |direction: Vec3| {
+        let curvature = a.curvature_along(direction) + b.curvature_along(direction);
+        let sizes = corners.map(|corners| extent(corners, direction).powi(2));
+        0.125 * curvature * (sizes[0] + sizes[1])
     };
-    let sizes = corners.map(|corners| extent(corners, along).powi(2));
-    0.125 * (a.curvature + b.curvature) * (sizes[0] + sizes[1])
+    let directions = a.along.into_iter().chain(b.along);
+    directions.map(along).fold(0.0, f64::max)
 }

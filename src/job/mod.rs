@@ -17,6 +17,8 @@ mod strips;
 
 use crate::case::bearing::Strips;
 use crate::case::{Case, Kind};
+use crate::certify::Claim;
+use crate::geometry::{add, sub};
 use crate::linear::memory;
 use crate::mesh::Mesh;
 use crate::output::summary::{Checks, Counters, Named, Timing};
@@ -289,11 +291,15 @@ fn elastic_peaks(
     if !yielded || !solution.complete {
         return None;
     }
+    let step = reported(scene, solution).step;
+    if let Some(state) = solution.elastic.as_ref().filter(|e| e.step == step) {
+        return Some(peaks(scene, state, &recover(scene, state)));
+    }
     observer
         .message("something yielded: solving once more without plasticity, for the elastic peaks");
     let mut elastic = scene.clone();
     elastic.controls.plasticity = false;
-    elastic.steps.truncate(reported(scene, solution).step + 1);
+    elastic.steps.truncate(step + 1);
     let solution = match solve::solve(&mut elastic, &mut Stoppable(observer)) {
         Ok(solution) => solution,
         Err(error) => {
@@ -337,6 +343,7 @@ fn summarise(
         steps: &solution.states,
         recovered,
         elastic,
+        doubled: None,
         converged: solution.complete,
         counters: Counters {
             dofs: solution.counters.equations,
@@ -359,6 +366,8 @@ fn summarise(
         assumptions: &assumptions(case),
         left_out: &left_out::list(case, scene, solution, options),
     };
+    let doubled = doubled(&inputs, solution)?;
+    inputs.doubled = doubled.as_deref();
     let bare = Summary::new(&inputs)?;
     let comparison = compare::rows(case, scene, &bare)?;
     inputs.comparison = &comparison;
@@ -367,6 +376,31 @@ fn summarise(
         sizing: sizing::sizing(case, scene, &bare)?,
         ..bare
     })
+}
+
+/// What would be claimed of the solution in increments twice as large, where there is one.
+fn doubled(inputs: &SummaryInputs, solution: &Solution) -> Result<Option<Vec<Claim>>, JobError> {
+    let at = |step| solution.doubled.iter().find(|state| state.step == step);
+    let Some(state) = at(inputs.state.step) else {
+        return Ok(None);
+    };
+    let recovered = recover(inputs.scene, state);
+    let unloaded = inputs.unloaded.and_then(|state| at(state.step));
+    // What is left of the load presses either solution alike.
+    let stays = (inputs.stays.zip(inputs.unloaded).zip(unloaded)).map(|((stays, one), other)| {
+        let moved = one.displacement.iter().zip(&other.displacement);
+        let moved = moved.map(|(one, other)| sub(*other, *one));
+        let all = stays.iter().zip(moved).map(|(stays, by)| add(*stays, by));
+        all.collect::<Vec<_>>()
+    });
+    let other = SummaryInputs {
+        state,
+        recovered: &recovered,
+        unloaded,
+        stays: stays.as_deref(),
+        ..inputs.clone()
+    };
+    Ok(Some(Summary::new(&other)?.certificate))
 }
 
 /// Seconds by phase, under names without blanks.

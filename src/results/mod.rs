@@ -45,8 +45,6 @@ pub struct State {
     pub contacts: Vec<ContactField>,
     /// Travel of the rigid planes, in the order of the scene.
     pub planes: Vec<PlaneField>,
-    /// What the size of the increments is worth in plastic flow, where that is known.
-    pub path: Option<PathError>,
     /// Where the work of the loads went, on the modelled part; `None` where that is not known.
     pub energy: Option<Energy>,
 }
@@ -87,18 +85,6 @@ impl Energy {
         let share = (self.work - spent).abs() / self.turned_over;
         share.is_finite().then_some(share)
     }
-}
-
-/// How far off the increments leave a state in which something has yielded, estimated.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct PathError {
-    /// Mises stress of the error of the stress at the point that has flowed most, by body; `None`
-    /// where nothing flows, or has done so in one increment only.
-    pub stress: Vec<Option<f64>>,
-    /// Error of the equivalent plastic strain there, by body.
-    pub plastic_strain: Vec<Option<f64>>,
-    /// Work of the error of the stress on the strains, in the modelled part.
-    pub work: f64,
 }
 
 /// What happens on the carrier surface of a contact pair, node by node.

@@ -208,6 +208,9 @@ pub struct Controls {
     pub smallest_increment: f64,
     /// Newton iterations an increment may take before it is cut back.
     pub iterations: usize,
+    /// Solve once more in increments twice as large, where something yields, for what the increments are
+    /// worth?
+    pub increment_error: bool,
     /// Integrate plasticity? `false` keeps every body elastic.
     pub plasticity: bool,
     /// The hexahedron that all bodies are made of.
@@ -252,6 +255,7 @@ impl Default for Controls {
             first_increment: 0.25,
             smallest_increment: 1e-4,
             iterations: 40,
+            increment_error: true,
             plasticity: true,
             element: ElementKind::default(),
             solver: SolverKind::default(),

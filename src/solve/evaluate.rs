@@ -1,7 +1,8 @@
 //! Residual and tangent at a displacement.
 
 use super::model::Model;
-use crate::contact::law::{Answer, Node};
+use super::newton::Point;
+use crate::contact::law::{Answer, Node, Status};
 use crate::fem::bbar::ElementVector;
 use crate::fem::element::Answer as ElementAnswer;
 use crate::linear::sparse::SymmetricMatrix;
@@ -24,6 +25,26 @@ pub struct History {
 }
 
 impl History {
+    /// Goes on to an increment that is in balance.
+    pub fn advance(&mut self, point: &mut Point, evaluation: &Evaluation) {
+        for answer in &evaluation.plastic {
+            self.plastic[answer.index] = Some(answer.points.clone());
+        }
+        let rows = evaluation.contact.iter().zip(&evaluation.relative);
+        for (index, (answer, d)) in rows.enumerate() {
+            if answer.status == Status::Slip {
+                self.slip[index] += d[1].hypot(d[2]);
+            }
+            for i in 0..2 {
+                self.slip_origin[index][i] += d[1 + i];
+            }
+        }
+        for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
+            node.multiplier = answer.traction;
+            node.origin = [0.0; 2];
+        }
+    }
+
     /// Carries the plastic state from the elements that were watched to those that will be.
     pub fn watch(&mut self, old: &[u32], new: &[u32]) {
         self.plastic = watch(std::mem::take(&mut self.plastic), old, new);

@@ -108,6 +108,13 @@ impl Unforeseen {
         self.approach.is_none() && self.contact.is_none()
     }
 
+    /// The contact of another look, too.
+    pub fn add_contact(&mut self, other: Self) {
+        let most = |a: Option<f64>, b| a.into_iter().chain(b).reduce(f64::max);
+        self.approach = most(self.approach, other.approach);
+        self.contact = most(self.contact, other.contact);
+    }
+
     pub fn is_approach(&self) -> bool {
         self.approach.is_some()
     }
@@ -183,8 +190,37 @@ fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<
     // hence one layer of elements more. Elements too many cost less than condensing again.
     const EARLY: f64 = 0.85;
     const GROWTH: f64 = 0.75;
+    let shares = shares_of_yield(model, u);
+    let most = largest(&shares);
+    let to_come = load_to_come(model, x);
+    // As long as nothing will flow before the next look, all is well.
+    if most * next.min(to_come).powf(GROWTH) <= 1.0 {
+        return (Vec::new(), false);
+    }
+    let elements = above(&shares, EARLY / to_come.powf(GROWTH));
+    (and_beside(model, &shares, &elements), most > 1.0)
+}
+
+/// Elements that will flow, from the `shares` of the elastic solution at full load. The more the stress exceeds
+/// yield the more the neighbours take over, and the more contact widens.
+pub fn flow_to_come(model: &Model, shares: &[(u32, f64)]) -> Vec<u32> {
+    const TAKEN_OVER: f64 = 0.35;
+    const LEAST: f64 = 0.6;
+    const WIDENS: f64 = 1.4;
+    let most = largest(shares);
+    let share = 1.0 - TAKEN_OVER * (most - 1.0);
+    let elements = above(shares, share.clamp(LEAST, 1.0));
+    match most > WIDENS {
+        true => and_beside(model, shares, &elements),
+        false => elements,
+    }
+}
+
+/// The largest Mises stress over the yield stress of every element that could yield and is not watched,
+/// elastic.
+pub fn shares_of_yield(model: &Model, u: &[[f64; 3]]) -> Vec<(u32, f64)> {
     let scene = model.scene;
-    let shares: Vec<(u32, f64)> = (0..scene.mesh.hexes.len() as u32)
+    (0..scene.mesh.hexes.len() as u32)
         .into_par_iter()
         .filter(|e| can_yield(scene, *e) && model.yielding.binary_search(e).is_err())
         .map(|e| {
@@ -197,24 +233,29 @@ fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<
             let worst = stress.iter().map(mises).fold(0.0, f64::max);
             (e, worst / scene.materials[body].yield_stress)
         })
-        .collect();
-    let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
-    let to_come = load_to_come(model, x);
-    // As long as nothing will flow before the next look, all is well.
-    if most * next.min(to_come).powf(GROWTH) <= 1.0 {
-        return (Vec::new(), false);
-    }
-    let hexes = &scene.mesh.hexes;
-    let mut beside = vec![false; scene.mesh.points.len()];
-    for (element, share) in &shares {
-        if *share > EARLY / to_come.powf(GROWTH) {
-            let nodes = hexes[*element as usize].iter();
-            nodes.for_each(|node| beside[*node as usize] = true);
-        }
+        .collect()
+}
+
+fn largest(shares: &[(u32, f64)]) -> f64 {
+    shares.iter().map(|(_, share)| *share).fold(0.0, f64::max)
+}
+
+/// Elements of a larger share than that.
+fn above(shares: &[(u32, f64)], share: f64) -> Vec<u32> {
+    let elements = shares.iter().filter(|(_, s)| *s > share);
+    elements.map(|(element, _)| *element).collect()
+}
+
+/// Those of the elements with `shares` that have a node in common with `elements`.
+fn and_beside(model: &Model, shares: &[(u32, f64)], elements: &[u32]) -> Vec<u32> {
+    let hexes = &model.scene.mesh.hexes;
+    let mut beside = vec![false; model.scene.mesh.points.len()];
+    for node in elements.iter().flat_map(|e| hexes[*e as usize]) {
+        beside[node as usize] = true;
     }
     let touches = |e: &u32| hexes[*e as usize].iter().any(|n| beside[*n as usize]);
-    let elements = shares.iter().map(|(element, _)| *element);
-    (elements.filter(touches).collect(), most > 1.0)
+    let all = shares.iter().map(|(element, _)| *element);
+    all.filter(touches).collect()
 }
 
 /// How many times larger than now a load still gets.

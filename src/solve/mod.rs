@@ -19,7 +19,6 @@ mod line_search;
 mod model;
 mod newton;
 mod observer;
-mod path;
 mod reaction;
 mod restart;
 mod rows;

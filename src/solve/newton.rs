@@ -17,9 +17,10 @@ use crate::contact::law::{Node, Status};
 use crate::linear::cholesky::FactorError;
 use crate::linear::krylov::{self, dot, norm};
 use crate::linear::preconditioner::Prepared;
+use serde::{Deserialize, Serialize};
 
 /// Where the load history stands and what the unknowns are there.
-#[derive(Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Point {
     pub step: usize,
     pub time: f64,

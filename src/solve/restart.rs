@@ -1,11 +1,11 @@
 //! What a solution needs to go on from an accepted increment, as if it had never stopped.
 
 use super::counters::Counters;
+use super::driver::KeptCompanion;
 use super::evaluate::{History, PlasticElement};
 use super::foresight::Expected;
 use super::model::Model;
 use super::newton::Point;
-use super::path::KeptPath;
 use super::state;
 use crate::contact::law::Node;
 use crate::material::j2::PlasticPoint;
@@ -22,13 +22,31 @@ pub struct Restart {
     /// The ends of the finished steps.
     pub(super) finished: Vec<Kept>,
     pub(super) last: Kept,
+    pub(super) beside: Beside,
+    pub(super) companion: Option<KeptCompanion>,
     touching: Vec<Touching>,
     pub(super) expected: Expected,
     /// Share of the step that the next increment tries.
     pub(super) size: f64,
-    pub(super) path: KeptPath,
     cautious: bool,
     pub(super) counters: Counters,
+}
+
+/// What was found beside the solution.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct Beside {
+    /// The end of a step if no steel had yielded.
+    pub elastic: Option<Kept>,
+    pub plan: Option<Plan>,
+    /// The ends of steps in increments twice as large.
+    pub doubled: Vec<Kept>,
+}
+
+/// Where increments of a step have to end.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Plan {
+    pub step: usize,
+    pub ends: Vec<f64>,
 }
 
 /// Plastic elements, ascending, with their integration points.
@@ -69,7 +87,6 @@ impl Kept {
                 peeq: Vec::new(),
                 contacts: state.contacts.clone(),
                 planes: state.planes.clone(),
-                path: state.path.clone(),
                 energy: state.energy,
             },
             plastic,
@@ -120,14 +137,17 @@ impl Restart {
         history: &History,
         point: &Point,
         (finished, last): (&[Kept], Kept),
+        (beside, companion): (Beside, Option<KeptCompanion>),
         expected: Expected,
-        (size, path): (f64, KeptPath),
+        size: f64,
         counters: Counters,
     ) -> Self {
         let rows = model.rows.iter().enumerate();
         Self {
             finished: finished.to_vec(),
             last,
+            beside,
+            companion,
             touching: rows
                 .map(|(i, r)| Touching {
                     pair: r.pair as u32,
@@ -139,7 +159,6 @@ impl Restart {
                 .collect(),
             expected,
             size,
-            path,
             cautious: point.cautious,
             counters,
         }
@@ -150,12 +169,14 @@ impl Restart {
     /// # Errors
     /// [`Stranger`] says what does not fit.
     pub(super) fn check(&self, scene: &Scene) -> Result<(), Stranger> {
-        for kept in self.finished.iter().chain([&self.last]) {
+        let beside = self.beside.doubled.iter().chain(&self.beside.elastic);
+        for kept in self.finished.iter().chain([&self.last]).chain(beside) {
             kept.check(scene)?;
         }
         let exists = |e: u32| (e as usize) < scene.mesh.hexes.len();
-        let flow = self.expected.flow.iter().copied();
-        match flow.chain(self.path.elements()).all(exists) {
+        let flow = self.expected.flow.iter().map(|e| (0, *e));
+        let beside = self.companion.iter().flat_map(KeptCompanion::contents);
+        match (flow.chain(beside)).all(|(step, e)| exists(e) && step < scene.steps.len()) {
             true => Ok(()),
             false => Err(Stranger { what: "elements" }),
         }

@@ -8,7 +8,7 @@ use super::restart::{Plastic, plastic_of};
 use crate::contact::facing::Sight;
 use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
-use crate::results::{ContactField, PathError, PlaneField, State};
+use crate::results::{ContactField, PlaneField, State};
 use crate::scene::PlaneMotion;
 use rayon::prelude::*;
 
@@ -18,7 +18,6 @@ pub fn state(
     history: &History,
     point: &Point,
     (evaluation, sights): (&Evaluation, &[Vec<Sight>]),
-    path: Option<PathError>,
 ) -> State {
     let displacement = model.displacement(&point.x, point.step, point.time);
     let (stress, peeq) = stresses(model, &plastic_of(model, &history.plastic), &displacement);
@@ -30,7 +29,6 @@ pub fn state(
         displacement,
         stress,
         peeq,
-        path,
         energy: None,
     }
 }

@@ -107,6 +107,7 @@ fn certified(run: &Run) -> Vec<certify::Claim> {
         bores: &[],
         dents: &[],
         elastic: None,
+        doubled: None,
     })
 }
 

@@ -180,7 +180,6 @@ pub fn pressed(scene: &Scene) -> State {
     };
     let elements = scene.mesh.hexes.len();
     State {
-        path: None,
         energy: None,
         step: 0,
         time: 1.0,

@@ -44,6 +44,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         steps: &steps,
         recovered: &recovered,
         elastic: Some(&elastic),
+        doubled: None,
         converged: true,
         counters: Counters {
             dofs: 120,

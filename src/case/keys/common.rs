@@ -139,8 +139,15 @@ pub const CONTROLS: Keys = Keys {
             "first_increment",
             "share, at most 1",
             "0.25",
-            "first increment of a step, of the step; where nothing depends on the path a step is one \
-             increment",
+            "first increment of a step, of the step, and a third of the largest one; where nothing depends \
+             on the path a step is one increment",
+        ),
+        key(
+            "increment_error",
+            "true or false",
+            "true",
+            "where steel yields, solves once more in increments twice as large, for what the increments \
+             are worth",
         ),
         key(
             "smallest_increment",

@@ -2,6 +2,7 @@
 
 use super::checks::Checks;
 use super::values::{Comparison, Counters, Timing};
+use crate::certify::Claim;
 use crate::output::left_out::LeftOut;
 use crate::output::units::UnitLabels;
 use crate::results::State;
@@ -30,6 +31,8 @@ pub struct SummaryInputs<'a> {
     pub recovered: &'a Recovered,
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,
+    /// The claims of the solution in increments twice as large.
+    pub doubled: Option<&'a [Claim]>,
     pub converged: bool,
     pub counters: Counters,
     pub timing: Timing,

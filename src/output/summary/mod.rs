@@ -169,6 +169,7 @@ impl Summary {
                 bores: &stresses(&bores),
                 dents: &dents,
                 elastic: inputs.elastic,
+                doubled: inputs.doubled,
             }),
             comparison: inputs.comparison.to_vec(),
             sizing: None,

@@ -1,7 +1,10 @@
 //! Preparing the model anew for what was not foreseen.
 
 use super::Run;
+use super::companion::Companion;
+use crate::geometry::Vec3;
 use crate::solve::error::SolveError;
+use crate::solve::evaluate::History;
 use crate::solve::foresight::Unforeseen;
 use crate::solve::model::Model;
 use crate::solve::newton::{LinearSolver, Point};
@@ -48,7 +51,8 @@ impl Run<'_, '_> {
         let old = self.model.yielding.clone();
         self.model.watch(&self.expected.flow);
         self.history.watch(&old, &self.model.yielding);
-        self.path.watch(&old, &self.model.yielding);
+        let new = &self.model.yielding;
+        self.companion.iter_mut().for_each(|c| c.watch(&old, new));
         self.counters.watched_elements = self.model.yielding.len();
     }
 
@@ -62,6 +66,12 @@ impl Run<'_, '_> {
         let all = |model: &Model, p: &Point| model.displacement(&p.x, p.step, p.time);
         let accepted = all(&self.model, &self.point);
         let guess = guess.map(|p| (p.clone(), all(&self.model, p)));
+        let of = |p: Point| (all(&self.model, &p), p);
+        let end = self.end.take().map(of);
+        let companion = self.companion.take().map(|c| {
+            let passed: Vec<_> = c.passed.into_iter().map(of).collect();
+            (of(c.point), c.history, passed)
+        });
         let rows = self.model.rows.iter().enumerate();
         let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
 
@@ -97,25 +107,28 @@ impl Run<'_, '_> {
             nodes: carry(&map, &point.nodes),
             ..*point
         };
+        let carried = |(u, p): (Vec<Vec3>, Point)| point(&p, &u);
+        let history = |history: &mut History, u: &[Vec3]| {
+            let rows = model.rows.iter().zip(&map);
+            let fresh = |r: &ContactRow| [1, 2].map(|i| r.relative(u)[i]);
+            history.slip_origin = rows
+                .map(|(r, i)| i.map_or_else(|| fresh(r), |i| history.slip_origin[i]))
+                .collect();
+            history.slip = carry(&map, &history.slip);
+            history.watch(&self.model.yielding, &model.yielding);
+        };
         self.point = point(&self.point, &accepted);
         self.guess = guess.map(|(p, u)| point(&p, &u));
-        self.history.slip_origin = model
-            .rows
-            .iter()
-            .zip(&map)
-            .map(|(r, i)| {
-                i.map_or_else(
-                    || {
-                        let d = r.relative(&accepted);
-                        [d[1], d[2]]
-                    },
-                    |i| self.history.slip_origin[i],
-                )
-            })
-            .collect();
-        self.history.slip = carry(&map, &self.history.slip);
-        self.history.watch(&self.model.yielding, &model.yielding);
-        self.path.watch(&self.model.yielding, &model.yielding);
+        self.end = end.map(carried);
+        self.companion = companion.map(|((u, p), mut h, passed)| {
+            history(&mut h, &u);
+            Companion {
+                point: point(&p, &u),
+                history: h,
+                passed: passed.into_iter().map(carried).collect(),
+            }
+        });
+        history(&mut self.history, &accepted);
         self.counters.measure(&model);
         self.model = model;
         Ok(())

@@ -1,7 +1,6 @@
 //! What an accepted increment leaves, and going on from there.
 
 use super::Run;
-use crate::contact::law::Status;
 use crate::results::Energy;
 use crate::solve::error::SolveError;
 use crate::solve::evaluate::Evaluation;
@@ -20,11 +19,13 @@ impl Run<'_, '_> {
         self.counters.measure(&self.model);
         self.counters.timers.add(&timers);
         self.size = restart.size;
-        self.path = restart.path.place(&self.model);
         self.finished.clone_from(&restart.finished);
         let model = &self.model;
         self.states = (restart.finished.iter().map(|kept| kept.restore(model))).collect();
         self.last = restart.last.restore(model);
+        self.beside = restart.beside.clone();
+        self.companion = (restart.companion.as_ref()).and_then(|kept| kept.place(model));
+        self.parted = self.companion.is_none();
         let (step, time) = restart.after();
         self.observer.message(&format!(
             "goes on after {:.3} % of step `{}`",
@@ -39,40 +40,14 @@ impl Run<'_, '_> {
         evaluation: &Evaluation,
         last: bool,
     ) -> Result<(), SolveError> {
-        for answer in &evaluation.plastic {
-            self.history.plastic[answer.index] = Some(answer.points.clone());
-        }
-        for (index, (answer, d)) in evaluation
-            .contact
-            .iter()
-            .zip(&evaluation.relative)
-            .enumerate()
-        {
-            if answer.status == Status::Slip {
-                self.history.slip[index] += d[1].hypot(d[2]);
-            }
-            for i in 0..2 {
-                self.history.slip_origin[index][i] += d[1 + i];
-            }
-        }
         let mut accepted = trial;
-        for (node, answer) in accepted.nodes.iter_mut().zip(&evaluation.contact) {
-            node.multiplier = answer.traction;
-            node.origin = [0.0; 2];
-        }
+        self.history.advance(&mut accepted, evaluation);
         self.point = accepted;
         let mut timers = self.counters.timers;
         let state = timers.time(Phase::Recover, || {
             let (model, point) = (&self.model, &self.point);
-            let u = model.kept_displacement(&point.x, point.step, point.time);
-            let path = self.path.advance(model, &self.history.plastic, &u);
-            let mut state = state::state(
-                model,
-                &self.history,
-                point,
-                (evaluation, &self.sights),
-                path,
-            );
+            let with = (evaluation, self.sights.as_slice());
+            let mut state = state::state(model, &self.history, point, with);
             let before = match self.last.displacement.is_empty() {
                 true => Some(Energy::default()),
                 false => self.last.energy,
@@ -96,7 +71,8 @@ impl Run<'_, '_> {
     pub(super) fn checkpoint(&mut self) -> Result<(), SolveError> {
         let (model, history, point) = (&self.model, &self.history, &self.point);
         let (finished, last, size) = (&self.finished, &self.last, self.size);
-        let (expected, counters, path) = (&self.expected, &self.counters, &self.path);
+        let (expected, counters) = (&self.expected, &self.counters);
+        let (companion, beside) = (self.companion.as_ref(), &self.beside);
         let make = || {
             let last = Kept::new(last, plastic_of(model, &history.plastic));
             let expected = Expected {
@@ -108,8 +84,9 @@ impl Run<'_, '_> {
                 history,
                 point,
                 (finished, last),
+                (beside.clone(), companion.map(|c| c.keep(model))),
                 expected,
-                (size, path.keep(model)),
+                size,
                 *counters,
             )
         };

@@ -1,7 +1,10 @@
 //! Steps and increments: automatic size, cut-back, and what is kept at each accepted one.
 
 mod adapt;
+mod companion;
 mod keep;
+mod outlook;
+mod plan;
 
 use super::counters::Counters;
 use super::diagnosis::{At, describe, diagnose};
@@ -11,8 +14,7 @@ use super::foresight::Expected;
 use super::model::{Model, can_yield};
 use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
-use super::path::Path;
-use super::restart::{Kept, Restart};
+use super::restart::{Beside, Kept, Restart};
 use super::rows::{contact_rows, sights};
 use super::start::{self, Closing};
 use super::timers::{Phase, Timers};
@@ -20,6 +22,13 @@ use crate::contact::facing::Sight;
 use crate::contact::law::Node;
 use crate::results::State;
 use crate::scene::Scene;
+use companion::Companion;
+pub use companion::KeptCompanion;
+
+/// By how much increments that were easy grow, and how much larger than the first they may get in all: who
+/// asks for a small first increment asks for a fine path.
+const GROWTH: f64 = 1.5;
+const LARGEST: f64 = 3.0;
 
 /// What a solved scene leaves behind.
 #[derive(Debug, Clone)]
@@ -28,6 +37,11 @@ pub struct Solution {
     pub states: Vec<State>,
     /// The last accepted state.
     pub last: State,
+    /// The end of a step if no steel had yielded, where that was found on the way: displacements,
+    /// stresses and contact, no accumulated slip.
+    pub elastic: Option<State>,
+    /// The ends of steps in increments twice as large, where something has yielded.
+    pub doubled: Vec<State>,
     pub counters: Counters,
     /// Bodies that were moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -117,6 +131,13 @@ pub fn resume(
     let solution = Solution {
         states: run.states,
         last: run.last,
+        elastic: run.beside.elastic.map(|kept| kept.restore(&run.model)),
+        doubled: (run
+            .beside
+            .doubled
+            .iter()
+            .map(|kept| kept.restore(&run.model)))
+        .collect(),
         counters: run.counters,
         closings,
         untouched,
@@ -139,10 +160,16 @@ struct Run<'a, 'o> {
     observer: &'o mut dyn Observer,
     solver: LinearSolver,
     history: History,
-    path: Path,
+    /// In increments twice as large.
+    companion: Option<Companion>,
+    /// Did it not converge?
+    parted: bool,
+    beside: Beside,
     point: Point,
     /// A better first guess than the last accepted state.
     guess: Option<Point>,
+    /// The end of the step if no steel yielded, from which its last increment starts.
+    end: Option<Point>,
     counters: Counters,
     /// Share of the step that the next increment tries.
     size: f64,
@@ -159,7 +186,9 @@ impl<'a, 'o> Run<'a, 'o> {
         counters.measure(&model);
         Self {
             expected,
-            path: Path::new(model.yielding.len()),
+            companion: None,
+            parted: false,
+            beside: Beside::default(),
             history: History {
                 plastic: vec![None; model.yielding.len()],
                 slip_origin: vec![[0.0; 2]; rows],
@@ -175,6 +204,7 @@ impl<'a, 'o> Run<'a, 'o> {
             sights: Vec::new(),
             solver: LinearSolver::default(),
             guess: None,
+            end: None,
             size: 0.0,
             states: Vec::new(),
             last: State::default(),
@@ -230,8 +260,9 @@ impl<'a, 'o> Run<'a, 'o> {
         }
         while time < 1.0 {
             let most = self.size.min(self.relief(step, time));
-            let target = if time + 1.001 * most >= 1.0 {
-                1.0
+            let end = self.planned_end(step, time);
+            let target = if time + 1.001 * most >= end {
+                end
             } else {
                 time + most
             };
@@ -250,9 +281,12 @@ impl<'a, 'o> Run<'a, 'o> {
                 Ok(evaluation) => {
                     let iterations = self.counters.iterations - before;
                     if iterations <= controls.iterations / 3 {
-                        self.size *= 1.5;
+                        self.size = (GROWTH * self.size).min(LARGEST * self.first_increment());
                     }
-                    let unforeseen = self.look(&trial, self.size / target);
+                    let mut unforeseen = self.look(&trial, self.size / target);
+                    if !self.look_ahead(&mut unforeseen, &trial) {
+                        return Ok(false);
+                    }
                     if unforeseen.missed {
                         self.prepare_for(unforeseen, Some(&trial))?;
                         self.size = target - time;
@@ -260,8 +294,12 @@ impl<'a, 'o> Run<'a, 'o> {
                     }
                     self.accept(trial, &evaluation, target >= 1.0)?;
                     time = target;
+                    self.accompany();
                     if !unforeseen.is_empty() {
                         self.prepare_for(unforeseen, None)?;
+                    }
+                    if time >= 1.0 && !self.bring_companion() {
+                        return Ok(false);
                     }
                     self.checkpoint()?;
                 }
@@ -301,6 +339,13 @@ impl<'a, 'o> Run<'a, 'o> {
         Ok(true)
     }
 
+    /// Where the next increment has to end at the latest.
+    fn planned_end(&self, step: usize, time: f64) -> f64 {
+        let plan = self.beside.plan.iter().filter(|plan| plan.step == step);
+        let mut ends = plan.flat_map(|plan| plan.ends.iter().copied());
+        ends.find(|end| *end > time + 1e-6).unwrap_or(1.0)
+    }
+
     /// The share of the step in which all loads fall to a third. Contact shrinks with the load: what
     /// is solved in one increment from full load to next to none changes beyond recognition.
     fn relief(&self, step: usize, time: f64) -> f64 {
@@ -323,14 +368,23 @@ impl<'a, 'o> Run<'a, 'o> {
             .unwrap_or(f64::INFINITY)
     }
 
-    /// First guess at `target`: where things stand. On along the last increment would be worse: as
-    /// contact grows bodies turn towards each other, and nodes that were closing part again.
+    /// First guess at `target`: where things stand, or the elastic end of the step where that is nearer.
+    /// On along the last increment would be worse: as contact grows bodies turn towards each other, and
+    /// nodes that were closing part again.
     fn predict(&mut self, step: usize, target: f64) -> Point {
-        self.guess.take().unwrap_or_else(|| Point {
+        let stands = if self.point.step == step {
+            self.point.time
+        } else {
+            0.0
+        };
+        let nearer = |end: &mut Point| end.step == step && 1.0 - target < target - stands;
+        let guess = self.guess.take();
+        let guess = guess.or_else(|| self.end.take_if(nearer));
+        Point {
             step,
             time: target,
-            ..self.point.clone()
-        })
+            ..guess.unwrap_or_else(|| self.point.clone())
+        }
     }
 
     /// Where nothing presses yet, lets the rows carry that all but touch: bodies float until then.

@@ -1,0 +1,83 @@
+//! A look at the end of the step as if no steel yielded.
+//!
+//! As long as nothing has flowed the condensed model is elastic, and solves to full load for next to
+//! nothing. From there the elements are known that will flow, the contact to begin with at full load,
+//! and the elastic peaks.
+
+use super::plan::{self, Growth};
+use super::{GROWTH, LARGEST, Run};
+use crate::mesh::hexahedron::volume;
+use crate::solve::foresight::{Unforeseen, flow_to_come, shares_of_yield};
+use crate::solve::newton::{self, Failure, Point, Stopped};
+use crate::solve::restart::{Kept, Plan};
+use crate::solve::state;
+use std::mem::{swap, take};
+
+impl Run<'_, '_> {
+    /// Looks ahead where the elements of `unforeseen` are the first to flow in all; they give way to those
+    /// that will, and for the rest of the step none are guessed any more. Where the elastic model does not
+    /// converge all stays as it was. Returns false where the observer cancelled.
+    pub(super) fn look_ahead(&mut self, unforeseen: &mut Unforeseen, trial: &Point) -> bool {
+        let virgin = self.history.plastic.iter().all(Option::is_none);
+        let known = (self.beside.elastic.as_ref()).is_some_and(|e| e.state.step == trial.step);
+        if known && !unforeseen.missed {
+            unforeseen.flow.clear();
+        }
+        if known || unforeseen.flow.is_empty() || !virgin {
+            return true;
+        }
+        // Elements of small bodies are watched from the start: here they are elastic like all others.
+        let watched = take(&mut self.model.yielding);
+        let mut plastic = take(&mut self.history.plastic);
+        let mut end = Point {
+            time: 1.0,
+            ..trial.clone()
+        };
+        let balanced = newton::balance(
+            &self.model,
+            &self.history,
+            &mut end,
+            &mut self.solver,
+            self.observer,
+            &mut self.counters,
+        );
+        if let Ok(evaluation) = &balanced {
+            let model = &self.model;
+            let [now, then] = [trial, &end].map(|p| {
+                let u = model.displacement(&p.x, p.step, p.time);
+                shares_of_yield(model, &u)
+            });
+            let contact = Unforeseen::new(model, &self.sights, &end, 1.0);
+            unforeseen.flow = flow_to_come(model, &then);
+            if contact.is_flow_only() {
+                let corners = |element| model.scene.mesh.corners(element as usize);
+                let growth = now.iter().zip(&then).map(|((element, now), (_, then))| {
+                    Growth::new(volume(&corners(*element)), (trial.time, *now), *then)
+                });
+                let growth: Vec<_> = growth.collect();
+                self.beside.plan = Some(Plan {
+                    step: trial.step,
+                    ends: plan::ends(&growth, GROWTH * self.first_increment()),
+                });
+                // From there on increments are as large as they have to be.
+                self.size = LARGEST * self.first_increment();
+                let with = (evaluation, self.sights.as_slice());
+                let state = state::state(model, &self.history, &end, with);
+                self.beside.elastic = Some(Kept::new(&state, Vec::new()));
+                self.end = Some(end);
+            } else {
+                // Of a strip that outgrows what was prepared for it nothing else is known.
+                unforeseen.add_contact(contact);
+            }
+        }
+        swap(&mut self.history.plastic, &mut plastic);
+        self.model.yielding = watched;
+        !matches!(
+            balanced,
+            Err(Stopped {
+                why: Failure::Cancelled,
+                ..
+            })
+        )
+    }
+}

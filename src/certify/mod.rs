@@ -18,11 +18,12 @@ use crate::results::interface::Interface;
 use crate::results::load::{applied, copies, descent};
 use crate::results::peaks::BodyPeaks;
 use crate::results::recovery::Recovered;
-use crate::scene::{PlaneMotion, Scene};
+use crate::scene::{ContactPair, PlaneMotion, Scene};
 use mises::Strip;
 use pressure::Contact;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
+use std::f64::consts::PI;
 
 /// A figure and what it is worth.
 #[derive(Debug, Clone, PartialEq)]
@@ -295,7 +296,7 @@ fn descent_claim(evidence: &Evidence) -> Option<Claim> {
         error: Errors {
             // What is prescribed is known.
             discretisation: match by_force {
-                true => (load > 0.0).then(|| energy / load),
+                true => (load > 0.0).then(|| energy / load + unseen_approach(evidence)),
                 false => Some(0.0),
             },
             ..Errors::default()
@@ -318,6 +319,21 @@ fn increment(claim: &Claim, doubled: Option<&[Claim]>) -> Option<f64> {
             Some(DOUBLING * (claim.value - other.value).abs())
         }
     }
+}
+
+/// How much closer bodies come below strips that the mesh is too coarse for. A line load q presses two half
+/// spaces of the compliance C together by 2 q C/π times the logarithm of a length over the half-width a (Johnson,
+/// Contact Mechanics, section 5.6); the mesh has its node spacing for a where that is more. The smoothed stress
+/// knows nothing of it.
+fn unseen_approach(evidence: &Evidence) -> f64 {
+    let pairs = evidence.scene.contacts.iter().zip(evidence.lines);
+    let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
+        let line = line.as_ref()?;
+        let (hertz, compliance) = (line.contact?, evidence.scene.compliance(pair).ok()?);
+        let seen = line.line.heaviest.middle_spacing() / hertz.half_width;
+        Some(2.0 * line.line_load * compliance / PI * seen.ln().max(0.0))
+    };
+    pairs.filter_map(of_pair).sum()
 }
 
 /// What penetration does to a figure: all of it to the descent, and to stresses and pressures the

@@ -11,6 +11,10 @@ use crate::scene::Scene;
 /// the nodal average, that the first is off: both tend to the same value, the second from farther away.
 const READINGS: f64 = 0.4;
 
+/// Error of the first reading, over the depth of the elements in radii of the bore: the stress falls from the
+/// wall as fast as the wall is curved. Measured 0.45 on thick walls.
+const DEPTH: f64 = 0.6;
+
 const YIELDED: &str =
     "the wall has yielded below the load: the strain of its surface says no stress";
 
@@ -21,7 +25,9 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Claim> {
         let value = stress.mises.unwrap_or(nodal);
         Some(Claim {
             error: Errors {
-                discretisation: stress.mises.map(|mises| READINGS * (mises - nodal).abs()),
+                discretisation: stress.mises.map(|mises| {
+                    (READINGS * (mises - nodal).abs()).max(DEPTH * stress.coarseness * mises)
+                }),
                 ..Errors::default()
             },
             note: stress.mises.is_none().then_some(YIELDED),

@@ -33,6 +33,8 @@ pub struct BoreStress {
     /// stress. `None` where the wall has yielded there, since Hooke's law no longer holds.
     pub mises: Option<f64>,
     pub mises_at: Option<[f64; 3]>,
+    /// Depth of the elements there over the radius of the bore.
+    pub coarseness: f64,
     /// Largest nodal Mises stress on the bore.
     pub nodal: Option<f64>,
     pub nodal_at: Option<[f64; 3]>,
@@ -62,28 +64,38 @@ pub fn bore_stress(
             stress.nodal_at = Some(mesh.points[*node as usize]);
         }
     }
-    if let Some((value, node)) = under_load(scene, state, surface, body, bore.axis) {
-        stress.mises = Some(value);
-        stress.mises_at = Some(mesh.points[node as usize]);
+    if let Some(peak) = under_load(scene, state, surface, body, bore.axis) {
+        stress.mises = Some(peak.value);
+        stress.mises_at = Some(mesh.points[peak.node as usize]);
+        stress.coarseness = peak.coarseness;
     }
     Some(stress)
 }
 
-/// The largest surface Mises stress at the nodes under the load lines and its node; `None` where
-/// an element beside one of them has yielded.
+/// The largest surface Mises stress under the load lines.
+struct SurfacePeak {
+    value: f64,
+    node: u32,
+    /// See [`BoreStress::coarseness`].
+    coarseness: f64,
+}
+
+/// The largest surface Mises stress at the nodes under the load lines; `None` where an element beside one
+/// of them has yielded.
 fn under_load(
     scene: &Scene,
     state: &State,
     surface: &Surface,
     body: usize,
     axis: usize,
-) -> Option<(f64, u32)> {
+) -> Option<SurfacePeak> {
     let nodes = surface.nodes();
     let angles = angles_from_load(scene, &nodes, axis)?;
     let nearest = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let reach = (nearest + 1e-6).max(UNDER_LOAD.to_radians());
     let strains = surface_strains(scene, state, surface, axis);
     let steel = scene.materials.get(body)?;
+    let mises = |s: &SurfaceStrain| s.mises(steel.youngs_modulus, steel.poissons_ratio);
     let mut best: Option<(f64, u32)> = None;
     for (node, angle) in nodes.iter().zip(angles) {
         let Some(strain) = strains.get(node).filter(|_| angle <= reach) else {
@@ -92,23 +104,54 @@ fn under_load(
         if strain.yielded {
             return None;
         }
-        let value = strain.mises(steel.youngs_modulus, steel.poissons_ratio);
+        let value = mises(strain);
         if best.is_none_or(|(largest, _)| value > largest) {
             best = Some((value, *node));
         }
     }
-    best
+    let (value, node) = best?;
+    Some(SurfacePeak {
+        value,
+        node,
+        coarseness: depth(scene, surface, node)? / radius(scene, &nodes, node, axis)?,
+    })
 }
 
-/// Angle about the roller's axis between each node and the nearer of the two load lines.
-fn angles_from_load(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Vec<f64>> {
-    let plane = match axis {
+/// Depth of the elements below a node of a surface.
+fn depth(scene: &Scene, surface: &Surface, node: u32) -> Option<f64> {
+    let at = |n: u32| scene.mesh.points[n as usize];
+    let faces = surface.faces.iter().filter(|f| f.nodes.contains(&node));
+    let below = faces.flat_map(|face| {
+        let nodes = scene.mesh.hexes[face.element as usize];
+        nodes.into_iter().filter(|n| !face.nodes.contains(n))
+    });
+    let depths = below.map(|n| norm(sub(at(n), at(node))));
+    depths.reduce(f64::min)
+}
+
+/// Radius of the bore that these nodes lie on, at one of them.
+fn radius(scene: &Scene, nodes: &[u32], node: u32, axis: usize) -> Option<f64> {
+    let flat = flatten(axis)?;
+    let points = nodes.iter().map(|n| flat(scene.mesh.points[*n as usize]));
+    let [u, v] = circle_centre(&points.collect::<Vec<_>>())?;
+    let [x, y] = flat(scene.mesh.points[node as usize]);
+    Some((x - u).hypot(y - v))
+}
+
+/// The plane across an axis.
+fn flatten(axis: usize) -> Option<impl Fn([f64; 3]) -> [f64; 2]> {
+    let [u, v] = match axis {
         0 => [1, 2],
         1 => [2, 0],
         2 => [0, 1],
         _ => return None,
     };
-    let flat = |p: [f64; 3]| [p[plane[0]], p[plane[1]]];
+    Some(move |p: [f64; 3]| [p[u], p[v]])
+}
+
+/// Angle about the roller's axis between each node and the nearer of the two load lines.
+fn angles_from_load(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Vec<f64>> {
+    let flat = flatten(axis)?;
     let points: Vec<[f64; 2]> = nodes
         .iter()
         .map(|n| flat(scene.mesh.points[*n as usize]))

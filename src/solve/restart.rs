@@ -138,8 +138,7 @@ impl Restart {
         point: &Point,
         (finished, last): (&[Kept], Kept),
         (beside, companion): (Beside, Option<KeptCompanion>),
-        expected: Expected,
-        size: f64,
+        (expected, size): (Expected, f64),
         counters: Counters,
     ) -> Self {
         let rows = model.rows.iter().enumerate();

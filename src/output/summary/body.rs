@@ -2,7 +2,7 @@
 
 use super::inputs::SummaryInputs;
 use super::values::{Named, Three};
-use crate::results::bore::{Bore, bore_stress};
+use crate::results::bore::BoreStress;
 use crate::results::edges::LoadedEdges;
 use crate::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
@@ -67,13 +67,13 @@ fn three<T>(peaks: &BodyPeaks, read: impl Fn(Peak) -> T) -> Three<Option<T>> {
     }
 }
 
-pub(super) fn roller(inputs: &SummaryInputs, bore: &Bore) -> RollerSummary {
-    let stress = bore_stress(inputs.scene, inputs.state, inputs.recovered, bore);
-    let stress = stress.unwrap_or_default();
-    RollerSummary {
-        bore_mises: stress.mises,
-        bore_mises_at: stress.mises_at,
-        bore_mises_nodal: stress.nodal,
-        bore_mises_nodal_at: stress.nodal_at,
+impl From<&BoreStress> for RollerSummary {
+    fn from(stress: &BoreStress) -> Self {
+        Self {
+            bore_mises: stress.mises,
+            bore_mises_at: stress.mises_at,
+            bore_mises_nodal: stress.nodal,
+            bore_mises_nodal_at: stress.nodal_at,
+        }
     }
 }

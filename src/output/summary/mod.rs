@@ -27,14 +27,14 @@ use super::units::UnitLabels;
 use super::warnings::{Warning, warnings};
 use crate::certify::{Claim, Evidence, certify};
 use crate::results::Energy;
-use crate::results::bore::BoreStress;
+use crate::results::bore::{BoreStress, bore_stress};
 use crate::results::edges::LoadedEdges;
 use crate::results::hertz::HeaviestLine;
 use crate::results::interface::{Interface, interfaces};
 use crate::results::load;
 use crate::results::peaks::peaks;
 use crate::results::strain::largest_strain;
-use body::{bodies, roller};
+use body::bodies;
 use checks::{balance, checks};
 use interface::interface_summary;
 use serde::Serialize;
@@ -106,11 +106,14 @@ impl Summary {
         let applied_load = load::applied(scene, state);
         let descent = load::descent(scene, state);
         let strain = largest_strain(&scene.mesh, &state.displacement).map(|(value, _)| value);
-        let bores = inputs
-            .bores
+        let bores = inputs.bores.iter().map(|bore| {
+            let stress = bore_stress(scene, state, inputs.recovered, bore);
+            (bore.body.clone(), stress.unwrap_or_default())
+        });
+        let bores: Vec<(String, BoreStress)> = bores.collect();
+        let rollers = bores
             .iter()
-            .map(|bore| (bore.body.clone(), roller(inputs, bore)));
-        let bores: Vec<(String, RollerSummary)> = bores.collect();
+            .map(|(body, stress)| (body.clone(), stress.into()));
         let edges = LoadedEdges::find(scene, state);
         let line = |pair| HeaviestLine::find(scene, state, pair, &edges);
         let lines: Vec<Option<HeaviestLine>> = (0..measured.len()).map(line).collect();
@@ -151,7 +154,7 @@ impl Summary {
             max_strain: strain,
             bodies: bodies(inputs, &peaks),
             interfaces: Named(measured.iter().enumerate().map(interface).collect()),
-            rollers: Named(bores.clone()),
+            rollers: Named(rollers.collect()),
             balance: balance(scene, state),
             stiffness: descent.filter(|d| *d != 0.0).map(|d| applied_load / d),
             load_line: load_line::points(scene, inputs.steps),
@@ -166,7 +169,7 @@ impl Summary {
                 interfaces: &measured,
                 lines: &lines,
                 edges: &edges,
-                bores: &stresses(&bores),
+                bores: &bores,
                 dents: &dents,
                 elastic: inputs.elastic,
                 doubled: inputs.doubled,
@@ -191,17 +194,4 @@ impl Summary {
             writeln!(out)
         })
     }
-}
-
-fn stresses(rollers: &[(String, RollerSummary)]) -> Vec<(String, BoreStress)> {
-    let stress = |(body, r): &(String, RollerSummary)| {
-        let stress = BoreStress {
-            mises: r.bore_mises,
-            mises_at: r.bore_mises_at,
-            nodal: r.bore_mises_nodal,
-            nodal_at: r.bore_mises_nodal_at,
-        };
-        (body.clone(), stress)
-    };
-    rollers.iter().map(stress).collect()
 }

@@ -85,8 +85,7 @@ impl Run<'_, '_> {
                 point,
                 (finished, last),
                 (beside.clone(), companion.map(|c| c.keep(model))),
-                expected,
-                size,
+                (expected, size),
                 *counters,
             )
         };

@@ -61,18 +61,22 @@ pub fn ends(growth: &[Growth], largest: f64) -> Vec<f64> {
         }
         after
     };
-    let mut parts = 2;
-    while all > 0.0 {
-        let mut ends: Vec<f64> = (1..parts).map(|k| when(k as f64 / parts as f64)).collect();
-        ends.push(1.0);
-        let starts = [when(LITTLE)].into_iter().chain(ends.iter().copied());
-        let longest = starts.zip(&ends).map(|(a, b)| b - a).fold(0.0, f64::max);
-        if longest <= largest || parts >= MOST {
-            return ends;
-        }
-        parts += 2;
+    if all <= 0.0 {
+        return Vec::new();
     }
-    Vec::new()
+    let plan = |parts: usize| -> Vec<f64> {
+        let inner = (1..parts).map(|k| when(k as f64 / parts as f64));
+        inner.chain([1.0]).collect()
+    };
+    let begins = when(LITTLE);
+    let longest = |ends: &[f64]| {
+        let starts = [begins].into_iter().chain(ends.iter().copied());
+        let sizes = starts.zip(ends).map(|(start, end)| end - start);
+        sizes.fold(0.0, f64::max)
+    };
+    let plans = (2..=MOST).step_by(2).map(plan);
+    let mut fitting = plans.filter(|ends| longest(ends) <= largest);
+    fitting.next().unwrap_or_else(|| plan(MOST))
 }
 
 #[cfg(test)]

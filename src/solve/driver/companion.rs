@@ -35,6 +35,15 @@ pub struct KeptCompanion {
 }
 
 impl Companion {
+    /// Where the first solution stands.
+    pub fn at(point: &Point, history: &History) -> Self {
+        Self {
+            point: point.clone(),
+            history: history.clone(),
+            passed: Vec::new(),
+        }
+    }
+
     /// Carries the plastic state from the elements that were watched to those that will be.
     pub fn watch(&mut self, old: &[u32], new: &[u32]) {
         self.history.watch(old, new);
@@ -81,21 +90,15 @@ impl KeptCompanion {
 impl Run<'_, '_> {
     /// Takes note of an accepted increment.
     pub(super) fn accompany(&mut self) {
-        if !self.model.scene.controls.increment_error {
-            return;
-        }
         let virgin = self.history.plastic.iter().all(Option::is_none);
-        match &mut self.companion {
-            Some(companion) if !virgin => companion.passed.push(self.point.clone()),
+        let Some(companion) = &mut self.companion else {
+            return;
+        };
+        if virgin {
             // Both are the same as long as nothing has yielded.
-            None if !virgin && self.parted => {}
-            companion => {
-                *companion = Some(Companion {
-                    point: self.point.clone(),
-                    history: self.history.clone(),
-                    passed: Vec::new(),
-                });
-            }
+            *companion = Companion::at(&self.point, &self.history);
+        } else {
+            companion.passed.push(self.point.clone());
         }
     }
 
@@ -129,7 +132,6 @@ impl Run<'_, '_> {
                     ..
                 }) => return false,
                 Err(_) => {
-                    self.parted = true;
                     self.observer.message(
                         "the second solution, in increments twice as large, did not converge: what the \
                          increments are worth is not known",

@@ -25,7 +25,6 @@ impl Run<'_, '_> {
         self.last = restart.last.restore(model);
         self.beside = restart.beside.clone();
         self.companion = (restart.companion.as_ref()).and_then(|kept| kept.place(model));
-        self.parted = self.companion.is_none();
         let (step, time) = restart.after();
         self.observer.message(&format!(
             "goes on after {:.3} % of step `{}`",

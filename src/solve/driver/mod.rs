@@ -160,10 +160,8 @@ struct Run<'a, 'o> {
     observer: &'o mut dyn Observer,
     solver: LinearSolver,
     history: History,
-    /// In increments twice as large.
+    /// In increments twice as large; none where it is not wanted or has not converged.
     companion: Option<Companion>,
-    /// Did it not converge?
-    parted: bool,
     beside: Beside,
     point: Point,
     /// A better first guess than the last accepted state.
@@ -184,23 +182,25 @@ impl<'a, 'o> Run<'a, 'o> {
         let rows = model.rows.len();
         let mut counters = Counters::default();
         counters.measure(&model);
+        let history = History {
+            plastic: vec![None; model.yielding.len()],
+            slip_origin: vec![[0.0; 2]; rows],
+            slip: vec![0.0; rows],
+        };
+        let point = Point {
+            step: 0,
+            time: 0.0,
+            x: vec![0.0; model.dofs.len()],
+            nodes: vec![Node::default(); rows],
+            cautious: false,
+        };
+        let wanted = model.scene.controls.increment_error;
         Self {
             expected,
-            companion: None,
-            parted: false,
+            companion: wanted.then(|| Companion::at(&point, &history)),
             beside: Beside::default(),
-            history: History {
-                plastic: vec![None; model.yielding.len()],
-                slip_origin: vec![[0.0; 2]; rows],
-                slip: vec![0.0; rows],
-            },
-            point: Point {
-                step: 0,
-                time: 0.0,
-                x: vec![0.0; model.dofs.len()],
-                nodes: vec![Node::default(); rows],
-                cautious: false,
-            },
+            history,
+            point,
             sights: Vec::new(),
             solver: LinearSolver::default(),
             guess: None,

@@ -61,6 +61,11 @@ impl StripRow {
         }
     }
 
+    /// The larger of both.
+    pub fn spacing(&self) -> f64 {
+        self.middle_spacing().max(self.edge_spacing())
+    }
+
     /// The larger distance from the node next to the centre to its neighbours.
     pub fn middle_spacing(&self) -> f64 {
         let middle = (0..self.nodes.len()).min_by(|a, b| {

@@ -14,11 +14,9 @@ use crate::scene::Scene;
 /// The loaded edges of a state.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LoadedEdges {
-    /// Nodes on boundaries of contact surfaces that are in contact.
-    positions: Vec<[f64; 3]>,
-    /// The stress of an edge reaches so far: a fiftieth of the contact surface, some half-widths, and
-    /// no less than the faces at the edge are long.
-    reach: f64,
+    /// Nodes on boundaries of contact surfaces that are in contact, and how far the stress of the edge
+    /// reaches: a fiftieth of the contact surface, some half-widths, and no less than the face there is long.
+    nodes: Vec<([f64; 3], f64)>,
 }
 
 /// Of the size of a contact surface.
@@ -73,23 +71,23 @@ impl LoadedEdges {
                     continue;
                 }
                 let corners = face.corners(mesh);
-                let longest = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
-                self.reach = self.reach.max(longest);
-                self.positions.extend(side.map(|n| mesh.points[n as usize]));
+                let reach = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
+                self.nodes
+                    .extend(side.map(|n| (mesh.points[n as usize], reach)));
             }
         }
     }
 
     /// Does no contact surface end while it carries pressure?
     pub fn is_empty(&self) -> bool {
-        self.positions.is_empty()
+        self.nodes.is_empty()
     }
 
     /// Is a point so near to a loaded edge that its stress belongs to the edge?
     ///
     /// The edge may be that of the other body: its end presses a singularity into this one too.
     pub fn are_near(&self, at: &[f64; 3]) -> bool {
-        (self.positions.iter()).any(|edge| distance(*edge, *at) <= self.reach)
+        (self.nodes.iter()).any(|(edge, reach)| distance(*edge, *at) <= *reach)
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::State;
 use super::bore::circle_centre;
-use super::contact_lines::{ContactLine, contact_lines};
+use super::contact_lines::{ContactLine, across, contact_lines};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
 use super::line_load::Slices;
@@ -46,29 +46,39 @@ pub enum Departure {
     Kink,
 }
 
+/// Lines whose middles are nearer than this share of both half-widths press as one. Two that just touch are each
+/// still Hertz's within the errors of a line load (`cases/coverage/solid-heavy.toml`).
+const MERGED: f64 = 0.9;
+
 impl HeaviestLine {
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
         let axis = Slices::equal(scene, pair, 1)?.axis;
-        let lines = contact_lines(scene, state, pair, axis).into_iter();
-        let loaded = lines.filter_map(|line| Some((line.peak()?.0, line)));
+        let lines = contact_lines(scene, state, pair, axis);
+        let loaded = lines.iter().filter_map(|line| Some((line.peak()?.0, line)));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mirrored = across(scene, axis).is_some_and(|across| scene.mirrors.contains(&across));
+        let apart = distance_to_the_next(line, &lines, mirrored);
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
         let radius = radius(scene, contact, axis, row.at);
         let compliance = scene.compliance(contact).ok();
         let hertz = radius.zip(compliance);
         let hertz = hertz.and_then(|(r, c)| LineContact::new(line_load, r, c).ok());
-        let kink = kink(&line, scene.mirrors.contains(&axis));
-        let departs = hertz
-            .and_then(|hertz| departure(scene, state, (contact, edges), &line, (&hertz, kink)));
+        let kink = kink(line, scene.mirrors.contains(&axis));
+        let departs = hertz.and_then(|hertz| {
+            if apart < MERGED * 2.0 * hertz.half_width {
+                return Some(Departure::Width);
+            }
+            departure(scene, state, (contact, edges), line, (&hertz, kink))
+        });
         Some(Self {
             line_load,
             kink,
             contact: hertz,
             departs,
             axis,
-            line,
+            line: line.clone(),
         })
     }
 
@@ -86,6 +96,17 @@ impl HeaviestLine {
             .filter(|_| self.departs.is_none() && self.is_long())?;
         Some(contact.peak_pressure)
     }
+}
+
+/// From the middle of a line to that of the nearest one beside it, its own mirror image included.
+fn distance_to_the_next(line: &ContactLine, lines: &[ContactLine], mirrored: bool) -> f64 {
+    let others = lines.iter().filter(|other| other.across != line.across);
+    let images = lines.iter().filter(|_| mirrored).map(|other| -other.across);
+    let images = images.filter(|_| line.images > 1);
+    let beside = others.map(|other| other.across).chain(images);
+    beside
+        .map(|across| (across - line.across).abs())
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// By how much the largest load per length stands out, relative to itself.

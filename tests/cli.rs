@@ -379,23 +379,6 @@ fn a_body_that_nothing_can_hold_is_named() {
     assert!(!folder.path().join("out/summary.json").exists());
 }
 
-#[test]
-fn a_run_that_fails_leaves_no_older_answer() {
-    let folder = folder(SCENE, &blocks(0.0, 0.0));
-    brinell(folder.path(), "run scene.toml --out out").code(0);
-    let files = [
-        "summary.json",
-        "report.html",
-        "line-load.csv",
-        "line-load.svg",
-    ];
-    let left = |name: &&str| folder.path().join("out").join(name).exists();
-    assert!(files.iter().all(left));
-    std::fs::remove_file(folder.path().join("blocks.msh")).unwrap();
-    brinell(folder.path(), "run scene.toml --out out").code(2);
-    assert!(!files.iter().any(left));
-}
-
 /// A limit on the size of files stands for a disk that is full: the system refuses to write on.
 #[test]
 fn a_full_disk_is_named_and_leaves_nothing_half_written() {
@@ -437,7 +420,8 @@ fn a_load_beyond_the_plastic_limit_does_not_converge() {
 
 #[test]
 fn a_step_that_does_not_converge_says_how_far_it_came() {
-    let controls = "[controls]\niterations = 1\nsmallest_increment = 0.1\n";
+    // Rounding is more than that.
+    let controls = "[controls]\nresidual = 1e-19\nsmallest_increment = 0.1\n";
     let folder = folder(&format!("{SCENE}\n{controls}"), &blocks(0.0, 0.0));
     let run = brinell(folder.path(), "run scene.toml --out out").code(3);
     let parts = [
@@ -600,10 +584,15 @@ impl Running {
     }
 
     /// Presses Ctrl-C and returns the exit status.
-    fn interrupt(mut self) -> Option<i32> {
+    fn interrupt(self) -> Option<i32> {
+        self.signal("-INT")
+    }
+
+    /// Sends a signal and returns the exit status.
+    fn signal(mut self, signal: &str) -> Option<i32> {
         let id = self.child.id().to_string();
         let kill = std::process::Command::new("kill")
-            .args(["-INT", &id])
+            .args([signal, &id])
             .status();
         assert!(kill.unwrap().success());
         let start = Instant::now();
@@ -634,6 +623,101 @@ fn an_interrupted_run_leaves_whole_files() {
         let name = entry.unwrap().file_name();
         assert!(!name.to_string_lossy().ends_with(".tmp"), "{name:?}");
     }
+}
+
+/// A queue that takes a job's time away sends SIGTERM.
+#[test]
+fn a_run_that_is_terminated_ends_as_an_interrupted_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut run = Running::start(folder.path());
+    let pvd = folder.path().join("initial-centre.pvd");
+    run.until(|line| line.split_whitespace().nth(1) == Some("1") && pvd.exists());
+    assert_eq!(run.signal("-TERM"), Some(130));
+    let summary = summary(&folder.path().join("summary.json"));
+    assert_eq!(summary["converged"], false);
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).unwrap();
+    let name = |file: std::io::Result<std::fs::DirEntry>| file.unwrap().file_name();
+    let mut names: Vec<String> = files.map(|f| name(f).into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// What an earlier run left stays until there is something of this one; then it goes altogether.
+#[test]
+fn results_of_an_earlier_case_stay_until_there_are_new_ones() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    let at = |name: &str| folder.path().join(name);
+    brinell(folder.path(), "run scene.toml --out out").success();
+    let before = names(&at("out"));
+    assert!(before.iter().any(|name| name == "scene-views.py"));
+    let kept = |name: &str| std::fs::read(at("out").join(name)).unwrap();
+    let summary = kept("summary.json");
+
+    // A mesh that is none, and a scene that nothing balances.
+    std::fs::write(at("other.toml"), SCENE.replace("blocks.msh", "none.msh")).unwrap();
+    std::fs::write(at("none.msh"), "no mesh").unwrap();
+    brinell(folder.path(), "run other.toml --out out").code(2);
+    std::fs::write(at("loose.toml"), SCENE).unwrap();
+    let text = std::fs::read_to_string(at("loose.toml")).unwrap();
+    let loose = format!("{text}\n[controls]\nresidual = 1e-19\nsmallest_increment = 0.1\n");
+    std::fs::write(at("loose.toml"), loose).unwrap();
+    brinell(folder.path(), "run loose.toml --out out").code(3);
+    assert_eq!(names(&at("out")), before);
+    assert_eq!(kept("summary.json"), summary);
+
+    std::fs::write(at("other.toml"), SCENE).unwrap();
+    std::fs::write(at("out").join("notes.txt"), "mine").unwrap();
+    brinell(folder.path(), "run other.toml --out out").success();
+    let after = names(&at("out"));
+    assert!(
+        after.iter().all(|name| !name.starts_with("scene")),
+        "{after:?}"
+    );
+    assert!(after.contains(&"other.pvd".to_owned()) && after.contains(&"notes.txt".to_owned()));
+}
+
+/// Where a link waits under the name of a file of the run, the file it points to is left alone.
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_through_a_link() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    let mine = folder.path().join("mine.txt");
+    std::fs::write(&mine, "mine").unwrap();
+    let out = folder.path().join("out");
+    std::fs::create_dir(&out).unwrap();
+    for name in [
+        ".lock",
+        "summary.json",
+        "summary.json.tmp",
+        "scene.pvd",
+        "scene_0001.vtu.tmp",
+        "report.html",
+    ] {
+        std::os::unix::fs::symlink(&mine, out.join(name)).unwrap();
+    }
+    brinell(folder.path(), "run scene.toml --out out").success();
+    assert_eq!(std::fs::read_to_string(&mine).unwrap(), "mine");
+    assert!(!out.join("summary.json").is_symlink());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_standard_output_that_is_full_is_told() {
+    let full = std::fs::File::options()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    let run = std::process::Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args("hertz --diameter 3 --length 8 --load 130 --yield 100".split(' '))
+        .stdout(full)
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&run.stderr);
+    assert_eq!(run.status.code(), Some(2), "{text}");
+    assert!(text.contains("cannot write standard output"), "{text}");
 }
 
 #[test]

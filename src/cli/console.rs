@@ -4,6 +4,8 @@ use super::{Status, say};
 use crate::results::State;
 use crate::solve::{Iteration, Observer};
 use indicatif::{ProgressBar, ProgressStyle};
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -15,7 +17,7 @@ pub struct Console {
 }
 
 impl Console {
-    /// Shows iterations unless `quiet`. Ctrl-C stops between iterations, a second one at once: every
+    /// Shows iterations unless `quiet`. Ctrl-C or SIGTERM stops between iterations, a second one at once: every
     /// file is then whole or not there.
     pub fn new(quiet: bool) -> Self {
         let bar = ProgressBar::new(1000);
@@ -30,7 +32,7 @@ impl Console {
         }
     }
 
-    /// Was Ctrl-C pressed?
+    /// Was Ctrl-C pressed, or SIGTERM sent?
     pub fn interrupted(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
@@ -47,16 +49,16 @@ impl Console {
     }
 }
 
-/// A flag that Ctrl-C sets; a second one ends the program at once.
+/// A flag that Ctrl-C (SIGINT) and the end of a job's time (SIGTERM) set; a second one ends the program at once.
 pub fn set_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&stop);
-    // A second handler in one process is refused; the first one then still works.
-    let _ = ctrlc::set_handler(move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(Status::Interrupted as u8));
-        }
-    });
+    for signal in [SIGINT, SIGTERM] {
+        let end = i32::from(Status::Interrupted as u8);
+        // In this order: the first signal finds the flag down.
+        let ends = flag::register_conditional_shutdown(signal, end, Arc::clone(&stop));
+        // Where the system refuses, signals do as they always do.
+        let _ = ends.and_then(|_| flag::register(signal, Arc::clone(&stop)));
+    }
     stop
 }
 

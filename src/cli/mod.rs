@@ -23,9 +23,10 @@ use crate::job::JobError;
 use clap::{FromArgMatches, Parser, Subcommand};
 use console::Console;
 pub use help::command;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
 /// Contact stresses of roller bearings by finite elements.
 #[derive(Debug, Parser)]
@@ -107,13 +108,32 @@ impl Cli {
             let _ = writeln!(std::io::stderr(), "{report:?}");
             status
         });
+        let status = match LOST.get() {
+            Some(why) => {
+                let _ = writeln!(std::io::stderr(), "cannot write standard output: {why}");
+                if status == Status::Done {
+                    Status::BadInput
+                } else {
+                    status
+                }
+            }
+            None => status,
+        };
         ExitCode::from(status as u8)
     }
 }
 
-/// Prints a line. A reader that has gone, such as `head`, stops nothing.
+/// Why standard output could not be written, the first time.
+static LOST: OnceLock<String> = OnceLock::new();
+
+/// Prints a line. A reader that has gone, such as `head`, stops nothing; what else cannot be written makes the
+/// command fail at its end.
 fn say(text: &str) {
-    let _ = writeln!(std::io::stdout(), "{text}");
+    if let Err(error) = writeln!(std::io::stdout(), "{text}")
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        LOST.get_or_init(|| error.to_string());
+    }
 }
 
 /// What a command comes to: a status, or one with the reason.

@@ -77,33 +77,33 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     let bad = |report: miette::Report| (Status::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
     let suites = suites(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
-    println!("{}", matrix::head());
+    say(&matrix::head());
     let mut claims: Vec<Claim> = Vec::new();
     let mut unsolved: Vec<(&str, VerifyError)> = Vec::new();
     for suite in suites {
         match suite.measure(extent) {
             Ok(measured) => {
                 for claim in measured {
-                    println!("{}", matrix::line(&claim));
+                    say(&matrix::line(&claim));
                     claims.push(claim);
                 }
             }
             Err(error) => {
-                println!("FAILS {:12} {error}", suite.name);
+                say(&format!("FAILS {:12} {error}", suite.name));
                 unsolved.push((suite.name, error));
             }
         }
     }
     let failed = claims.iter().filter(|c| !c.holds()).count();
-    println!(
+    say(&format!(
         "\n{} claims, {failed} outside their tolerance, {} families not solved",
         claims.len(),
         unsolved.len()
-    );
+    ));
     if args.write {
         write(Path::new(PAGE), &claims, &unsolved)
             .map_err(|error| bad(miette::miette!("{PAGE} cannot be written: {error}")))?;
-        println!("written to {PAGE}");
+        say(&format!("written to {PAGE}"));
     }
     let sound = failed == 0 && unsolved.is_empty();
     Ok(if sound { Status::Done } else { Status::Failed })

@@ -90,6 +90,7 @@ impl JobError {
             Self::Solve(
                 SolveError::NotConverged { .. }
                     | SolveError::FreeBody { .. }
+                    | SolveError::NoBalance(_)
                     | SolveError::LimitLoad { .. }
             )
         )

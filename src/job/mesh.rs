@@ -1,6 +1,6 @@
 //! The mesh of a case: its file, the one that is shipped with it, or a new one by gmsh.
 
-use super::JobError;
+use super::{JobError, folder};
 use crate::case::bearing::{gmsh_parameters, write_template, write_with_fingerprint};
 use crate::case::{BearingCase, Case, Family, Kind, MeshOrigin};
 use crate::fem::dofs::DofMap;
@@ -8,6 +8,7 @@ use crate::mesh::family::problem_h;
 use crate::mesh::{Mesh, gmsh, msh};
 use crate::output::file::write_atomically;
 use crate::solve::{self, Forecast};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -33,11 +34,18 @@ pub fn find_mesh(
         Kind::Bearing(bearing) => bearing,
     };
     let wanted = bearing.fingerprint();
-    for path in known_places(case, bearing, out) {
+    let fresh = out.map(|out| out.join(FRESH));
+    for path in known_places(case, bearing, out)
+        .into_iter()
+        .chain(fresh.clone())
+    {
         // A file that is no mesh, or one of another bearing, is never used.
         if let Ok(mesh) = msh::read(&path)
             && mesh.fingerprint.as_deref() == Some(&wanted)
         {
+            if let Some(fresh) = fresh.filter(|fresh| *fresh != path) {
+                folder::forget(&fresh)?;
+            }
             say(&format!("mesh {}", path.display()));
             return Ok(mesh);
         }
@@ -47,7 +55,17 @@ pub fn find_mesh(
     ));
     let scratch = Scratch::new()?;
     let kept = out.unwrap_or(&scratch.0).join(FILE);
+    // The mesh of an earlier run stays as long as its results do.
+    let kept = fresh.filter(|_| kept.exists()).unwrap_or(kept);
     make(bearing, &kept)
+}
+
+/// Puts a mesh that was made for this run in the place of that of an earlier one.
+pub(super) fn take_fresh(out: &Path) -> Result<(), JobError> {
+    match std::fs::rename(out.join(FRESH), out.join(FILE)) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(out, error)),
+        _ => Ok(()),
+    }
 }
 
 /// The mesh of the bearing of `case` in the file `kept`: as it is there, copied from where one is at
@@ -120,13 +138,15 @@ fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
         &gmsh_parameters(&bearing.geometry, &bearing.mesh),
         &raw,
     )?;
-    write_with_fingerprint(&raw, &bearing.fingerprint(), kept)
-        .map_err(|error| JobError::folder(kept, error))?;
+    write_with_fingerprint(&raw, &bearing.fingerprint(), kept)?;
     Ok(msh::read(kept)?)
 }
 
 /// Name of a mesh that a job made, in its folder.
 pub const FILE: &str = "mesh.msh.gz";
+
+/// The same while results of an earlier run, on another mesh, are still there.
+const FRESH: &str = "mesh-new.msh.gz";
 
 /// Where a run keeps what its second mesh is made for, in its folder.
 pub(super) fn strips_file(out: &Path) -> PathBuf {

@@ -64,7 +64,7 @@ impl Options {
     /// The folder to write into, this job's alone from now on.
     fn open(&self) -> Result<Option<Folder>, JobError> {
         let out = self.out.as_deref();
-        out.map(|out| Folder::open(out, self.resume)).transpose()
+        out.map(Folder::open).transpose()
     }
 }
 

@@ -4,18 +4,54 @@
 use super::JobError;
 use super::checkpoint::Checkpoint;
 use super::clock::{Clock, Spent};
-use crate::case::Case;
+use super::folder;
+use super::mesh::STRIPS;
+use crate::case::{Case, Kind};
 use crate::output::report::history::Iterate;
 use crate::output::{Series, UnitLabels, paraview};
 use crate::results::State;
 use crate::results::recovery::recover;
 use crate::scene::Scene;
 use crate::solve::{Iteration, Observer, Restart};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// What a run writes increment by increment.
+struct Files {
+    folder: PathBuf,
+    series: Series,
+    checkpoint: Checkpoint,
+    /// What an earlier run left is there as long as nothing of this one is.
+    earlier: Option<Earlier>,
+    title: String,
+    units: UnitLabels,
+}
+
+/// What is done about an earlier run.
+struct Earlier {
+    /// Does this one go on from it?
+    resumed: bool,
+    /// Is this its second mesh, or one that goes on with that?
+    strips: bool,
+}
+
+impl Files {
+    fn write(&mut self, scene: &Scene, state: &State) -> Result<(), JobError> {
+        if let Some(earlier) = self.earlier.take() {
+            folder::clear(&self.folder, earlier.resumed)?;
+            if !earlier.resumed && !earlier.strips {
+                folder::forget(&self.folder.join(STRIPS))?;
+            }
+            let name = self.series.name();
+            paraview::write(&self.folder, name, &self.title, &self.units, scene)?;
+        }
+        (self.series).write(scene, state, &recover(scene, state))?;
+        Ok(())
+    }
+}
 
 pub struct Recorder<'o> {
     inner: &'o mut dyn Observer,
-    files: Option<(Series, Checkpoint)>,
+    files: Option<Files>,
     scene: Scene,
     spent: Spent,
     history: Vec<Iterate>,
@@ -26,7 +62,7 @@ impl<'o> Recorder<'o> {
     /// an earlier run that goes on from `restart`.
     ///
     /// # Errors
-    /// Where the earlier run's collection cannot be read, or the file of views not be written.
+    /// Where the earlier run's collection cannot be read.
     pub fn new(
         case: &Case,
         files: Option<(&Path, Checkpoint)>,
@@ -42,11 +78,22 @@ impl<'o> Recorder<'o> {
             Some(restart) => Series::resume(out, &stem, restart.after()),
             None => Ok(Series::new(out, &stem)),
         };
+        let strips = match &case.kind {
+            Kind::Bearing(bearing) => bearing.mesh.strips.is_some(),
+            Kind::General(_) => false,
+        };
         let files = files.map(|(out, checkpoint)| {
-            let series = series(out)?;
-            let units = UnitLabels::of(case.units);
-            paraview::write(out, series.name(), &case.title, &units, &scene)?;
-            Ok::<_, JobError>((series, checkpoint))
+            Ok::<_, JobError>(Files {
+                folder: out.to_owned(),
+                series: series(out)?,
+                checkpoint,
+                earlier: Some(Earlier {
+                    resumed: restart.is_some(),
+                    strips,
+                }),
+                title: case.title.clone(),
+                units: UnitLabels::of(case.units),
+            })
         });
         Ok(Self {
             files: files.transpose()?,
@@ -84,8 +131,8 @@ impl Observer for Recorder<'_> {
 
     fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         let clock = Clock::start();
-        if let Some((series, _)) = &mut self.files {
-            series.write(&self.scene, state, &recover(&self.scene, state))?;
+        if let Some(files) = &mut self.files {
+            files.write(&self.scene, state)?;
         }
         self.spent = self.spent.plus(clock.spent());
         self.inner.increment(state)
@@ -96,8 +143,8 @@ impl Observer for Recorder<'_> {
         make: &dyn Fn() -> Restart,
     ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         let clock = Clock::start();
-        if let Some((_, checkpoint)) = &self.files {
-            checkpoint.write(&make())?;
+        if let Some(files) = &self.files {
+            files.checkpoint.write(&make())?;
         }
         self.spent = self.spent.plus(clock.spent());
         Ok(())

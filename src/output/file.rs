@@ -1,6 +1,6 @@
 //! Files that are either whole or not there.
 
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -58,11 +58,38 @@ pub fn write_atomically(
     })
 }
 
+/// Locks the file `path`, which is made where it is missing and is never reached through a link; `None` where
+/// another process holds it. The system lets go of it when the process ends, however it ends.
+///
+/// # Errors
+/// Where the file cannot be made.
+pub fn lock(path: &Path) -> io::Result<Option<File>> {
+    if path.is_symlink() {
+        fs::remove_file(path)?;
+    }
+    let mut options = File::options();
+    let file = options
+        .write(true)
+        .create(true)
+        .truncate(false)
+        .open(path)?;
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => Ok(None),
+        // Some network file systems know no locks: better no lock than no run.
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(Some(file)),
+    }
+}
+
 fn write_through(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut writer = BufWriter::new(File::create(path)?);
+    // A link that waits there under the temporary name is removed, and never written through.
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    let mut writer = BufWriter::new(File::create_new(path)?);
     content(&mut writer)?;
     let file = writer
         .into_inner()

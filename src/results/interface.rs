@@ -91,7 +91,8 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
     }
     result.face_side = face_side(scene, pair, field);
     result.force = whole(scene, force);
-    result.normal_force = dot(result.force, along(scene, state));
+    // Contact does not pull, and either side may be the one below.
+    result.normal_force = dot(result.force, along(scene, state)).abs();
     let limit = contact.friction * result.max_pressure;
     if limit > 0.0 {
         result.coulomb_violation = excess.max(0.0) / limit;

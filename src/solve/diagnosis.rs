@@ -1,9 +1,12 @@
 //! Why an increment could not be solved, in terms of the scene.
 
-use super::error::SolveError;
+use super::error::{NoBalance, SolveError};
 use super::model::Model;
 use super::newton::{Failure, Stopped};
+use super::start::load_direction;
+use super::statics::imbalance;
 use crate::fem::dofs::FIXED;
+use crate::geometry::{dot, norm, scale, sub, unit};
 use crate::linear::cholesky::FactorError;
 use crate::mesh::Body;
 
@@ -59,6 +62,36 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
         },
         (Failure::Cancelled, _) => SolveError::NothingFree,
     }
+}
+
+/// Why there is no balance at `time` within step `step`, if the statics of rigid bodies say so.
+pub fn no_balance(model: &Model, (step, time): (usize, f64), done: f64) -> Option<SolveError> {
+    let scene = model.scene;
+    let rows = model.rows.iter().chain(&model.spare);
+    let found = imbalance(scene, rows, &|name| model.factor(name, step, time))?;
+    let motion = found.motion;
+    const TURNS: f64 = 0.1;
+    let turns = norm(motion.turn) > TURNS * norm(motion.translation);
+    let tips = turns && found.friction.is_none();
+    // Across the load: where a cone of friction is left, a part of the way leads up from its contact.
+    let across = load_direction(scene).map_or(motion.translation, |load| {
+        let lift = dot(motion.translation, load);
+        sub(motion.translation, scale(load, lift))
+    });
+    let along = match (tips, found.friction) {
+        (true, _) => motion.turn,
+        (false, Some(_)) => across,
+        (false, None) => motion.translation,
+    };
+    Some(SolveError::NoBalance(Box::new(NoBalance {
+        step: scene.steps[step].name.clone(),
+        percent: 100.0 * done,
+        body: motion.body,
+        tips,
+        along: unit(along).unwrap_or_default(),
+        bears: (found.bears).map(|(pair, at)| (scene.contacts[pair].name.clone(), at)),
+        friction: found.friction,
+    })))
 }
 
 /// Why an increment is made smaller.

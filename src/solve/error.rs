@@ -2,7 +2,9 @@
 
 use super::restart::Stranger;
 use crate::fem::dofs::Conflict;
+use crate::geometry::Vec3;
 use crate::linear::cholesky::FactorError;
+use std::fmt;
 
 /// Why a scene could not be solved. What was accepted before went to the observer.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -56,6 +58,9 @@ pub enum SolveError {
         /// Parts of the body that share no nodes.
         pieces: usize,
     },
+    #[error("{0}")]
+    #[diagnostic(code(brinell::solve::no_balance), help("{}", .0.remedy()))]
+    NoBalance(Box<NoBalance>),
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
          iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
@@ -109,6 +114,67 @@ pub enum SolveError {
     Restart(#[from] Stranger),
     #[error("{0}")]
     Observer(Box<dyn std::error::Error + Send + Sync>),
+}
+
+/// Rigid bodies cannot be in balance under the loads of a step, whatever the solution tries.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NoBalance {
+    pub step: String,
+    pub percent: f64,
+    pub body: String,
+    /// Does it turn, whatever the friction?
+    pub tips: bool,
+    /// Unit vector along which it slides, or about which it turns.
+    pub along: Vec3,
+    /// The contact pair that it bears on most, and where.
+    pub bears: Option<(String, Vec3)>,
+    /// The least coefficient of friction with which the bodies stand, if any does.
+    pub friction: Option<f64>,
+}
+
+impl fmt::Display for NoBalance {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let vector = |v: Vec3| {
+            let [x, y, z] = v.map(|c| if c.abs() < 5e-4 { 0.0 } else { c });
+            format!("({x:.3}, {y:.3}, {z:.3})")
+        };
+        let how = match (self.tips, self.friction) {
+            (true, _) => "tips or rolls, turning about",
+            (false, Some(_)) => "slides along",
+            (false, None) => "moves off along",
+        };
+        write!(
+            f,
+            "there is no balance beyond {:.3} % of step `{}`: body `{}` {how} {}",
+            self.percent,
+            self.step,
+            self.body,
+            vector(self.along)
+        )?;
+        if let Some((pair, [x, y, z])) = &self.bears {
+            write!(
+                f,
+                "; it bears on `{pair}` about ({x:.4e}, {y:.4e}, {z:.4e})"
+            )?;
+        }
+        write!(
+            f,
+            ". So says the statics of rigid bodies, without any solution"
+        )
+    }
+}
+
+impl NoBalance {
+    fn remedy(&self) -> String {
+        match self.friction {
+            Some(friction) => format!(
+                "the bodies stand with a coefficient of friction of {friction:.4} or more, or with less slope or offset"
+            ),
+            None => "no friction helps: bring the load nearer to the middle of what carries it (less offset), or \
+                     support the body"
+                .to_owned(),
+        }
+    }
 }
 
 fn in_pieces(pieces: usize) -> String {

@@ -43,7 +43,7 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     seen.shared_nodes(&frames);
     let eigen = SymmetricEigen::new(seen.matrix);
     let values = eigen.eigenvalues.iter().enumerate();
-    let load = frames.load(scene);
+    let load = frames.load(scene, &|_| 1.0);
     let whole = load.iter().map(|f| f * f).sum::<f64>().sqrt();
     let free = values.filter(|(_, value)| **value < UNSEEN);
     let motions = free.filter_map(|(i, _)| {
@@ -55,20 +55,20 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
 }
 
 /// Where the bodies are: their middles, and their nodes.
-struct Frames {
+pub(super) struct Frames {
     middles: Vec<Vec3>,
     /// Turns are measured at this distance, so that they weigh what translations do.
     size: f64,
     /// Bodies of each node.
-    bodies: Vec<Vec<usize>>,
+    pub bodies: Vec<Vec<usize>>,
     points: Vec<Vec3>,
 }
 
 /// One row: by body, what its six motions do to one number.
-type Row = BTreeMap<usize, [f64; 6]>;
+pub(super) type Row = BTreeMap<usize, [f64; 6]>;
 
 impl Frames {
-    fn new(scene: &Scene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         let mesh = &scene.mesh;
         let mut bodies = vec![Vec::new(); mesh.points.len()];
         let mut middles = Vec::new();
@@ -110,7 +110,7 @@ impl Frames {
     }
 
     /// The motion of the body that takes most part in `vector`.
-    fn motion(&self, scene: &Scene, vector: &[f64], driven: bool) -> Option<FreeMotion> {
+    pub fn motion(&self, scene: &Scene, vector: &[f64], driven: bool) -> Option<FreeMotion> {
         let of = |body: usize| &vector[6 * body..6 * body + 6];
         let amount = |body: usize| of(body).iter().map(|c| c * c).sum::<f64>();
         let bodies = 0..self.middles.len();
@@ -125,12 +125,13 @@ impl Frames {
         })
     }
 
-    /// What the loads at factor one do to the motions of all bodies.
-    fn load(&self, scene: &Scene) -> Vec<f64> {
+    /// What the loads, times their factors by name, do to the motions of all bodies.
+    pub fn load(&self, scene: &Scene, factor: &dyn Fn(&str) -> f64) -> Vec<f64> {
         let mut forces = vec![[0.0; 3]; scene.mesh.points.len()];
         for traction in &scene.tractions {
             if let Some(surface) = scene.mesh.surface(&traction.surface) {
-                add_traction(&scene.mesh, surface, traction.value, 1.0, &mut forces);
+                let factor = factor(&traction.name);
+                add_traction(&scene.mesh, surface, traction.value, factor, &mut forces);
             }
         }
         for plane in &scene.rigid_planes {
@@ -138,7 +139,7 @@ impl Frames {
             let nodes = nodes.unwrap_or_default();
             for (axis, motion) in plane.motion.iter().enumerate() {
                 if let PlaneMotion::Driven(force) = motion {
-                    let each = force / nodes.len().max(1) as f64;
+                    let each = factor(&plane.name) * force / nodes.len().max(1) as f64;
                     nodes.iter().for_each(|n| forces[*n as usize][axis] += each);
                 }
             }
@@ -157,12 +158,12 @@ impl Frames {
 }
 
 /// What is seen of the motions of all bodies: a sum of squares.
-struct Seen {
-    matrix: DMatrix<f64>,
+pub(super) struct Seen {
+    pub matrix: DMatrix<f64>,
 }
 
 impl Seen {
-    fn new(bodies: usize) -> Self {
+    pub fn new(bodies: usize) -> Self {
         let size = 6 * bodies;
         Self {
             matrix: DMatrix::zeros(size, size),
@@ -185,7 +186,7 @@ impl Seen {
         }
     }
 
-    fn supports(&mut self, scene: &Scene, frames: &Frames) {
+    pub fn supports(&mut self, scene: &Scene, frames: &Frames) {
         for support in &scene.supports {
             let nodes = (scene.mesh.surface(&support.surface)).map(|s| s.nodes());
             for axis in (0..3).filter(|axis| support.components[*axis].is_some()) {
@@ -197,7 +198,7 @@ impl Seen {
     }
 
     /// All nodes of a rigid plane move alike, where it is held not at all.
-    fn planes(&mut self, scene: &Scene, frames: &Frames) {
+    pub fn planes(&mut self, scene: &Scene, frames: &Frames) {
         for plane in &scene.rigid_planes {
             let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
             for axis in 0..3 {
@@ -234,7 +235,7 @@ impl Seen {
     }
 
     /// Bodies that share nodes move together there.
-    fn shared_nodes(&mut self, frames: &Frames) {
+    pub fn shared_nodes(&mut self, frames: &Frames) {
         let mut joints: BTreeMap<(usize, usize), Vec<Row>> = BTreeMap::new();
         for (bodies, at) in frames.bodies.iter().zip(&frames.points) {
             for pair in bodies.windows(2) {
@@ -279,7 +280,7 @@ fn about_mean(rows: &[Row]) -> Vec<Row> {
 
 /// The relative displacement of a contact row along `direction`: what its terms add up to, which is
 /// the same as the bodies' motion at its nodes.
-fn relative(contact: &ContactRow, direction: Vec3, frames: &Frames) -> Row {
+pub(super) fn relative(contact: &ContactRow, direction: Vec3, frames: &Frames) -> Row {
     let mut row = Row::new();
     for (node, factors) in &contact.row.terms {
         let Some(body) = frames.bodies[*node as usize].first() else {

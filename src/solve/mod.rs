@@ -4,6 +4,7 @@
 //! sparsity pattern, the elastic stiffness and the contact operator are made once a scene. Each
 //! iteration changes only what yields, opens, sticks or slips.
 
+mod anchor;
 mod bodies;
 mod consistent;
 mod counters;
@@ -26,11 +27,12 @@ mod size;
 mod spring_back;
 mod start;
 mod state;
+mod statics;
 mod timers;
 
 pub use counters::Counters;
 pub use driver::{Solution, Unfinished, resume, solve};
-pub use error::SolveError;
+pub use error::{NoBalance, SolveError};
 pub use forecast::{Forecast, PairForecast, forecast};
 pub use holding::{FreeMotion, free_motions};
 pub use observer::{Iteration, Observer, Silent};

@@ -6,6 +6,7 @@
 //! when forces balance, contact conditions hold *and* nothing changes any more, whatever the
 //! penalty.
 
+use super::anchor::Anchor;
 use super::counters::Counters;
 use super::evaluate::{Evaluation, History, Trial};
 use super::line_search;
@@ -88,6 +89,10 @@ const DIRECTIONS: usize = 150;
 /// Where stick and slip have not settled after this many iterations, it is time for caution.
 const PATIENCE: usize = 25;
 
+/// Residual, and number of iterations, that are enough for bodies that an anchor holds.
+const ROUGHLY: f64 = 1e-3;
+const ANCHORED: usize = 8;
+
 /// How a correction was found.
 struct Correction {
     dx: Vec<f64>,
@@ -101,11 +106,12 @@ impl LinearSolver {
         &mut self,
         model: &Model,
         evaluation: &Evaluation,
-        tolerance: f64,
+        (tolerance, anchor): (f64, Option<&Anchor>),
         counters: &mut Counters,
     ) -> Result<Correction, FactorError> {
         let timers = &mut counters.timers;
         let mut matrix = timers.time(Phase::Assemble, || model.tangent(evaluation));
+        anchor.inspect(|anchor| anchor.stiffen(model, &mut matrix));
         counters.linear_solves += 1;
         counters.element_tangents += (evaluation.plastic.iter().filter(|a| a.flows())).count();
         let mut out = Correction {
@@ -205,11 +211,12 @@ fn flowing(evaluation: &Evaluation) -> usize {
         .count()
 }
 
-/// Brings `point` into balance at its time, starting from its active set.
+/// Brings `point` into balance at its time, starting from its active set; with an `anchor`, into balance
+/// with that, and roughly.
 pub fn balance(
     model: &Model,
     history: &History,
-    point: &mut Point,
+    (point, anchor): (&mut Point, Option<&Anchor>),
     solver: &mut LinearSolver,
     observer: &mut dyn Observer,
     counters: &mut Counters,
@@ -230,7 +237,12 @@ pub fn balance(
         true => controls.iterations,
         false => controls.iterations.min(PATIENCE),
     };
-    let mut evaluation = evaluate(model, history, point, &point.x, &external, counters);
+    let evaluate = |point: &Point, x: &[f64], counters: &mut Counters| {
+        let mut evaluation = evaluate(model, history, point, x, &external, counters);
+        anchor.inspect(|anchor| anchor.pull(&mut evaluation.residual, x));
+        evaluation
+    };
+    let mut evaluation = evaluate(point, &point.x, counters);
     loop {
         let flowing = flowing_elements(model, &evaluation);
         let stop = |why: Failure| Stopped {
@@ -244,15 +256,15 @@ pub fn balance(
             directions,
             refactored,
         } = solver
-            .solve(model, &evaluation, tolerance, counters)
+            .solve(model, &evaluation, (tolerance, anchor), counters)
             .map_err(|error| stop(Failure::Factor(error)))?;
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
         let start = dot(&evaluation.residual, &dx);
-        evaluation = evaluate(model, history, point, &step(1.0), &external, counters);
+        evaluation = evaluate(point, &step(1.0), counters);
         let full = dot(&evaluation.residual, &dx);
         last.line_search = line_search::search(start, full, |s| {
-            evaluation = evaluate(model, history, point, &step(s), &external, counters);
+            evaluation = evaluate(point, &step(s), counters);
             dot(&evaluation.residual, &dx)
         });
         point.x = step(last.line_search);
@@ -268,6 +280,10 @@ pub fn balance(
         last.changed = update_contact(model, point, &evaluation, last.iteration);
         count(&mut last, &evaluation);
         observer.iteration(&last);
+        let settled = last.residual <= ROUGHLY && last.changed == 0;
+        if anchor.is_some() && (settled || last.iteration >= ANCHORED) {
+            return Ok(evaluation);
+        }
         if last.changed == 0 && last.residual <= controls.residual {
             if last.penetration <= controls.penetration {
                 return Ok(evaluation);
@@ -280,7 +296,7 @@ pub fn balance(
         if last.iteration >= patience {
             return Err(stop(slow(model, point, &evaluation, &last)));
         }
-        evaluation = evaluate(model, history, point, &point.x, &external, counters);
+        evaluation = evaluate(point, &point.x, counters);
     }
 }
 

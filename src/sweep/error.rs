@@ -38,6 +38,12 @@ pub enum SweepError {
     #[error("there is no row {row}: the sweep has {rows}")]
     #[diagnostic(code(brinell::sweep::no_such_row), help("rows are counted from 1"))]
     NoSuchRow { row: usize, rows: usize },
+    #[error("{} cannot stand in a job script", path.display())]
+    #[diagnostic(
+        code(brinell::sweep::script),
+        help("choose a path without line breaks, quotes, backslashes and percent signs")
+    )]
+    Script { path: PathBuf },
     #[error("another sweep writes into {}", path.display())]
     #[diagnostic(
         code(brinell::sweep::busy),

@@ -9,7 +9,8 @@
 
 use super::error::SweepError;
 use super::rows::Row;
-use std::fs::{File, TryLockError};
+use crate::output::file;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 /// The folder of a sweep.
@@ -51,10 +52,6 @@ impl Place {
 pub fn lock(folder: &Path, name: &str) -> Result<Option<Lock>, SweepError> {
     let failed = |error| SweepError::folder(folder, error);
     std::fs::create_dir_all(folder).map_err(failed)?;
-    let file = File::create(folder.join(name)).map_err(failed)?;
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) => Ok(None),
-        // Some network file systems know no locks: better no lock than no run.
-        Ok(()) | Err(TryLockError::Error(_)) => Ok(Some(Lock { _file: file })),
-    }
+    let file = file::lock(&folder.join(name)).map_err(failed)?;
+    Ok(file.map(|file| Lock { _file: file }))
 }

@@ -58,13 +58,18 @@ pub fn emit(
 fn script(sweep: &Sweep, place: &Place, needs: &[(usize, Need)]) -> Result<String, SweepError> {
     let absolute = |path: &Path| {
         let path = std::path::absolute(path).map_err(|error| SweepError::folder(path, error))?;
-        Ok::<_, SweepError>(quoted(&path.to_string_lossy()))
+        let text = path
+            .to_str()
+            .filter(|text| !text.contains(char::is_control));
+        // A line break would end a comment of the script, or an option.
+        let text = text.ok_or_else(|| SweepError::Script { path: path.clone() })?;
+        Ok::<_, SweepError>(quoted(text))
     };
     let program = std::env::current_exe().map_err(|error| SweepError::Start { error })?;
     let [program, file, out] = [&program, &sweep.file, &place.0].map(|path| absolute(path));
     let (program, file, out) = (program?, file?, out?);
     let log = std::path::absolute(&place.0).unwrap_or_else(|_| place.0.clone());
-    let log = log.join("rows").join("slurm-%A_%a.log");
+    let (quote, log) = option(&log).ok_or_else(|| SweepError::Script { path: log.clone() })?;
     let rows: Vec<usize> = needs.iter().map(|(row, _)| *row).collect();
     let largest = needs
         .iter()
@@ -96,7 +101,7 @@ fn script(sweep: &Sweep, place: &Place, needs: &[(usize, Need)]) -> Result<Strin
          #SBATCH --ntasks=1\n\
          #SBATCH --cpus-per-task={cpus}\n\
          #SBATCH --mem={memory}M\n\
-         #SBATCH --output={log}\n\
+         #SBATCH --output={log}/rows/slurm-%A_%a.log{quote}\n\
          #SBATCH --requeue\n\
          # A minute before the time is over: stop at a checkpoint.\n\
          #SBATCH --signal=B:INT@60\n\
@@ -110,7 +115,6 @@ fn script(sweep: &Sweep, place: &Place, needs: &[(usize, Need)]) -> Result<Strin
         job = job_name(&sweep.title),
         cpus = cpus(unknowns),
         memory = megabytes(largest),
-        log = log.display(),
     ))
 }
 
@@ -161,6 +165,19 @@ pub fn ranges(numbers: &[usize]) -> String {
     parts.iter().map(part).collect::<Vec<_>>().join(",")
 }
 
+/// A path as the beginning of an option for sbatch, and the quote that ends it; `None` for what sbatch would take for
+/// something else.
+fn option(path: &Path) -> Option<(&'static str, String)> {
+    let text = path.to_str()?;
+    if text.contains(['"', '\\', '%']) {
+        return None;
+    }
+    Some(match quoted(text) == text {
+        true => ("", text.to_owned()),
+        false => ("\"", format!("\"{text}")),
+    })
+}
+
 /// As one word of the shell.
 fn quoted(text: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:@%".contains(c);
@@ -188,6 +205,16 @@ mod tests {
         assert_eq!(ranges(&[1, 2, 3, 7, 9, 10]), "1-3,7,9-10");
         assert_eq!(ranges(&[4]), "4");
         assert_eq!(ranges(&[]), "");
+    }
+
+    #[test]
+    fn options_of_sbatch_are_quoted_or_refused() {
+        let of = |path: &str| option(Path::new(path));
+        assert_eq!(of("/a/b"), Some(("", "/a/b".to_owned())));
+        assert_eq!(of("/a b/$(c)"), Some(("\"", "\"/a b/$(c)".to_owned())));
+        for strange in ["/a\"b", "/a\\b", "/a%j"] {
+            assert_eq!(of(strange), None);
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Whole solutions: blocks, the reference study's centre case, and what must not change them.
 
+mod balance;
 mod bearing;
 mod blocks;
 mod centre;

@@ -12,6 +12,8 @@ use super::parameters::parameters;
 use super::request::MeshRequest;
 use super::template::TEMPLATE_VERSION;
 use crate::hash::Fnv;
+use crate::output::OutputError;
+use crate::output::file::write_atomically;
 
 /// A hash of everything that the mesh of a bearing depends on: 16 hexadecimal digits.
 ///
@@ -37,16 +39,21 @@ pub fn fingerprint(geometry: &BearingGeometry, request: &MeshRequest) -> String 
 ///
 /// # Errors
 /// Where one of the files cannot be read or written.
-pub fn write_with_fingerprint(raw_msh: &Path, fingerprint: &str, out: &Path) -> io::Result<()> {
-    let mut raw = File::open(raw_msh)?;
-    let file = io::BufWriter::new(File::create(out)?);
-    let mut gzip = GzBuilder::new().mtime(0).write(file, Compression::best());
-    io::copy(&mut raw, &mut gzip)?;
-    write!(
-        gzip,
-        "$Comments\nbrinell-fingerprint: {fingerprint}\n$EndComments\n"
-    )?;
-    gzip.finish()?.flush()
+pub fn write_with_fingerprint(
+    raw_msh: &Path,
+    fingerprint: &str,
+    out: &Path,
+) -> Result<(), OutputError> {
+    write_atomically(out, |file| {
+        let mut raw = File::open(raw_msh)?;
+        let mut gzip = GzBuilder::new().mtime(0).write(file, Compression::best());
+        io::copy(&mut raw, &mut gzip)?;
+        write!(
+            gzip,
+            "$Comments\nbrinell-fingerprint: {fingerprint}\n$EndComments\n"
+        )?;
+        gzip.finish()?.flush()
+    })
 }
 
 #[cfg(test)]

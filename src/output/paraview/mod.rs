@@ -10,6 +10,11 @@ use std::path::{Path, PathBuf};
 /// All of it but what differs from run to run.
 const VIEWS: &str = include_str!("views.py");
 
+/// What the file is called, for the collection `<name>.pvd`.
+pub fn file_name(name: &str) -> String {
+    format!("{name}-views.py")
+}
+
 /// Writes `<name>-views.py` into `folder`, for the collection `<name>.pvd` there, and returns its
 /// path. The hyphen keeps Python from taking a case called `numpy` for the module.
 ///
@@ -22,7 +27,7 @@ pub fn write(
     units: &UnitLabels,
     scene: &Scene,
 ) -> Result<PathBuf, OutputError> {
-    let path = folder.join(format!("{name}-views.py"));
+    let path = folder.join(file_name(name));
     let here = std::path::absolute(folder).unwrap_or_else(|_| folder.to_path_buf());
     let (up, sign) = upward(scene);
     let full_load = scene.reported_step() + 1;

@@ -116,7 +116,7 @@ impl Run<'_, '_> {
             let balanced = newton::balance(
                 &self.model,
                 &companion.history,
-                &mut trial,
+                (&mut trial, None),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,

@@ -6,8 +6,9 @@ mod keep;
 mod outlook;
 mod plan;
 
+use super::anchor;
 use super::counters::Counters;
-use super::diagnosis::{At, describe, diagnose};
+use super::diagnosis::{At, describe, diagnose, no_balance};
 use super::error::SolveError;
 use super::evaluate::History;
 use super::foresight::Expected;
@@ -169,6 +170,8 @@ struct Run<'a, 'o> {
     /// The end of the step if no steel yielded, from which its last increment starts.
     end: Option<Point>,
     counters: Counters,
+    /// Were bodies held back for a first guess in this increment?
+    held_back: bool,
     /// Share of the step that the next increment tries.
     size: f64,
     states: Vec<State>,
@@ -205,6 +208,7 @@ impl<'a, 'o> Run<'a, 'o> {
             solver: LinearSolver::default(),
             guess: None,
             end: None,
+            held_back: false,
             size: 0.0,
             states: Vec::new(),
             last: State::default(),
@@ -272,7 +276,7 @@ impl<'a, 'o> Run<'a, 'o> {
             let result = newton::balance(
                 &self.model,
                 &self.history,
-                &mut trial,
+                (&mut trial, None),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,
@@ -293,6 +297,7 @@ impl<'a, 'o> Run<'a, 'o> {
                         continue;
                     }
                     self.accept(trial, &evaluation, target >= 1.0)?;
+                    self.held_back = false;
                     time = target;
                     self.accompany();
                     if !unforeseen.is_empty() {
@@ -311,6 +316,16 @@ impl<'a, 'o> Run<'a, 'o> {
                     // Perhaps a body is held by contact that was left out.
                     self.expected.contact = f64::INFINITY;
                     self.rebuild(false, None)?;
+                }
+                Err(stopped) if !self.held_back && !self.gives_way(&stopped) => {
+                    if let Some(error) = no_balance(&self.model, (step, target), time) {
+                        return Err(error);
+                    }
+                    self.held_back = true;
+                    self.size = target - time;
+                    if !self.hold_back(step, target) {
+                        return Ok(false);
+                    }
                 }
                 Err(_) if !self.point.cautious => {
                     self.point.cautious = true;
@@ -337,6 +352,30 @@ impl<'a, 'o> Run<'a, 'o> {
             }
         }
         Ok(true)
+    }
+
+    /// Does so much flow that balance is lost to the plastic limit, and not to bodies that float?
+    fn gives_way(&self, stopped: &Stopped) -> bool {
+        const LITTLE: f64 = 0.02;
+        stopped.flowing.len() as f64 > LITTLE * self.model.scene.mesh.hexes.len() as f64
+    }
+
+    /// Finds a first guess at `target` with bodies that springs hold back. False where the observer cancelled.
+    fn hold_back(&mut self, step: usize, target: f64) -> bool {
+        self.observer
+            .message("bodies are held back by springs that become weaker, for a first guess");
+        let mut guess = self.predict(step, target);
+        self.touch(&mut guess);
+        let held = anchor::approach(
+            &self.model,
+            &self.history,
+            &mut guess,
+            &mut self.solver,
+            self.observer,
+            &mut self.counters,
+        );
+        self.guess = Some(guess);
+        held.is_ok()
     }
 
     /// Where the next increment has to end at the latest.

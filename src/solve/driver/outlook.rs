@@ -36,7 +36,7 @@ impl Run<'_, '_> {
         let balanced = newton::balance(
             &self.model,
             &self.history,
-            &mut end,
+            (&mut end, None),
             &mut self.solver,
             self.observer,
             &mut self.counters,

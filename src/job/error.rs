@@ -85,14 +85,6 @@ impl JobError {
 
     /// Did the solver fail to converge, rather than the input to make sense?
     pub fn is_not_converged(&self) -> bool {
-        matches!(
-            self,
-            Self::Solve(
-                SolveError::NotConverged { .. }
-                    | SolveError::FreeBody { .. }
-                    | SolveError::NoBalance(_)
-                    | SolveError::LimitLoad { .. }
-            )
-        )
+        matches!(self, Self::Solve(error) if error.is_of_balance())
     }
 }

@@ -177,6 +177,19 @@ impl NoBalance {
     }
 }
 
+impl SolveError {
+    /// Was no balance found, whatever the reason, rather than the input refused?
+    pub fn is_of_balance(&self) -> bool {
+        matches!(
+            self,
+            Self::NotConverged { .. }
+                | Self::FreeBody { .. }
+                | Self::NoBalance(_)
+                | Self::LimitLoad { .. }
+        )
+    }
+}
+
 fn in_pieces(pieces: usize) -> String {
     match pieces {
         0..=1 => String::new(),

@@ -22,7 +22,7 @@ use super::timers::{Phase, Timers};
 use crate::contact::facing::Sight;
 use crate::contact::law::Node;
 use crate::results::State;
-use crate::scene::Scene;
+use crate::scene::{LITTLE, Scene};
 use companion::Companion;
 pub use companion::KeptCompanion;
 
@@ -48,8 +48,10 @@ pub struct Solution {
     pub closings: Vec<Closing>,
     /// Contact pairs that never came within reach of each other.
     pub untouched: Vec<String>,
-    /// Were all steps finished?
+    /// Were all steps finished, or all but the taking off of the load?
     pub complete: bool,
+    /// Why the load was not taken off to the end, in words, where all steps before were finished.
+    pub stuck: Option<String>,
 }
 
 /// Solves `scene`, telling `observer` of every iteration and increment.
@@ -129,6 +131,8 @@ pub fn resume(
             .message(&format!("contact pair {name}: nothing is within reach"));
     }
     let ended = run.all_steps();
+    let stuck = ended.as_ref().err().and_then(|error| run.stuck(error));
+    let ended = if stuck.is_some() { Ok(true) } else { ended };
     let solution = Solution {
         states: run.states,
         last: run.last,
@@ -143,6 +147,7 @@ pub fn resume(
         closings,
         untouched,
         complete: matches!(ended, Ok(true)),
+        stuck,
     };
     match ended {
         Ok(_) => Ok(solution),
@@ -239,6 +244,33 @@ impl<'a, 'o> Run<'a, 'o> {
             }
         }
         Ok(true)
+    }
+
+    /// What went wrong, if only the taking off of the load did. What is left of the answer stands; where next to
+    /// no load was left, it counts as taken off.
+    fn stuck(&mut self, error: &SolveError) -> Option<String> {
+        let scene = self.model.scene;
+        let full = scene.before_unloading()?;
+        let unloads = self.states.len() > full && self.last.step > full;
+        if !unloads || !error.is_of_balance() {
+            return None;
+        }
+        let (step, time) = (self.last.step, self.last.time);
+        let names = (scene.tractions.iter().map(|t| &t.name))
+            .chain(scene.rigid_planes.iter().map(|p| &p.name))
+            .chain(scene.supports.iter().map(|s| &s.name));
+        let mut shares = names.map(|name| {
+            let at = |step, time| self.model.factor(name, step, time).abs();
+            (at(step, time), at(full, 1.0))
+        });
+        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= LITTLE * then) {
+            self.states.push(self.last.clone());
+        }
+        Some(format!(
+            "the load was taken off to {:.3} % of step `{}` only; what is said at full load stands ({error})",
+            100.0 * time,
+            scene.steps[step].name,
+        ))
     }
 
     /// Share of a step that its first increment tries.

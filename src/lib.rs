@@ -30,6 +30,7 @@ pub mod converge;
 pub mod fem;
 pub mod geometry;
 mod hash;
+mod input;
 pub mod job;
 pub mod linear;
 pub mod material;

@@ -679,6 +679,34 @@ fn results_of_an_earlier_case_stay_until_there_are_new_ones() {
     assert!(after.contains(&"other.pvd".to_owned()) && after.contains(&"notes.txt".to_owned()));
 }
 
+/// A checkpoint with a bit turned over, or cut short, is refused: never believed, and nothing is lost by it.
+#[test]
+fn a_checkpoint_that_is_damaged_is_refused() {
+    let folder = folder(SCENE, &blocks(0.0, 0.0));
+    brinell(folder.path(), "run scene.toml --out out").success();
+    let path = folder.path().join("out/checkpoint.bin");
+    let sound = std::fs::read(&path).unwrap();
+    let summary = std::fs::read(folder.path().join("out/summary.json")).unwrap();
+    // Spread over the file, and in all of its head.
+    let bits = 8 * sound.len();
+    let flips = (0..40)
+        .map(|k| k * 13)
+        .chain((1..40).map(|k| k * bits / 40));
+    let flipped = flips.map(|bit| {
+        let mut bytes = sound.clone();
+        bytes[bit / 8] ^= 1 << (bit % 8);
+        bytes
+    });
+    let cut = (0..20).map(|k| sound[..k * sound.len() / 20].to_vec());
+    for bytes in flipped.chain(cut) {
+        std::fs::write(&path, &bytes).unwrap();
+        let run = brinell(folder.path(), "run scene.toml --out out --resume").code(2);
+        says(&run, &["checkpoint"]);
+        let kept = std::fs::read(folder.path().join("out/summary.json")).unwrap();
+        assert_eq!(kept, summary);
+    }
+}
+
 /// Where a link waits under the name of a file of the run, the file it points to is left alone.
 #[cfg(unix)]
 #[test]

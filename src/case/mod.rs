@@ -84,7 +84,7 @@ pub enum Kind {
 /// # Errors
 /// Where the file cannot be read, is not TOML, or says something impossible.
 pub fn read(path: &Path) -> Result<Case, CaseError> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
+    let text = crate::input::text(path).map_err(|error| {
         let message = format!("the case file {} cannot be read: {error}", path.display());
         CaseError::new(ErrorKind::Read, message)
     })?;

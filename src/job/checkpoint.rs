@@ -61,7 +61,7 @@ impl Checkpoint {
             path: self.path.clone(),
             why: why.to_owned(),
         };
-        let bytes = match std::fs::read(&self.path) {
+        let bytes = match crate::input::bytes(&self.path) {
             Ok(bytes) => bytes,
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             Err(error) => return Err(JobError::folder(&self.path, error)),

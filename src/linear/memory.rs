@@ -1,24 +1,75 @@
 //! What memory is left, and what was taken.
 
 use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Prefix of the kernel's files, for tests: a folder that has `proc` and `sys` below it.
+const ROOT: &str = "BRINELL_SYSTEM_ROOT";
+
+/// Address space that each thread takes beside what it works with: its stack and an arena of the allocator.
+const OF_A_THREAD: f64 = 80e6;
 
 /// Bytes that this process can still get, as far as the system tells: what the machine has left, or
-/// less where a control group or a limit on the address space (`ulimit -v`) says so.
+/// less where a control group, its parents or a limit on the address space (`ulimit -v`) say so.
 pub fn available() -> Option<f64> {
-    let read = |path: &str| fs::read_to_string(path).ok();
-    let machine = read("/proc/meminfo").and_then(|text| bytes(&text, "MemAvailable:"));
-    let group = |name: &str| -> Option<f64> {
-        let text = read(&format!("/sys/fs/cgroup/memory.{name}"))?;
-        text.trim().parse().ok()
-    };
-    let space = read("/proc/self/limits").and_then(|text| address_space(&text));
-    let taken = read("/proc/self/status").and_then(|text| bytes(&text, "VmSize:"));
+    let root = std::env::var_os(ROOT).map_or_else(|| PathBuf::from("/"), PathBuf::from);
+    let read = |path: &str| fs::read_to_string(root.join(path)).ok();
+    let machine = read("proc/meminfo").and_then(|text| bytes(&text, "MemAvailable:"));
+    let space = read("proc/self/limits").and_then(|text| address_space(&text));
+    let taken = read("proc/self/status").and_then(|text| bytes(&text, "VmSize:"));
+    let threads = rayon::current_num_threads() as f64;
     let left = [
         machine.map(|bytes| bytes as f64),
-        group("max").zip(group("current")).map(|(m, c)| m - c),
-        space.zip(taken).map(|(s, t)| s.saturating_sub(t) as f64),
+        read("proc/self/cgroup").and_then(|text| groups(&text, &root)),
+        space
+            .zip(taken)
+            .map(|(s, t)| (s.saturating_sub(t) as f64 - threads * OF_A_THREAD).max(0.0)),
     ];
     left.into_iter().flatten().reduce(f64::min)
+}
+
+/// What the control groups of this process, as `/proc/self/cgroup` lists them, and their parents leave it: version
+/// 2 (an empty list of controllers) and version 1.
+fn groups(list: &str, root: &Path) -> Option<f64> {
+    let left = list.lines().flat_map(|line| {
+        let mut parts = line.splitn(3, ':').skip(1);
+        let (controllers, path) = (parts.next().unwrap_or(""), parts.next().unwrap_or("/"));
+        let version = match controllers {
+            "" => Some(("sys/fs/cgroup", ["memory.max", "memory.current"], "")),
+            _ if controllers.split(',').any(|c| c == "memory") => Some((
+                "sys/fs/cgroup/memory",
+                ["memory.limit_in_bytes", "memory.usage_in_bytes"],
+                "total_",
+            )),
+            _ => None,
+        };
+        // A container may see its own group as the root of all, whatever the list says.
+        let folders = Path::new(path.trim_start_matches('/')).ancestors();
+        let left = |(base, files, prefix): (&str, [&str; 2], &str)| {
+            let in_folder = |folder: &Path| of_group(&root.join(base).join(folder), files, prefix);
+            folders.filter_map(in_folder).reduce(f64::min)
+        };
+        version.and_then(left)
+    });
+    left.reduce(f64::min)
+}
+
+/// What one control group leaves. The page cache is given back when it is needed, and does not count as taken.
+fn of_group(folder: &Path, [limit, usage]: [&str; 2], prefix: &str) -> Option<f64> {
+    /// Version 1 writes a number beyond all memory where there is no limit.
+    const NONE: f64 = 1e18;
+    let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
+    let number = |name: &str| read(name)?.trim().parse::<f64>().ok();
+    let limit = number(limit).filter(|limit| *limit < NONE)?;
+    let stat = read("memory.stat").unwrap_or_default();
+    let cache = stat.lines().filter_map(|line| {
+        let (name, value) = line.split_once(' ')?;
+        let name = name.strip_prefix(prefix)?;
+        let counts = name == "active_file" || name == "inactive_file";
+        counts.then(|| value.trim().parse::<f64>().ok())?
+    });
+    let taken = number(usage).unwrap_or(0.0) - cache.sum::<f64>();
+    Some((limit - taken.max(0.0)).max(0.0))
 }
 
 /// Largest resident memory of this process so far, in bytes, where the system tells.
@@ -44,6 +95,55 @@ fn bytes(text: &str, name: &str) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn kernel(files: &[(&str, &str)]) -> tempfile::TempDir {
+        let root = tempfile::tempdir().unwrap();
+        for (name, text) in files {
+            let path = root.path().join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        }
+        root
+    }
+
+    #[test]
+    fn the_narrowest_of_nested_groups_counts() {
+        let root = kernel(&[
+            ("sys/fs/cgroup/memory.max", "max\n"),
+            ("sys/fs/cgroup/a/memory.max", "3000\n"),
+            ("sys/fs/cgroup/a/memory.current", "1500\n"),
+            (
+                "sys/fs/cgroup/a/memory.stat",
+                "anon 1\nactive_file 200\ninactive_file 300\n",
+            ),
+            ("sys/fs/cgroup/a/b/memory.max", "5000\n"),
+            ("sys/fs/cgroup/a/b/memory.current", "400\n"),
+        ]);
+        assert_eq!(groups("0::/a/b\n", root.path()), Some(2000.0));
+        assert_eq!(groups("0::/\n", root.path()), None);
+        // A group that is not mounted under its own name.
+        assert_eq!(groups("0::/elsewhere\n", root.path()), None);
+    }
+
+    #[test]
+    fn the_first_version_of_groups_is_read_too() {
+        let folder = "sys/fs/cgroup/memory/job";
+        let file = |name: &str| format!("{folder}/{name}");
+        let root = kernel(&[
+            (&file("memory.limit_in_bytes"), "3000\n"),
+            (&file("memory.usage_in_bytes"), "1000\n"),
+            (
+                &file("memory.stat"),
+                "active_file 7\ntotal_inactive_file 100\n",
+            ),
+            (
+                "sys/fs/cgroup/memory/memory.limit_in_bytes",
+                "9223372036854771712\n",
+            ),
+        ]);
+        let list = "7:cpu,cpuacct:/x\n4:memory:/job\n0::/\n";
+        assert_eq!(groups(list, root.path()), Some(2100.0));
+    }
 
     #[test]
     fn what_the_kernel_writes_is_read() {

@@ -3,7 +3,6 @@
 use super::error::{NoBalance, SolveError};
 use super::model::Model;
 use super::newton::{Failure, Stopped};
-use super::start::load_direction;
 use super::statics::imbalance;
 use crate::fem::dofs::FIXED;
 use crate::geometry::{dot, norm, scale, sub, unit};
@@ -73,14 +72,14 @@ pub fn no_balance(model: &Model, (step, time): (usize, f64), done: f64) -> Optio
     const TURNS: f64 = 0.1;
     let turns = norm(motion.turn) > TURNS * norm(motion.translation);
     let tips = turns && found.friction.is_none();
-    // Across the load: where a cone of friction is left, a part of the way leads up from its contact.
-    let across = load_direction(scene).map_or(motion.translation, |load| {
-        let lift = dot(motion.translation, load);
-        sub(motion.translation, scale(load, lift))
+    // Along the contact: where a cone of friction is left, a part of the way leads up from it.
+    let sideways = found.bears.map_or(motion.translation, |bears| {
+        let lift = dot(motion.translation, bears.normal);
+        sub(motion.translation, scale(bears.normal, lift))
     });
     let along = match (tips, found.friction) {
         (true, _) => motion.turn,
-        (false, Some(_)) => across,
+        (false, Some(_)) => sideways,
         (false, None) => motion.translation,
     };
     Some(SolveError::NoBalance(Box::new(NoBalance {
@@ -89,7 +88,7 @@ pub fn no_balance(model: &Model, (step, time): (usize, f64), done: f64) -> Optio
         body: motion.body,
         tips,
         along: unit(along).unwrap_or_default(),
-        bears: (found.bears).map(|(pair, at)| (scene.contacts[pair].name.clone(), at)),
+        bears: (found.bears).map(|b| (scene.contacts[b.pair].name.clone(), b.at)),
         friction: found.friction,
     })))
 }

@@ -24,8 +24,18 @@ pub struct Imbalance {
     /// The least coefficient of friction, between all bodies, with which there is a balance; `None` where
     /// no friction makes one.
     pub friction: Option<f64>,
-    /// The pair that the body bears on most, and where its force acts.
-    pub bears: Option<(usize, Vec3)>,
+    /// What the body bears on most.
+    pub bears: Option<Bears>,
+}
+
+/// What a body bears on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bears {
+    pub pair: usize,
+    /// Where the force acts.
+    pub at: Vec3,
+    /// Unit normal of the contact there.
+    pub normal: Vec3,
 }
 
 /// Directions of friction. Their polygon encloses the circle, so that no balance is missed.
@@ -302,7 +312,7 @@ fn bears(
     rows: &[&ContactRow],
     frames: &Frames,
     (forces, body): (&[(usize, f64)], usize),
-) -> Option<(usize, Vec3)> {
+) -> Option<Bears> {
     // Edges of cones are counted on from row to row.
     let count = |row: &ContactRow| row.row.tangents.map_or(1, |_| DIRECTIONS);
     let ends = rows.iter().scan(0, |end, row| {
@@ -310,7 +320,7 @@ fn bears(
         Some(*end)
     });
     let ends: Vec<usize> = ends.collect();
-    let mut pairs = vec![(0.0, [0.0; 3]); scene.contacts.len()];
+    let mut pairs = vec![(0.0, [0.0; 3], [0.0; 3]); scene.contacts.len()];
     for (edge, force) in forces {
         let row = rows[ends.partition_point(|end| end <= edge)];
         let nodes = row.row.terms.iter().map(|(node, _)| *node as usize);
@@ -318,15 +328,18 @@ fn bears(
             .flat_map(|node| &frames.bodies[node])
             .any(|b| *b == body)
         {
-            let (sum, moment) = &mut pairs[row.pair];
+            let (sum, moment, normal) = &mut pairs[row.pair];
             *sum += force;
-            *moment = add(
-                *moment,
-                scale(scene.mesh.points[row.row.node as usize], *force),
-            );
+            let at = scene.mesh.points[row.row.node as usize];
+            *moment = add(*moment, scale(at, *force));
+            *normal = add(*normal, scale(row.row.normal, *force));
         }
     }
     let most = pairs.iter().enumerate();
-    let (pair, (sum, moment)) = most.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
-    (*sum > 0.0).then(|| (pair, scale(*moment, 1.0 / sum)))
+    let (pair, (sum, moment, normal)) = most.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    Some(Bears {
+        pair,
+        at: scale(*moment, 1.0 / sum),
+        normal: unit(*normal).filter(|_| *sum > 0.0)?,
+    })
 }

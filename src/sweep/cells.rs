@@ -10,10 +10,11 @@ use toml::Value;
 /// # Errors
 /// [`SweepError`] where the file cannot be read, or a row is longer or shorter than the first line.
 pub fn read(path: &Path) -> Result<Vec<Settings>, SweepError> {
-    let text = std::fs::read(path).map_err(|error| SweepError::Read {
-        path: path.to_owned(),
-        error,
-    })?;
+    let text =
+        crate::input::bounded(path, crate::input::TEXT).map_err(|error| SweepError::Read {
+            path: path.to_owned(),
+            error,
+        })?;
     parse(&text).map_err(|message| SweepError::Csv {
         path: path.to_owned(),
         message,

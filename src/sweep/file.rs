@@ -46,7 +46,7 @@ const KEYS: [&str; 6] = ["title", "case", "set", "grid", "row", "csv"];
 /// # Errors
 /// [`SweepError`] where it, or the CSV file that it names, cannot be read or understood.
 pub fn read(path: &Path) -> Result<SweepFile, SweepError> {
-    let text = std::fs::read_to_string(path).map_err(|error| SweepError::Read {
+    let text = crate::input::text(path).map_err(|error| SweepError::Read {
         path: path.to_owned(),
         error,
     })?;

@@ -43,7 +43,7 @@ pub struct Row {
 /// [`SweepError`] where the file, its table of rows or the case cannot be read.
 pub fn read(path: &Path) -> Result<Sweep, SweepError> {
     let plan = file::read(path)?;
-    let base = std::fs::read_to_string(&plan.case).map_err(|error| SweepError::Read {
+    let base = crate::input::text(&plan.case).map_err(|error| SweepError::Read {
         path: plan.case.clone(),
         error,
     })?;

@@ -67,7 +67,7 @@ pub fn read(path: &Path) -> Result<Mesh, MeshError> {
 /// As [`read`].
 pub fn read_with_notes(path: &Path) -> Result<Reading, MeshError> {
     let source_name = path.display().to_string();
-    match std::fs::read(path) {
+    match crate::input::bytes(path) {
         Ok(bytes) => parse_with_notes(&bytes, &source_name),
         Err(source) => Err(MeshError::Read {
             source_name,
@@ -112,7 +112,10 @@ fn inflate(bytes: &[u8], source: &str) -> Result<Vec<u8>, MeshError> {
         .read_to_end(&mut inflated)
         .map_err(|e| failed(e.to_string()))?;
     if inflated.len() as u64 > limit {
-        return Err(failed(format!("it would grow to more than {limit} bytes")));
+        return Err(failed(format!(
+            "it is a gzip bomb: {} bytes would grow to more than {limit}",
+            bytes.len()
+        )));
     }
     Ok(inflated)
 }

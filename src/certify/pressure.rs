@@ -227,7 +227,8 @@ impl Contact<'_> {
     }
 }
 
-/// What a mesh this fine leaves of errors that do not fall with the square of its spacing: all of them down to three nodes in a half-width.
+/// What a mesh this fine leaves of errors that do not fall with the square of its spacing: all of them down to
+/// three nodes in a half-width.
 fn coarseness(row: &StripRow) -> f64 {
     const FINE: f64 = 3.0;
     (FINE * row.spacing() / row.half_width).min(1.0)

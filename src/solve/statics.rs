@@ -115,7 +115,7 @@ fn free_motions(scene: &Scene, frames: &Frames) -> Option<DMatrix<f64>> {
 /// The rows that can bear a rigid body: where the gap is least along the surface in one direction at least, and
 /// small enough for the body to rock there. A roller bears along a line, a flat face wherever it is flat; beside
 /// the line it bears only on what elasticity makes of it.
-fn ridges<'r>(scene: &Scene, rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRow> {
+fn ridges<'r>(scene: &Scene, mut rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRow> {
     /// Angle by which a body may rock.
     const ROCKS: f64 = 5e-3;
     /// Cosine of the angle between two sides of a node that lie opposite.
@@ -163,7 +163,6 @@ fn ridges<'r>(scene: &Scene, rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRow> {
         }
         bears.retain(|(pair, node)| *pair != index || low(node));
     }
-    let mut rows = rows;
     rows.retain(|r| bears.contains(&(r.pair, r.row.node)));
     rows
 }

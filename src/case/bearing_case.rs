@@ -1,7 +1,7 @@
 //! `[bearing]`: the rolling bearing of five bodies, its load, friction and steels.
 
 use super::assumption::Assumption;
-use super::bearing::{BearingGeometry, GeometryError, MeshRequest, Strips};
+use super::bearing::{self, BearingGeometry, GeometryError, MeshRequest, Strips};
 use super::bearing_reader::Reader;
 use super::error::{CaseError, ErrorKind};
 use super::interfaces::BODIES;
@@ -68,6 +68,12 @@ impl BearingCase {
     /// Is the whole bearing modelled, or a quarter?
     pub fn is_whole(&self) -> bool {
         self.mesh.full || !self.geometry.is_centred()
+    }
+
+    /// About how many elements its mesh has, see [`bearing::elements`].
+    pub fn elements(&self) -> f64 {
+        let sizes = self.mesh.sizes(&self.geometry);
+        bearing::elements(&self.geometry, &sizes, self.is_whole())
     }
 
     /// Axes of the symmetry planes.

@@ -5,7 +5,7 @@ use super::run::set_threads;
 use super::{CommandResult, Status, say};
 use crate::output::file::write_atomically;
 use crate::verify::coverage::{self, Answer, Keep, Set};
-use crate::verify::{Claim, Extent, VerifyError, extreme, matrix, suites};
+use crate::verify::{Claim, Extent, VerifyError, extreme, matrix, random, stability, suites};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -15,12 +15,22 @@ pub struct VerifyArgs {
     #[arg(long)]
     pub all: bool,
     /// One family only; `extreme` runs the cases of cases/extreme at the edge of what can be solved,
-    /// `coverage` asks of many bearings whether their error bars hold.
+    /// `random` cases that nobody has chosen, `coverage` asks of many bearings whether their error bars hold.
     #[arg(long, value_name = "NAME")]
     pub suite: Option<String>,
-    /// Write docs/verification.md; docs/stability.md for the extreme cases, docs/coverage.md for the bars.
+    /// Write docs/verification.md; docs/stability.md for the extreme and the random cases, docs/coverage.md for
+    /// the bars.
     #[arg(long)]
     pub write: bool,
+    /// What cases are drawn by: thirty bearings beside the ten that have names (coverage), or all (random).
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    pub seed: u64,
+    /// With --suite random: how many bearings, and as many stacks of blocks [default: 300 and 200].
+    #[arg(long, value_name = "COUNT")]
+    pub count: Option<usize>,
+    /// Of random cases or of bearings, only those whose names begin so; may be given again.
+    #[arg(long, value_name = "NAME")]
+    pub only: Vec<String>,
     #[command(flatten)]
     pub coverage: CoverageArgs,
 }
@@ -28,16 +38,10 @@ pub struct VerifyArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "With --suite coverage")]
 pub struct CoverageArgs {
-    /// What thirty bearings are drawn by, beside the ten that have names.
-    #[arg(long, value_name = "SEED", default_value_t = 1)]
-    pub seed: u64,
     /// Make the stored true values that are missing, on two fine meshes each: hours. What is done is
     /// kept; delete a file of cases/coverage to have all of it anew.
     #[arg(long)]
     pub remake: bool,
-    /// Only bearings whose names begin so; may be given again.
-    #[arg(long, value_name = "NAME")]
-    pub only: Vec<String>,
     /// Only on this mesh [default: on h025, h0125 and auto]; may be given again.
     #[arg(long, value_name = "PRESET", value_parser = super::preset::parser())]
     pub mesh: Vec<String>,
@@ -58,9 +62,9 @@ pub struct CoverageArgs {
 /// The page that `--write` writes, from the folder where the command is run.
 const PAGE: &str = "docs/verification.md";
 
-/// The suite of extreme cases, and its page.
+/// The suite of extreme cases, and the page of these and of random ones.
 const EXTREME: &str = "cases/extreme/suite.toml";
-const EXTREME_PAGE: &str = "docs/stability.md";
+const STABILITY_PAGE: &str = "docs/stability.md";
 
 const COVERAGE_PAGE: &str = "docs/coverage.md";
 /// A claim a line, in the folder of `--out`.
@@ -71,8 +75,11 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     if args.suite.as_deref() == Some("extreme") {
         return run_extreme(args.write);
     }
+    if args.suite.as_deref() == Some("random") {
+        return run_random(args);
+    }
     if args.suite.as_deref() == Some("coverage") {
-        return run_coverage(&args.coverage, args.write);
+        return run_coverage(args);
     }
     let bad = |report: miette::Report| (Status::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
@@ -127,9 +134,14 @@ fn run_extreme(write: bool) -> CommandResult {
         outcomes.len()
     ));
     if write {
-        std::fs::write(EXTREME_PAGE, extreme::page(&outcomes))
-            .map_err(|error| bad(miette::miette!("{EXTREME_PAGE} cannot be written: {error}")))?;
-        say(&format!("written to {EXTREME_PAGE}"));
+        let section = extreme::section(&outcomes);
+        stability::write(
+            Path::new(STABILITY_PAGE),
+            stability::Part::Extreme,
+            &section,
+        )
+        .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
+        say(&format!("written to {STABILITY_PAGE}"));
     }
     Ok(if failed == 0 {
         Status::Done
@@ -138,19 +150,49 @@ fn run_extreme(write: bool) -> CommandResult {
     })
 }
 
-fn run_coverage(args: &CoverageArgs, write: bool) -> CommandResult {
+/// Draws and solves random cases.
+fn run_random(args: &VerifyArgs) -> CommandResult {
+    set_threads(args.coverage.threads);
+    say(&random::head());
+    let kinds = random::COUNT.map(|(kind, count)| (kind, args.count.unwrap_or(count)));
+    let sets = kinds.map(|(kind, count)| {
+        let wanted = |number: &usize| {
+            let name = kind.name(args.seed, *number);
+            args.only.is_empty() || args.only.iter().any(|only| name.starts_with(only))
+        };
+        let outcomes = (0..count).filter(wanted).map(|number| {
+            let outcome = random::run(kind, args.seed, number);
+            say(&random::line(&outcome));
+            outcome
+        });
+        (kind.title(), outcomes.collect::<Vec<_>>())
+    });
+    for (what, outcomes) in &sets {
+        say(&format!("\n{what}. {}", random::tally(outcomes)));
+    }
+    if args.write {
+        let section = random::section(args.seed, &sets);
+        stability::write(Path::new(STABILITY_PAGE), stability::Part::Random, &section)
+            .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
+        say(&format!("written to {STABILITY_PAGE}"));
+    }
+    let holds = sets.iter().flat_map(|(_, o)| o).all(random::Outcome::holds);
+    Ok(if holds { Status::Done } else { Status::Failed })
+}
+
+fn cannot(path: &Path, error: impl std::fmt::Display) -> (Status, miette::Report) {
+    let report = miette::miette!("{} cannot be written: {error}", path.display());
+    (Status::BadInput, report)
+}
+
+fn run_coverage(all: &VerifyArgs) -> CommandResult {
+    let (args, write) = (&all.coverage, all.write);
     let bad = |report: miette::Report| (Status::BadInput, report);
-    let cannot = |path: &Path, error: std::io::Error| {
-        bad(miette::miette!(
-            "{} cannot be written: {error}",
-            path.display()
-        ))
-    };
     set_threads(args.threads);
     let mut console = Console::new(true);
     let mut suite = coverage::Suite {
-        sets: vec![Set::Named, Set::Drawn(args.seed)],
-        only: args.only.clone(),
+        sets: vec![Set::Named, Set::Drawn(all.seed)],
+        only: all.only.clone(),
         presets: match args.mesh.is_empty() {
             true => coverage::presets(),
             false => args.mesh.clone(),

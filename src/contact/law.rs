@@ -64,6 +64,10 @@ pub struct Node {
     pub cautious: bool,
     /// How often it changed between stick and slip in this increment.
     pub switches: u8,
+    /// By how many powers of ten ε_t has been raised, because λ came nearer too slowly.
+    pub raised: u8,
+    /// What λ was off when it was taken last, as a length.
+    pub missed: f64,
 }
 
 /// Traction and its derivative by d.
@@ -78,7 +82,27 @@ pub struct Answer {
 /// across its slip.
 const SOFT: f64 = 30.0;
 
+/// The most that ε_t is raised.
+const MOST_RAISED: u8 = 2;
+
 impl Law {
+    /// ε_t of a cautious node.
+    fn soft(&self, node: &Node) -> f64 {
+        SOFT * self.stiffness * f64::powi(10.0, i32::from(node.raised))
+    }
+
+    /// λ of a closed cautious node takes the shear, so that the node loses its elastic slip. Where λ comes nearer
+    /// too slowly, as under a pattern of shear that the bodies hardly give way to, ε_t is raised (Bertsekas 1982).
+    pub fn take_shear(&self, node: &mut Node, answer: &Answer) {
+        const TOO_LITTLE: f64 = 0.5;
+        let missed = self.violation(node, answer);
+        if missed > TOO_LITTLE * node.missed && node.missed > 0.0 && node.raised < MOST_RAISED {
+            node.raised += 1;
+        }
+        node.missed = missed;
+        (node.multiplier[1], node.multiplier[2]) = (answer.traction[1], answer.traction[2]);
+    }
+
     /// Traction of a node at d.
     pub fn traction(&self, node: &Node, d: &[f64; 3]) -> Answer {
         let mut answer = Answer::default();
@@ -100,7 +124,7 @@ impl Law {
             }
             return answer;
         }
-        let soft = SOFT * self.stiffness;
+        let soft = self.soft(node);
         let stick = if node.cautious { soft } else { self.penalty };
         let elastic = [1, 2].map(|i| node.multiplier[i] + stick * d[i]);
         let shear = elastic[0].hypot(elastic[1]);
@@ -135,7 +159,7 @@ impl Law {
         }
         let slip = miss(1).hypot(miss(2));
         closure.max(match node.cautious {
-            true => SLIP_SHARE * slip / (SOFT * self.stiffness),
+            true => SLIP_SHARE * slip / self.soft(node),
             false => slip / self.penalty,
         })
     }
@@ -150,6 +174,7 @@ impl Law {
             return Node {
                 cautious: node.cautious,
                 switches: node.switches,
+                raised: node.raised,
                 ..Node::default()
             };
         }
@@ -159,6 +184,8 @@ impl Law {
             bound: self.friction * pressure.max(0.0),
             cautious: node.cautious,
             switches: node.switches,
+            raised: node.raised,
+            missed: node.missed,
             ..Node::default()
         };
         if self.friction == 0.0 {

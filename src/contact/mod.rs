@@ -12,3 +12,4 @@ mod piece;
 pub mod search;
 pub mod segment;
 mod side;
+mod sliver;

@@ -9,6 +9,7 @@
 use super::piece::{self, Gathered, Piece};
 use super::search::FacetTree;
 use super::side::Side;
+use super::sliver;
 use crate::geometry::{Vec3, add, cross, dot, norm, planes_through, scale, sub, tangents, unit};
 use crate::mesh::{Mesh, Surface};
 use rayon::prelude::*;
@@ -19,6 +20,8 @@ use std::collections::BTreeMap;
 pub struct Row {
     /// The carrier node.
     pub node: u32,
+    /// Carrier nodes beside it that have no row of their own, see [`sliver`]: this one is theirs, too.
+    pub absorbed: Vec<u32>,
     /// Area w_A that the node stands for, covered by the other side.
     pub area: f64,
     /// d_A = Σ coefficient · displacement over nodes of both sides (other side negative), axis by
@@ -33,6 +36,13 @@ pub struct Row {
     pub gap: f64,
     /// Stiffness per area of the material next to the contact: the scale of the penalty.
     pub stiffness: f64,
+}
+
+impl Row {
+    /// The nodes that the row is of.
+    pub fn nodes(&self) -> impl Iterator<Item = u32> {
+        [self.node].into_iter().chain(self.absorbed.iter().copied())
+    }
 }
 
 /// The other side of a pair.
@@ -75,9 +85,12 @@ impl Pair<'_> {
 
 /// What the facets around a carrier node add up to.
 #[derive(Default)]
-struct Sum {
+pub struct Sum {
     gathered: Gathered,
     terms: BTreeMap<u32, Vec3>,
+    /// Areas of the facets around the node, covered by the other side or not, and their number.
+    facets: (f64, u32),
+    absorbed: Vec<u32>,
 }
 
 /// Integrates a pair.
@@ -106,12 +119,19 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
         })
         .collect();
     let mut nodes: BTreeMap<u32, Sum> = BTreeMap::new();
-    for (piece, own) in pieces.iter().zip(&carrier.nodes) {
-        let Some(piece) = piece else { continue };
+    for (index, (piece, own)) in pieces.iter().zip(&carrier.nodes).enumerate() {
         for (a, node) in own.iter().enumerate() {
-            nodes.entry(*node).or_default().add(piece, a, own);
+            let sum = nodes.entry(*node).or_default();
+            sum.facets.0 += carrier.area(index);
+            sum.facets.1 += 1;
+            if let Some(piece) = piece {
+                sum.add(piece, a, own);
+            }
         }
     }
+    let covered = pieces.iter().zip(&carrier.nodes);
+    let covered = covered.filter_map(|(piece, own)| piece.as_ref().map(|_| *own));
+    sliver::absorb(&mut nodes, covered);
     nodes
         .into_iter()
         .filter_map(|(node, sum)| sum.finish(node, pair))
@@ -119,6 +139,23 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
 }
 
 impl Sum {
+    /// What the other side covers of the area that the node stands for, over that of a facet around it.
+    pub fn covered(&self) -> f64 {
+        let (areas, number) = self.facets;
+        self.gathered.area * f64::from(number) / areas
+    }
+
+    /// Takes over all that `other`, the sum of `node`, has gathered.
+    pub fn absorb(&mut self, node: u32, other: Self) {
+        self.gathered.add(&other.gathered);
+        for (n, value) in other.terms {
+            let term = self.terms.entry(n).or_default();
+            *term = add(*term, value);
+        }
+        self.absorbed.push(node);
+        self.absorbed.extend(other.absorbed);
+    }
+
     /// Adds what corner `a` of a facet with the nodes `own` gathers.
     fn add(&mut self, piece: &Piece, a: usize, own: &[u32; 4]) {
         self.gathered.add(&piece.corners[a]);
@@ -141,10 +178,11 @@ impl Sum {
         let mirrors: Vec<usize> = planes_through(pair.mirrors, at).collect();
         let Gathered {
             area,
-            mut normal,
             gap,
             stiffness,
+            ..
         } = self.gathered;
+        let mut normal = self.gathered.normal();
         // On a mirror plane the other half turns the mean normal into the plane.
         mirrors.iter().for_each(|axis| normal[*axis] = 0.0);
         let normal = unit(normal)?;
@@ -162,6 +200,7 @@ impl Sum {
         across.dedup();
         (gap <= pair.reach).then(|| Row {
             node,
+            absorbed: self.absorbed,
             area,
             terms: self
                 .terms

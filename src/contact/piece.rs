@@ -6,12 +6,12 @@ use super::segment::{SegmentPoint, View};
 use super::side::Side;
 use crate::geometry::{Vec3, add, dot, norm, scale, sub, unit};
 
-/// Integrals over a facet, each with the hat function of one carrier node: of one, of the normals
-/// and of the gap between the true surfaces, of the stiffness per area.
+/// Integrals over a facet, each with the hat function of one carrier node: of one, of the outward normals of the
+/// carrier and of the other side, of the gap between the true surfaces, of the stiffness per area.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Gathered {
     pub area: f64,
-    pub normal: Vec3,
+    pub normals: [Vec3; 2],
     pub gap: Vec3,
     pub stiffness: f64,
 }
@@ -20,9 +20,24 @@ impl Gathered {
     /// Sums two.
     pub fn add(&mut self, other: &Self) {
         self.area += other.area;
-        self.normal = add(self.normal, other.normal);
+        let [own, across] = self.normals;
+        self.normals = [add(own, other.normals[0]), add(across, other.normals[1])];
         self.gap = add(self.gap, other.gap);
         self.stiffness += other.stiffness;
+    }
+
+    /// The normal of the contact, from the carrier to the other side: that of the side which is flat here, where
+    /// one is. A flat side tells it to the last digit; the mean of both, which is taken elsewhere, leans where
+    /// the nodes do not lie evenly about the line of contact, and with it the force.
+    pub fn normal(&self) -> Vec3 {
+        const BENT: f64 = 1e-10;
+        let flat = |normal: Vec3| norm(normal) >= (1.0 - BENT) * self.area;
+        let [own, across] = self.normals;
+        match [own, across].map(flat) {
+            [true, false] => own,
+            [false, true] => scale(across, -1.0),
+            _ => sub(own, across),
+        }
     }
 }
 
@@ -47,24 +62,25 @@ pub struct Across {
     pub products: [[f64; 4]; 4],
 }
 
-/// A quadrature point with the gap there, the difference of the normals and the stiffness.
+/// A quadrature point with the gap, the outward normals of both sides and the stiffness there.
 struct Measured {
     point: SegmentPoint,
     gap: Vec3,
-    normal: Vec3,
+    normals: [Vec3; 2],
     stiffness: f64,
 }
 
 impl Piece {
     fn add(&mut self, at: &Measured) {
         let SegmentPoint { carrier, area, .. } = at.point;
-        self.facing = add(self.facing, scale(at.normal, area));
+        let [own, across] = at.normals;
+        self.facing = add(self.facing, scale(sub(own, across), area));
         add_products(&mut self.products, &carrier, &carrier, area);
         for (corner, shape) in self.corners.iter_mut().zip(carrier) {
             let weight = shape * area;
             corner.add(&Gathered {
                 area: weight,
-                normal: scale(at.normal, weight),
+                normals: at.normals.map(|normal| scale(normal, weight)),
                 gap: scale(at.gap, weight),
                 stiffness: weight * at.stiffness,
             });
@@ -157,7 +173,7 @@ impl Facing<'_> {
                 piece.add(&Measured {
                     point,
                     gap,
-                    normal: sub(ns, nm),
+                    normals: [ns, nm],
                     stiffness,
                 });
             });
@@ -194,7 +210,7 @@ pub fn on_plane(
             piece.add(&Measured {
                 point,
                 gap: scale(normal, -distance),
-                normal: scale(normal, -1.0),
+                normals: [scale(normal, -1.0), normal],
                 stiffness: carrier.stiffness[index],
             });
         }

@@ -46,6 +46,12 @@ impl Side {
         }
     }
 
+    /// Area of facet `index`.
+    pub fn area(&self, index: usize) -> f64 {
+        let [a, b, c, d] = self.corners[index];
+        0.5 * norm(cross(sub(c, a), sub(d, b)))
+    }
+
     /// With the images of facets within `distance` of the mirror planes: a carrier facet at the
     /// plane may look across it.
     pub fn with_images(mut self, mirrors: &[usize], distance: f64) -> Self {

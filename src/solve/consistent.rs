@@ -29,25 +29,30 @@ pub fn readings(model: &Model, evaluation: &Evaluation, fields: &mut [ContactFie
     let none = |field: &ContactField| vec![Coefficient::default(); field.nodes.len()];
     let mut coefficients: Vec<Vec<Coefficient>> = fields.iter().map(none).collect();
     for (row, answer) in model.rows.iter().zip(&evaluation.contact) {
-        if let Ok(at) = fields[row.pair].nodes.binary_search(&row.row.node) {
-            let [pressure, s, t] = answer.traction;
-            coefficients[row.pair][at] = Coefficient {
-                normal: scale(row.row.normal, pressure),
-                shear: row.global(&[0.0, s, t]),
-            };
+        let [pressure, s, t] = answer.traction;
+        let coefficient = Coefficient {
+            normal: scale(row.row.normal, pressure),
+            shear: row.global(&[0.0, s, t]),
+        };
+        for node in row.row.nodes() {
+            if let Ok(at) = fields[row.pair].nodes.binary_search(&node) {
+                coefficients[row.pair][at] = coefficient;
+            }
         }
     }
     for row in model.rows.iter().chain(&model.spare) {
         let field = &mut fields[row.pair];
-        let Ok(at) = field.nodes.binary_search(&row.row.node) else {
-            continue;
-        };
         let Coefficient { normal, shear } = mean(row, field, &coefficients[row.pair]);
         let sign = model.scene.contacts[row.pair].carrier.sign();
-        // On a curved carrier the normals of the nodes around differ: the length of their mean is
-        // the pressure, so that forces add up.
-        field.pressure[at] = norm(normal).copysign(dot(normal, row.row.normal));
-        field.traction[at] = scale(shear, sign);
+        for node in row.row.nodes() {
+            let Ok(at) = field.nodes.binary_search(&node) else {
+                continue;
+            };
+            // On a curved carrier the normals of the nodes around differ: the length of their mean is
+            // the pressure, so that forces add up.
+            field.pressure[at] = norm(normal).copysign(dot(normal, row.row.normal));
+            field.traction[at] = scale(shear, sign);
+        }
     }
 }
 

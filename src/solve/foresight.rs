@@ -131,7 +131,6 @@ struct Overlap {
 impl Overlap {
     /// Every node of a carrier facet that overlaps has to have its row, however small the overlap.
     fn find(model: &Model, sights: &[Vec<Sight>], u: &[[f64; 3]]) -> Self {
-        let key = |r: &ContactRow| (r.pair, r.row.node);
         let mut overlapped: BTreeMap<(usize, u32), f64> = BTreeMap::new();
         for (pair, sights) in sights.iter().enumerate() {
             let found = sights.par_iter().filter(|s| s.gap_at(u) < 0.0);
@@ -142,14 +141,17 @@ impl Overlap {
                 }
             }
         }
-        for row in &model.rows {
-            overlapped.remove(&key(row));
-        }
+        // Takes the nodes of a row away: was one of them overlapped?
+        let mut take = |row: &ContactRow| {
+            let nodes = row.row.nodes();
+            let taken = nodes.filter(|node| overlapped.remove(&(row.pair, *node)).is_some());
+            taken.count() > 0
+        };
+        model.rows.iter().for_each(|row| {
+            take(row);
+        });
         let least = least_gaps(model.rows.iter());
-        let spare = model
-            .spare
-            .iter()
-            .filter(|r| overlapped.remove(&key(r)).is_some());
+        let spare = model.spare.iter().filter(|row| take(row));
         let left_out = spare.map(|r| r.row.gap - least[r.pair]).reduce(f64::max);
         // Beyond the size of the model nothing more can be integrated.
         let could = model.reach < start::extent(model.scene);

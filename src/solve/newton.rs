@@ -89,9 +89,31 @@ const DIRECTIONS: usize = 150;
 /// Where stick and slip have not settled after this many iterations, it is time for caution.
 const PATIENCE: usize = 25;
 
+/// Share of the residual with which λ of cautious nodes was taken last that may be left when it is taken anew.
+const NEARLY: f64 = 1e-4;
+
 /// Residual, and number of iterations, that are enough for bodies that an anchor holds.
 const ROUGHLY: f64 = 1e-3;
 const ANCHORED: usize = 8;
+
+/// How the iterations of an increment have come on.
+#[derive(Default)]
+struct Progress {
+    /// Residual after λ of cautious nodes was taken.
+    begun: Option<f64>,
+    /// Energy of each correction.
+    energies: Vec<f64>,
+}
+
+impl Progress {
+    /// Do corrections become smaller so steadily that it would be a waste to stop?
+    fn goes_on(&self) -> bool {
+        const LATELY: usize = 6;
+        const LESS: f64 = 0.1;
+        let lately = self.energies.iter().rev().take(LATELY).collect::<Vec<_>>();
+        lately.len() == LATELY && *lately[0] < LESS * lately[LATELY - 1]
+    }
+}
 
 /// How a correction was found.
 struct Correction {
@@ -231,8 +253,10 @@ pub fn balance(
         ..Iteration::default()
     };
     let cautious = point.cautious;
-    let nodes = point.nodes.iter_mut();
-    nodes.for_each(|node| (node.cautious, node.switches) = (cautious, 0));
+    for node in &mut point.nodes {
+        (node.cautious, node.switches) = (cautious, 0);
+        (node.raised, node.missed) = (0, 0.0);
+    }
     let patience = match cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
         true => controls.iterations,
         false => controls.iterations.min(PATIENCE),
@@ -243,6 +267,7 @@ pub fn balance(
         evaluation
     };
     let mut evaluation = evaluate(point, &point.x, counters);
+    let mut progress = Progress::default();
     loop {
         let flowing = flowing_elements(model, &evaluation);
         let stop = |why: Failure| Stopped {
@@ -250,6 +275,7 @@ pub fn balance(
             flowing: flowing.clone(),
         };
         let residual = norm(&evaluation.residual) / reference;
+        let begun = *progress.begun.get_or_insert(residual);
         let tolerance = (0.05 * controls.residual / residual).clamp(1e-12, 1e-4);
         let Correction {
             dx,
@@ -284,16 +310,20 @@ pub fn balance(
         if anchor.is_some() && (settled || last.iteration >= ANCHORED) {
             return Ok(evaluation);
         }
-        if last.changed == 0 && last.residual <= controls.residual {
-            if last.penetration <= controls.penetration {
-                return Ok(evaluation);
-            }
-            take_shears(point, &evaluation);
+        let balanced = last.changed == 0 && last.residual <= controls.residual;
+        if balanced && last.penetration <= controls.penetration {
+            return Ok(evaluation);
         }
+        if balanced || last.residual <= NEARLY * begun {
+            take_shears(model, point, &evaluation);
+            progress.begun = None;
+        }
+        progress.energies.push(last.energy);
         if observer.cancelled() {
             return Err(stop(Failure::Cancelled));
         }
-        if last.iteration >= patience {
+        let patient = last.iteration < patience || progress.goes_on();
+        if !patient || last.iteration >= controls.iterations {
             return Err(stop(slow(model, point, &evaluation, &last)));
         }
         evaluation = evaluate(point, &point.x, counters);
@@ -354,11 +384,12 @@ fn update_contact(
     changed
 }
 
-/// Shear tractions of cautious nodes become multipliers, so that they lose their elastic slip.
-fn take_shears(point: &mut Point, evaluation: &Evaluation) {
-    for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
+/// Shear tractions of cautious nodes become multipliers.
+fn take_shears(model: &Model, point: &mut Point, evaluation: &Evaluation) {
+    let rows = model.rows.iter().zip(&evaluation.contact);
+    for (node, (row, answer)) in point.nodes.iter_mut().zip(rows) {
         if node.cautious && node.closed {
-            (node.multiplier[1], node.multiplier[2]) = (answer.traction[1], answer.traction[2]);
+            row.law.take_shear(node, answer);
         }
     }
 }

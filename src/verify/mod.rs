@@ -5,12 +5,16 @@
 
 pub mod claim;
 pub mod coverage;
+mod drawn;
 pub mod energy;
 mod error;
 pub mod extreme;
 pub mod kit;
 pub mod matrix;
 pub mod problem_h;
+pub mod random;
+pub mod stability;
+mod stream;
 
 mod bending;
 mod bumps;

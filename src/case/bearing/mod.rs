@@ -4,6 +4,7 @@
 //! All lengths are in one unit, whatever it is; angles in radians.
 
 mod auto;
+mod count;
 mod end_shape;
 mod error;
 mod fingerprint;
@@ -16,6 +17,7 @@ mod sizes;
 mod strips;
 mod template;
 
+pub use count::elements;
 pub use end_shape::RollerEnd;
 pub use error::GeometryError;
 pub use fingerprint::{fingerprint, write_with_fingerprint};

@@ -4,10 +4,9 @@
 
 use super::Bearing;
 use crate::analytic::sizing::PRESSURE_LIMIT;
-use crate::output::text::significant;
-use libm::{exp, log, sin, tan};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use crate::verify::drawn::{Drawn, End, INCH, METRIC, digits};
+use crate::verify::stream::Stream;
+use libm::{sin, tan};
 use std::f64::consts::PI;
 
 /// How many bearings a seed draws.
@@ -25,61 +24,6 @@ const GRIP: f64 = 1.3;
 
 /// How far from the middle of a roller, in its lengths, the force may pass.
 const FARTHEST: f64 = 0.36;
-
-/// A stream of numbers that is the same on every machine and with every version.
-struct Stream(ChaCha8Rng);
-
-impl Stream {
-    fn new(seed: u64, number: usize) -> Self {
-        let mut stream = ChaCha8Rng::seed_from_u64(seed);
-        stream.set_stream(number as u64);
-        Self(stream)
-    }
-
-    /// Evenly from 0 to 1, 1 left out.
-    fn share(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * 2f64.powi(-53)
-    }
-
-    fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
-        low + (high - low) * self.share()
-    }
-
-    /// Evenly in the logarithm.
-    fn scale(&mut self, [low, high]: [f64; 2]) -> f64 {
-        exp(self.between([log(low), log(high)]))
-    }
-
-    fn of<T: Copy, const N: usize>(&mut self, choices: [T; N]) -> T {
-        choices[(self.share() * N as f64) as usize % N]
-    }
-}
-
-/// The units of a case: of length, force and stress, and how many of its forces are one unit of stress
-/// times one of area.
-struct Units {
-    system: &'static str,
-    length: &'static str,
-    force: &'static str,
-    stress: &'static str,
-    forces: f64,
-}
-
-const INCH: Units = Units {
-    system: "in-kip-ksi",
-    length: "in",
-    force: "kip",
-    stress: "ksi",
-    forces: 1.0,
-};
-
-const METRIC: Units = Units {
-    system: "mm-N-MPa",
-    length: "mm",
-    force: "kN",
-    stress: "MPa",
-    forces: 1e-3,
-};
 
 /// The bearings of a seed.
 pub fn bearings(seed: u64) -> Vec<Bearing> {
@@ -141,16 +85,12 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     let carried = limit(diameter, wall, modulus, poisson, strength) * (length - 2.0 * offset);
     let load = stream.scale(LOADS) * carried * units.forces;
     let end = match stream.of([0, 1, 2]) {
-        0 => "\"square\"".to_owned(),
+        0 => End::Square,
         1 => {
             let most = 0.4 * wall.unwrap_or(diameter).min(0.15 * diameter);
-            let radius = (stream.between([0.01, 0.06]) * diameter).min(most);
-            format!("{{ radius = \"{} {}\" }}", digits(radius), units.length)
+            End::Radius((stream.between([0.01, 0.06]) * diameter).min(most))
         }
-        _ => {
-            let drop = stream.between([1e-4, 2e-3]) * diameter;
-            format!("{{ crown = \"{} {}\" }}", digits(drop), units.length)
-        }
+        _ => End::Crown(stream.between([1e-4, 2e-3]) * diameter),
     };
     let hardening = match stream.of([0, 1, 2]) {
         0 => String::new(),
@@ -168,54 +108,31 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
             units.stress
         ),
     };
-    let hollow = match wall {
-        Some(wall) => format!("roller_wall = \"{} {}\"", digits(wall), units.length),
-        None => "solid = true".to_owned(),
-    };
     let plastic = if elastic {
         "\n[controls]\nplasticity = false\n"
     } else {
         ""
     };
-    let [upper, middle, lower] = thickness.map(digits);
-    let (length_unit, stress_unit) = (units.length, units.stress);
-    Some(format!(
-        "title = \"{name}\"\n\
-         units = \"{}\"\n\
-         [bearing]\n\
-         load = \"{} {}\"\n\
-         friction = {}\n\
-         roller_diameter = \"{} {length_unit}\"\n\
-         {hollow}\n\
-         roller_length = \"{} {length_unit}\"\n\
-         roller_end = {end}\n\
-         offset = \"{} {length_unit}\"\n\
-         slope = \"{} deg\"\n\
-         \n\
-         [bearing.plate_thickness]\n\
-         upper = \"{upper} {length_unit}\"\n\
-         intermediate = \"{middle} {length_unit}\"\n\
-         lower = \"{lower} {length_unit}\"\n\
-         \n\
-         [steel]\n\
-         youngs_modulus = \"{modulus} {stress_unit}\"\n\
-         poissons_ratio = {poisson}\n\
-         yield_stress = \"{strength} {stress_unit}\"\n\
-         {hardening}{plastic}",
-        units.system,
-        digits(load),
-        units.force,
-        digits(friction),
-        digits(diameter),
-        digits(length),
-        digits(offset),
-        digits(degrees),
-    ))
-}
-
-/// As case files have them.
-fn digits(value: f64) -> String {
-    significant(value, 4)
+    let drawn = Drawn {
+        name: name.to_owned(),
+        units,
+        load,
+        friction,
+        diameter,
+        wall,
+        length,
+        end,
+        offset,
+        degrees,
+        unload: None,
+        thickness,
+        modulus,
+        poisson,
+        strength,
+        hardening,
+        more: plastic.to_owned(),
+    };
+    Some(drawn.text())
 }
 
 /// Does the force of a displaced bearing pass through all of its parts?

@@ -8,7 +8,7 @@ mod outcome;
 mod page;
 
 pub use outcome::{Outcome, Verdict};
-pub use page::{head, line, page};
+pub use page::{head, line, section};
 
 use crate::case::{self, variant};
 use crate::job::{self, JobError, Options};

@@ -39,12 +39,11 @@ pub fn line(outcome: &Outcome) -> String {
     )
 }
 
-/// The page `docs/stability.md`.
-pub fn page(outcomes: &[Outcome]) -> String {
+/// The section of `docs/stability.md`.
+pub fn section(outcomes: &[Outcome]) -> String {
     let failed = outcomes.iter().filter(|o| !o.holds()).count();
     let mut text = format!(
-        "# Stability\n\n\
-         Written by `brinell verify --suite extreme --write`; do not edit. Each row is a case of\n\
+        "Written by `brinell verify --suite extreme --write`; do not edit. Each row is a case of\n\
          [`cases/extreme`](../cases/extreme/suite.toml), run as a user's case is. It must be solved\n\
          with the value that theory gives, or be refused with a diagnosis that names the cause. The\n\
          error is relative to that value, the largest where several are checked.\n\n\

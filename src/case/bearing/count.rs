@@ -1,0 +1,214 @@
+//! How many elements the template will make, counted before gmsh is called: a slip in a size would keep it busy
+//! for hours and fill the memory.
+
+use std::f64::consts::PI;
+
+use super::geometry::BearingGeometry;
+use super::sizes::Sizes;
+
+/// A place on a line that nodes are graded towards: where, the element size there (`None`: any), and how many
+/// elements of it on either side.
+type Stop = (f64, Option<f64>, f64);
+
+/// How the elements of a line are graded.
+struct Grading {
+    growth: f64,
+    cap: f64,
+    least: f64,
+    uniform: bool,
+}
+
+/// The template gives no interval more elements: those beyond would be larger than asked for.
+const MOST: usize = 1000;
+
+impl Grading {
+    /// Elements on a line between its first and its last stop, as `meshes/spacing.geo` places them.
+    fn elements(&self, stops: &[Stop]) -> f64 {
+        stops.windows(2).map(|ends| self.interval(ends)).sum()
+    }
+
+    fn interval(&self, ends: &[Stop]) -> f64 {
+        let [(from, a, fine_a), (to, b, fine_b)] = [ends[0], ends[1]];
+        let length = to - from;
+        if self.uniform {
+            return (length / self.cap + 0.5).floor().max(self.least).max(1.0);
+        }
+        let [a, b] = [a, b].map(|size| size.unwrap_or(1e30));
+        let grown = |size: f64, n: usize, fine: f64| {
+            size * self.growth.powf((n as f64 + 1.0 - fine).max(0.0))
+        };
+        let (mut of_a, mut of_b, mut sum) = (0, 0, 0.0);
+        for _ in 0..MOST {
+            if sum >= length * (1.0 - 1e-9) && (of_a + of_b) as f64 >= self.least {
+                break;
+            }
+            let (next_a, next_b) = (grown(a, of_a, fine_a), grown(b, of_b, fine_b));
+            match next_a <= next_b * (1.0 + 1e-9) {
+                true => of_a += 1,
+                false => of_b += 1,
+            }
+            sum += self.cap.min(next_a).min(next_b);
+        }
+        (of_a + of_b) as f64
+    }
+}
+
+/// Elements of the mesh of `geometry`, all of it or the quarter of a centred bearing: of a hollow roller to the
+/// element, of a solid one to a few per cent.
+pub fn elements(geometry: &BearingGeometry, sizes: &Sizes, whole: bool) -> f64 {
+    let count = Count {
+        geometry,
+        sizes,
+        whole,
+    };
+    let [x, y] = geometry.plan;
+    2.0 * count.roller()
+        + count.flat_plate(geometry.upper_thickness, [x, y])
+        + count.flat_plate(geometry.lower_thickness, [y, x])
+        + count.intermediate_plate()
+}
+
+struct Count<'a> {
+    geometry: &'a BearingGeometry,
+    sizes: &'a Sizes,
+    whole: bool,
+}
+
+impl Count<'_> {
+    fn grading(&self, growth: f64, cap: f64, least: f64) -> Grading {
+        let uniform = self.sizes.uniform;
+        Grading {
+            growth,
+            cap,
+            least,
+            uniform,
+        }
+    }
+
+    /// On a line that is the same on both sides of its middle stop: half of it on a quarter.
+    fn halved(&self, grading: &Grading, stops: &[Stop]) -> f64 {
+        let first = if self.whole { 0 } else { stops.len() / 2 };
+        grading.elements(&stops[first..])
+    }
+
+    fn roller(&self) -> f64 {
+        let (geometry, sizes) = (self.geometry, self.sizes);
+        let radius = 0.5 * geometry.diameter;
+        let centred = geometry.offset == 0.0;
+        let fine = |at| (at, Some(sizes.roller_size), sizes.fine_elements);
+        let any = |at| (at, None, sizes.fine_elements);
+        let (turn, contact) = (PI * radius, geometry.slope * radius);
+        let stops = match (sizes.uniform, centred) {
+            (true, _) => vec![any(-turn), any(0.0), any(turn)],
+            (_, false) => vec![fine(-turn), fine(contact), fine(turn)],
+            (_, true) => {
+                let bottom = [fine(-contact), any(0.0), fine(contact)];
+                [vec![fine(-turn)], bottom.to_vec(), vec![fine(turn)]].concat()
+            }
+        };
+        let grading = self.grading(sizes.growth, sizes.around_cap, 1.0);
+        let around = self.halved(&grading, &stops);
+
+        let inner = geometry.wall.map_or(0.5 * radius, |wall| radius - wall);
+        let surface = (radius, Some(sizes.roller_size), sizes.fine_layers);
+        let wall = self.grading(sizes.depth_growth, sizes.wall_cap, sizes.wall_least);
+        let through = wall.elements(&[(inner, None, 1.0), surface]);
+
+        let least = if centred { sizes.along_least } else { 1.0 };
+        let grading = self.grading(sizes.along_growth, sizes.along_cap, least);
+        let stops = self.along_roller(0.5 * geometry.length);
+        let along = self.halved(&grading, &stops);
+
+        // Each side of the core of a solid roller has a quarter of the elements of a turn.
+        let core = match (geometry.wall, self.whole) {
+            (Some(_), _) => 0.0,
+            (None, true) => around * around / 16.0,
+            (None, false) => around * around / 8.0,
+        };
+        (around * through + core) * along
+    }
+
+    /// Fine at the ends and where the rollers cross.
+    fn along_roller(&self, half: f64) -> [Stop; 3] {
+        let sizes = self.sizes;
+        let crossing = if sizes.uniform {
+            0.0
+        } else {
+            self.geometry.offset
+        };
+        [
+            (-half, Some(sizes.end_size), 1.0),
+            (crossing, Some(sizes.crossing_size), 1.0),
+            (half, Some(sizes.end_size), 1.0),
+        ]
+    }
+
+    /// The plate above or below both rollers, across and along its own.
+    fn flat_plate(&self, thickness: f64, [across, along]: [f64; 2]) -> f64 {
+        let (geometry, sizes) = (self.geometry, self.sizes);
+        let (centre, any) = (2.0 * geometry.offset, None);
+        let line = match sizes.uniform {
+            true => (centre, any, 1.0),
+            false => (geometry.offset, Some(sizes.plate_size), sizes.fine_elements),
+        };
+        let edge = |at| (at, any, sizes.fine_elements);
+        let stops = [
+            edge(centre - 0.5 * across),
+            line,
+            edge(centre + 0.5 * across),
+        ];
+        let grading = self.grading(sizes.growth, sizes.plan_cap, 1.0);
+        let across = self.halved(&grading, &stops);
+
+        let outside = along > geometry.length * (1.0 + 1e-9) && !sizes.uniform;
+        let far = if outside { geometry.length } else { along };
+        let mut stops = self.along_roller(0.5 * far).to_vec();
+        if outside {
+            stops.insert(0, (-0.5 * along, any, 1.0));
+            stops.push((0.5 * along, any, 1.0));
+        }
+        let cap = if sizes.uniform {
+            sizes.plan_cap
+        } else {
+            sizes.along_cap
+        };
+        let grading = self.grading(sizes.along_growth, cap, 1.0);
+        let along = self.halved(&grading, &stops);
+
+        let face = (0.0, Some(sizes.plate_size), sizes.fine_layers);
+        let depth = self.grading(sizes.depth_growth, sizes.depth_cap, sizes.depth_least);
+        across * along * depth.elements(&[face, (thickness, any, 1.0)])
+    }
+
+    fn intermediate_plate(&self) -> f64 {
+        let (geometry, sizes) = (self.geometry, self.sizes);
+        let thickness = geometry.intermediate_thickness;
+        let face = |at| (at, Some(sizes.plate_size), sizes.fine_layers);
+        let depth = self.grading(sizes.depth_growth, sizes.depth_cap, sizes.depth_least);
+        let grading = self.grading(sizes.growth, sizes.middle_cap, 1.0);
+        let in_plan = |plan: f64| self.halved(&grading, &self.across_plate(0.5 * plan));
+        let [x, y] = geometry.plan.map(in_plan);
+        x * y * depth.elements(&[face(0.0), face(thickness)])
+    }
+
+    /// From edge to edge of the intermediate plate, over the V line (of a centred bearing, either of them).
+    fn across_plate(&self, half: f64) -> Vec<Stop> {
+        let (geometry, sizes) = (self.geometry, self.sizes);
+        let v_line = geometry.offset + 0.5 * geometry.diameter * geometry.slope.sin();
+        let any = |at| (at, None, 1.0);
+        let fine = |at| (at, Some(sizes.plate_size), sizes.fine_elements);
+        match (sizes.uniform, geometry.offset == 0.0) {
+            (true, _) => vec![any(-half), any(0.0), any(half)],
+            (_, true) => vec![any(-half), fine(-v_line), any(0.0), fine(v_line), any(half)],
+            (_, false) => {
+                let end = 0.5 * geometry.length;
+                let outside = half > end * (1.0 + 1e-9) && end > v_line * (1.0 + 1e-9);
+                let last = if outside { end } else { half };
+                let end = (last, Some(sizes.end_size), 1.0);
+                let mut stops = vec![any(-half), any(0.0), fine(v_line), end];
+                stops.extend(outside.then(|| any(half)));
+                stops
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Random bearings, sensible or not, and what is known of each without solving it.
+
+use super::Kind;
+use super::known::{Known, Limit};
+use crate::verify::drawn::{Drawn, End, INCH, METRIC, digits};
+use crate::verify::stream::Stream;
+use libm::{cos, sin, tan};
+use std::f64::consts::{PI, SQRT_2};
+
+/// Loads, over that at which the pressure of the study's rule (2-49) is reached, p0 = 1.65 Y.
+const LOADS: [f64; 2] = [0.1, 4.0];
+const RULE: f64 = 1.65;
+
+/// Plastic strain up to which steel is taken to harden where a load is told to be beyond its limit: small strains
+/// mean nothing beyond.
+const STRAIN: f64 = 0.02;
+
+/// The part that is not of steel, where one is not: half as strong.
+const PARTS: [&str; 5] = [
+    "upper_plate",
+    "intermediate_plate",
+    "lower_plate",
+    "upper_roller",
+    "lower_roller",
+];
+
+/// Bearing `number` of a seed, on the mesh of the report.
+pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
+    let mut stream = Stream::new(seed, number);
+    let inch = stream.of([true, false]);
+    let units = if inch { INCH } else { METRIC };
+    let diameter = match inch {
+        true => stream.between([1.0, 12.0]),
+        false => stream.scale([20.0, 400.0]),
+    };
+    let solid = stream.share() < 0.2;
+    let wall = stream.between([0.08, 0.47]) * diameter;
+    let wall = (!solid).then_some(wall);
+    let length = stream.between([1.5, 6.0]) * diameter;
+    let degrees = stream.between([0.5, 12.0]);
+    let kind = stream.of([[0.0, 0.0], [0.005, 0.05], [0.05, 0.25], [0.25, 0.46]]);
+    let offset = stream.between(kind) * length;
+    let (modulus, strengths) = match inch {
+        true => (29_500.0, [50.0, 100.0, 175.0, 250.0]),
+        false => (203_000.0, [350.0, 690.0, 1200.0, 1700.0]),
+    };
+    let strength = stream.of(strengths);
+    let poisson = stream.of([0.28, 0.3, 0.33]);
+    let soft = (stream.share() < 0.3).then_some(stream.of(PARTS));
+    let pressure = RULE * strength;
+    let rule = PI * diameter * (1.0 - poisson * poisson) * pressure * pressure / modulus;
+    let loaded = stream.of([length, length - 2.0 * offset]);
+    let load = stream.scale(LOADS) * rule * loaded * units.forces;
+    let least = tan(0.5 * degrees.to_radians());
+    let between = stream.between([0.05, 0.6]);
+    let friction = stream.of([0.0, between, 0.15, 0.3]);
+    let grip = stream.of([1.02, 1.3, 2.0]) * least;
+    let friction = if offset > 0.0 {
+        friction.max(grip)
+    } else {
+        friction
+    };
+    let thickness = [(); 3].map(|()| stream.between([0.2, 1.5]) * diameter);
+    let [radius, drop] = [[0.01, 0.06], [1e-4, 2e-3]].map(|range| stream.between(range) * diameter);
+    let most = 0.4 * wall.unwrap_or(diameter).min(0.15 * diameter);
+    let end = stream.of([End::Square, End::Radius(radius.min(most)), End::Crown(drop)]);
+    let unloads = stream.of([true, false]);
+    let hardening = stream.of([0.0, 0.001, 0.01, 0.05]) * modulus;
+    let hardens = match hardening > 0.0 {
+        true => format!(
+            "hardening_modulus = \"{} {}\"\n",
+            digits(hardening),
+            units.stress
+        ),
+        false => String::new(),
+    };
+    let other = soft.map(|part| {
+        format!(
+            "[steel.{part}]\nyoungs_modulus = \"{} {stress}\"\npoissons_ratio = 0.33\nyield_stress = \"{} {stress}\"\n",
+            digits(modulus / 2.9),
+            digits(0.5 * strength),
+            stress = units.stress,
+        )
+    });
+    let bearing = Drawn {
+        name: Kind::Bearing.name(seed, number),
+        units,
+        load,
+        friction,
+        diameter,
+        wall,
+        length,
+        end,
+        offset,
+        degrees,
+        unload: Some(unloads),
+        thickness,
+        modulus,
+        poisson,
+        strength,
+        hardening: hardens,
+        more: format!(
+            "{}[mesh]\npreset = \"report-like\"\n",
+            other.unwrap_or_default()
+        ),
+    };
+    let weak = soft.is_some_and(|part| part.ends_with("roller"));
+    let weakest = if weak { 0.5 * strength } else { strength };
+    let known = Known {
+        limits: limits(&bearing),
+        plastic: ring(&bearing, weakest + STRAIN * hardening),
+        load: load / units.forces,
+    };
+    (bearing, known)
+}
+
+/// What a displaced bearing needs to stand.
+///
+/// Rollers weigh nothing: the force in each passes from its line of contact above to that below, so leans by half
+/// of the slope across its axis. It leans as much along its axis, as the other roller demands it. With t =
+/// tan(slope/2) both lean by √2 t from the normals of all faces. The forces in all parts lie on one straight
+/// line, which from the line of contact at s reaches s + t H in the height H of both rollers and the plate
+/// between them.
+fn limits(bearing: &Drawn) -> Vec<Limit> {
+    if bearing.offset == 0.0 {
+        return Vec::new();
+    }
+    let slope = bearing.degrees.to_radians();
+    let lean = tan(0.5 * slope);
+    let height = bearing.thickness[1]
+        + 2.0 * bearing.offset * tan(slope)
+        + bearing.diameter * (1.0 + 1.0 / cos(slope));
+    let touches = bearing.offset + 0.5 * bearing.diameter * sin(slope);
+    let end = match bearing.end {
+        End::Radius(radius) => radius,
+        _ => 0.0,
+    };
+    vec![
+        Limit {
+            what: "friction",
+            has: bearing.friction,
+            needs: SQRT_2 * lean,
+            within: 0.03,
+        },
+        Limit {
+            what: "length of the rollers",
+            has: 0.5 * bearing.length - end,
+            needs: (bearing.offset + lean * height).max(touches),
+            // The middle of a force is known to an element of the mesh.
+            within: 0.06,
+        },
+    ]
+}
+
+/// An upper bound of the load that the rollers carry as rings, which collapse by four hinges: the two halves of
+/// the work P w are spent in hinges that turn by 8 w / (2 r) together, each at the moment M = 2/√3 Y t²/4 of plane
+/// strain, so that P = 4 M L / r at the mean radius r. Infinite for solid rollers.
+fn ring(bearing: &Drawn, strength: f64) -> f64 {
+    bearing.wall.map_or(f64::INFINITY, |wall| {
+        let moment = 2.0 / 3f64.sqrt() * strength * wall * wall / 4.0;
+        let mean = 0.5 * (bearing.diameter - wall);
+        4.0 * moment * bearing.length / mean
+    })
+}

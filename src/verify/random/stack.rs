@@ -1,0 +1,225 @@
+//! Solving a stack, and looking at its answer from all sides.
+
+use super::outcome::{self, Verdict};
+use super::scene::{self, Stack, turn};
+use super::watch::Watch;
+use crate::geometry::{Vec3, add, norm, scale, sub};
+use crate::material::mises;
+use crate::results::State;
+use crate::scene::{Scene, TractionValue};
+use crate::solve::{self, SolveError};
+use crate::verify::energy::strain_energy;
+use miette::Diagnostic;
+
+/// Relative error of forces and energies in balance.
+const BALANCED: f64 = 1e-6;
+
+/// Relative difference of displacements of the same stack turned, in other units and with other numbers.
+const SAME: f64 = 1e-6;
+
+/// Overlap that the meshes do not explain, over the largest displacement.
+const OVERLAP: f64 = 1e-3;
+
+/// Solves stack `number` of a seed, and the same in other guises.
+pub fn solve(seed: u64, number: usize, watch: &mut Watch) -> Verdict {
+    let stack = match scene::stack(seed, number) {
+        Ok(stack) => stack,
+        Err(error) => {
+            let why = format!("not meshed: {error}");
+            return Verdict::Unexplained { why };
+        }
+    };
+    match solved(&stack.scene, watch) {
+        Ok(Some(state)) => {
+            let failed = check(&stack, &state).or_else(|| differs(&stack, &state));
+            outcome::solved(&stack.known, failed, overlap(&stack, &state))
+        }
+        Ok(None) => outcome::refused(&stack.known, None, outcome::LATE),
+        Err(error) => {
+            let code = error.code().map(|code| code.to_string());
+            outcome::refused(&stack.known, code.as_deref(), &error.to_string())
+        }
+    }
+}
+
+/// The end of the last step; `None` where it took too long.
+fn solved(scene: &Scene, watch: &mut Watch) -> Result<Option<State>, SolveError> {
+    let mut scene = scene.clone();
+    let solution = solve::solve(&mut scene, watch)?;
+    Ok(solution.complete.then_some(solution.last))
+}
+
+/// What does not hold of the answer.
+fn check(stack: &Stack, state: &State) -> Option<String> {
+    let size = norm(stack.force);
+    for (pair, field) in stack.scene.contacts.iter().zip(&state.contacts) {
+        let force = field.force.iter().fold([0.0; 3], |sum, f| add(sum, *f));
+        let off = norm(sub(force, stack.force)) / size;
+        if !(off <= BALANCED) {
+            return Some(format!("{}: the force is off by {off:.1e}", pair.name));
+        }
+        let most = field.pressure.iter().fold(0.0f64, |most, p| most.max(*p));
+        let slips = field.traction.iter().zip(&field.pressure);
+        let beyond = slips.map(|(t, p)| norm(*t) - pair.friction * p.max(0.0));
+        let beyond = beyond.fold(0.0, f64::max) / most;
+        if !(beyond <= BALANCED) {
+            return Some(format!(
+                "{}: beyond Coulomb's law by {beyond:.1e}",
+                pair.name
+            ));
+        }
+    }
+    let energy = state.energy?;
+    let spent = energy.elastic + energy.plastic + energy.friction + energy.contact;
+    let lost = (energy.work - spent).abs() / energy.turned_over;
+    let stored = (strain_energy(&stack.scene, state) - energy.elastic).abs() / energy.turned_over;
+    let worst = lost.max(stored);
+    (!(worst <= BALANCED)).then(|| format!("energy is off by {worst:.1e}"))
+}
+
+/// Overlap that the meshes do not explain, where it is too much.
+fn overlap(stack: &Stack, state: &State) -> Option<String> {
+    let pairs = stack.scene.contacts.iter().zip(&state.contacts);
+    let moved = largest(state.displacement.iter().map(|u| norm(*u)));
+    let overlaps = pairs.map(|(pair, field)| (field.unexplained / moved, &pair.name));
+    let (worst, name) = overlaps.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (!(worst <= OVERLAP)).then(|| format!("{name}: an overlap of {worst:.1e}"))
+}
+
+fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, f64::max)
+}
+
+/// The same stack in another guise.
+struct Guise {
+    what: &'static str,
+    scene: Scene,
+    /// Its node in the place of each, and what becomes of a displacement.
+    node: Box<dyn Fn(usize) -> usize>,
+    element: Box<dyn Fn(usize) -> usize>,
+    /// What becomes of a stress.
+    stress: f64,
+    back: Box<dyn Fn(Vec3) -> Vec3>,
+}
+
+/// A guise in which the answer is another one: other displacements, or other stresses where a body can slide with
+/// nothing that drives it, so that only stresses are determined.
+fn differs(stack: &Stack, state: &State) -> Option<String> {
+    let moved = largest(state.displacement.iter().map(|u| norm(*u)));
+    let stress = |state: &State, element: usize| state.stress[element].map(|s| mises(&s));
+    let elements = 0..stack.scene.mesh.hexes.len();
+    let stressed = largest(elements.clone().flat_map(|e| stress(state, e)));
+    let scene = &stack.scene;
+    for guise in [turned(scene), scaled(scene), renumbered(scene)] {
+        let mut watch = Watch::start();
+        let other = match solved(&guise.scene, &mut watch) {
+            Ok(Some(other)) => other,
+            Ok(None) => return Some(format!("{}: {}", guise.what, outcome::LATE)),
+            Err(error) => return Some(format!("{}: {error}", guise.what)),
+        };
+        let nodes = state.displacement.iter().enumerate();
+        let apart = |(node, u): (usize, &Vec3)| {
+            norm(sub(
+                (guise.back)(other.displacement[(guise.node)(node)]),
+                *u,
+            ))
+        };
+        let mut off = match stack.slides {
+            true => 0.0,
+            false => largest(nodes.map(apart)) / moved,
+        };
+        off = off.max(largest(elements.clone().flat_map(|e| {
+            let there = stress(&other, (guise.element)(e)).map(|s| s / guise.stress);
+            let here = stress(state, e);
+            [0, 1, 2, 3, 4, 5, 6, 7].map(|i| (there[i] - here[i]).abs() / stressed)
+        })));
+        if !(off <= SAME) {
+            return Some(format!("{}: the answer differs by {off:.1e}", guise.what));
+        }
+    }
+    None
+}
+
+fn turned(scene: &Scene) -> Guise {
+    const AXIS: Vec3 = [0.48, 0.6, 0.64];
+    const ANGLE: f64 = 1.1;
+    let mut scene = scene.clone();
+    scene
+        .mesh
+        .points
+        .iter_mut()
+        .for_each(|p| *p = turn(*p, AXIS, ANGLE));
+    for traction in &mut scene.tractions {
+        if let TractionValue::Vector(t) = &mut traction.value {
+            *t = turn(*t, AXIS, ANGLE);
+        }
+    }
+    Guise {
+        what: "turned",
+        scene,
+        node: Box::new(|node| node),
+        element: Box::new(|element| element),
+        stress: 1.0,
+        back: Box::new(|u| turn(u, AXIS, -ANGLE)),
+    }
+}
+
+/// From metres and megapascals to micrometres and kilopascals.
+fn scaled(scene: &Scene) -> Guise {
+    const LENGTH: f64 = 1e6;
+    const STRESS: f64 = 1e3;
+    let mut scene = scene.clone();
+    scene
+        .mesh
+        .points
+        .iter_mut()
+        .for_each(|p| *p = scale(*p, LENGTH));
+    for steel in &mut scene.materials {
+        steel.youngs_modulus *= STRESS;
+        steel.yield_stress *= STRESS;
+        steel.hardening_modulus *= STRESS;
+    }
+    for traction in &mut scene.tractions {
+        if let TractionValue::Vector(t) = &mut traction.value {
+            *t = scale(*t, STRESS);
+        }
+    }
+    Guise {
+        what: "in other units",
+        scene,
+        node: Box::new(|node| node),
+        element: Box::new(|element| element),
+        stress: STRESS,
+        back: Box::new(|u| scale(u, 1.0 / LENGTH)),
+    }
+}
+
+/// Nodes, and elements within their bodies, from the last to the first.
+fn renumbered(scene: &Scene) -> Guise {
+    let mut scene = scene.clone();
+    let mesh = &mut scene.mesh;
+    let last = mesh.points.len() - 1;
+    let node = move |node: u32| last as u32 - node;
+    mesh.points.reverse();
+    mesh.hexes.iter_mut().flatten().for_each(|n| *n = node(*n));
+    let bodies = mesh.bodies.clone();
+    for body in &bodies {
+        mesh.hexes[body.elements.clone()].reverse();
+    }
+    let element = move |element: usize| {
+        let body = bodies.iter().find(|b| b.elements.contains(&element));
+        body.map_or(element, |b| b.elements.start + b.elements.end - 1 - element)
+    };
+    for face in mesh.surfaces.iter_mut().flat_map(|s| &mut s.faces) {
+        face.nodes = face.nodes.map(node);
+        face.element = element(face.element as usize) as u32;
+    }
+    Guise {
+        what: "numbered otherwise",
+        scene,
+        node: Box::new(move |node| last - node),
+        element: Box::new(element),
+        stress: 1.0,
+        back: Box::new(|u| u),
+    }
+}

@@ -409,3 +409,62 @@ fn the_answer_does_not_depend_on_what_was_prepared() {
         }
     }
 }
+
+/// Stacks of tilted blocks whose meshes do not match: the other side covers slivers of some facets, next to nothing
+/// of others. They are pressed by 40 MPa and more, pushed sideways, and flow.
+#[test]
+fn blocks_that_cover_slivers_of_each_other_converge() {
+    const TOP: &str = r#"
+[[body]]
+name = "top"
+[[contact]]
+name = "c2"
+upper = "top_z0"
+lower = "upp_z1"
+friction = FRICTION
+carrier = "lower"
+"#;
+    for (mesh, top, friction, traction) in [
+        (1, TOP, 0.6, [5.3829, -10.4379, -244.287]),
+        (2, "", 0.4, [7.2494, 10.1148, -339.569]),
+        (3, TOP, 0.4, [-4.1947, 13.4348, -352.458]),
+    ] {
+        let loaded = if top.is_empty() { "upp" } else { "top" };
+        let top = top.replace("FRICTION", &friction.to_string());
+        let summary = solve(&format!(
+            r#"
+title = "blocks"
+units = "mm-N-MPa"
+[mesh]
+file = "FIXTURES/blocks-sliver-{mesh}.msh.gz"
+[steel]
+youngs_modulus = 200000
+poissons_ratio = 0.3
+yield_stress = 150
+hardening_modulus = 4000
+[[body]]
+name = "upp"
+steel = {{ youngs_modulus = 70000 }}
+[[body]]
+name = "low"
+{top}
+[[contact]]
+name = "c1"
+upper = "upp_z0"
+lower = "low_z1"
+friction = {friction}
+carrier = "lower"
+[[traction]]
+name = "push"
+surface = "{loaded}_z1"
+value = {traction:?}
+[[support]]
+surface = "low_z0"
+fixed = "xyz"
+"#
+        ));
+        let work = &summary.counters;
+        assert!(work.iterations < 300, "{mesh}: {work:?}");
+        assert!(summary.checks.energy_imbalance.unwrap() < 1e-6);
+    }
+}

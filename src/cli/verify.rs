@@ -153,20 +153,32 @@ fn run_extreme(write: bool) -> CommandResult {
 /// Draws and solves random cases.
 fn run_random(args: &VerifyArgs) -> CommandResult {
     set_threads(args.coverage.threads);
+    if let Some(out) = &args.coverage.out {
+        std::fs::create_dir_all(out).map_err(|error| cannot(out, error))?;
+    }
     say(&random::head());
     let kinds = random::COUNT.map(|(kind, count)| (kind, args.count.unwrap_or(count)));
-    let sets = kinds.map(|(kind, count)| {
+    let mut sets = Vec::new();
+    for (kind, count) in kinds {
         let wanted = |number: &usize| {
             let name = kind.name(args.seed, *number);
             args.only.is_empty() || args.only.iter().any(|only| name.starts_with(only))
         };
-        let outcomes = (0..count).filter(wanted).map(|number| {
+        let numbers: Vec<usize> = (0..count).filter(wanted).collect();
+        for number in &numbers {
+            if let (Some(out), Some(text)) = (&args.coverage.out, kind.text(args.seed, *number)) {
+                let path = out.join(format!("{}.toml", kind.name(args.seed, *number)));
+                let written = write_atomically(&path, |file| file.write_all(text.as_bytes()));
+                written.map_err(|error| cannot(&path, error))?;
+            }
+        }
+        let outcomes = numbers.into_iter().map(|number| {
             let outcome = random::run(kind, args.seed, number);
             say(&random::line(&outcome));
             outcome
         });
-        (kind.title(), outcomes.collect::<Vec<_>>())
-    });
+        sets.push((kind.title(), outcomes.collect::<Vec<_>>()));
+    }
     for (what, outcomes) in &sets {
         say(&format!("\n{what}. {}", random::tally(outcomes)));
     }

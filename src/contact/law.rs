@@ -148,6 +148,11 @@ impl Law {
         answer
     }
 
+    /// Largest shear traction under the traction of an iteration.
+    pub fn bound(&self, traction: &[f64; 3]) -> f64 {
+        self.friction * traction[0].max(0.0)
+    }
+
     /// How far λ still is from the traction, as a length: closure, and slip of a sticking node.
     pub fn violation(&self, node: &Node, answer: &Answer) -> f64 {
         // Elastic slip counts by this share: it moves no pressure.
@@ -164,9 +169,9 @@ impl Law {
         })
     }
 
-    /// The node after an iteration that ended with `traction` at d: multipliers take the tractions,
-    /// sets and bound are decided anew.
-    pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3]) -> Node {
+    /// The node after an iteration that ended with `traction` at d: multipliers take the tractions, sets are
+    /// decided anew, shear is bounded by `bound`.
+    pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3], bound: f64) -> Node {
         let [pressure, s, t] = *traction;
         // What a closed node is off its gap is only what λ was off: of no account, however much.
         let presses = if node.closed { pressure } else { d[0] };
@@ -181,7 +186,7 @@ impl Law {
         let mut next = Node {
             closed: true,
             multiplier: [pressure, s, t],
-            bound: self.friction * pressure.max(0.0),
+            bound,
             cautious: node.cautious,
             switches: node.switches,
             raised: node.raised,
@@ -269,7 +274,7 @@ mod tests {
         let node = closed([10.0, 3.0, -4.0], true);
         let traction = LAW.traction(&node, &[0.0; 3]).traction;
         assert_eq!(traction, [10.0, 3.0, -4.0]);
-        let next = LAW.decide(&node, &traction, &[0.0; 3]);
+        let next = LAW.decide(&node, &traction, &[0.0; 3], LAW.bound(&traction));
         assert!(!next.sticks);
         let answer = LAW.traction(&next, &[0.0; 3]);
         assert_eq!(answer.status, Status::Slip);
@@ -282,10 +287,16 @@ mod tests {
         let node = closed([10.0, 1.5, 0.0], false);
         let back = [0.0, -0.01, 0.0];
         let traction = LAW.traction(&node, &back).traction;
-        assert!(LAW.decide(&node, &traction, &back).sticks);
+        assert!(
+            LAW.decide(&node, &traction, &back, LAW.bound(&traction))
+                .sticks
+        );
         let on = [0.0, 0.01, 0.0];
         let traction = LAW.traction(&node, &on).traction;
-        assert!(!LAW.decide(&node, &traction, &on).sticks);
+        assert!(
+            !LAW.decide(&node, &traction, &on, LAW.bound(&traction))
+                .sticks
+        );
     }
 
     #[test]
@@ -316,7 +327,7 @@ mod tests {
         let mut node = closed([10.0, -1.5, 0.0], false);
         for _ in 0..6 {
             let traction = LAW.traction(&node, &d).traction;
-            node = LAW.decide(&node, &[10.0, traction[1], traction[2]], &d);
+            node = LAW.decide(&node, &[10.0, traction[1], traction[2]], &d, 1.5);
         }
         assert!(!node.sticks);
         let [_, s, t] = LAW.traction(&node, &d).traction;
@@ -353,10 +364,10 @@ mod tests {
     fn tension_opens_and_penetration_closes() {
         let node = closed([10.0, 0.0, 0.0], false);
         let d = [1e-6, 0.0, 0.0];
-        assert!(!LAW.decide(&node, &[-1.0, 0.0, 0.0], &d).closed);
-        assert!(LAW.decide(&Node::default(), &[0.0; 3], &d).closed);
+        assert!(!LAW.decide(&node, &[-1.0, 0.0, 0.0], &d, 0.0).closed);
+        assert!(LAW.decide(&Node::default(), &[0.0; 3], &d, 0.0).closed);
         // λ was far too large: d says so, and nothing else.
         let d = [-0.5, 0.0, 0.0];
-        assert!(LAW.decide(&node, &[1e-6, 0.0, 0.0], &d).closed);
+        assert!(LAW.decide(&node, &[1e-6, 0.0, 0.0], &d, 0.0).closed);
     }
 }

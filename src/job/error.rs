@@ -58,6 +58,25 @@ pub enum JobError {
     #[error("the case `{case}` is a general scene on a mesh file: there is no template to mesh")]
     #[diagnostic(code(brinell::job::no_template), help("mesh it with gmsh itself"))]
     NoTemplate { case: String },
+    #[error(
+        "the mesh would have about {elements:.2e} elements, which takes {seconds:.0e} s to make and at least \
+         {:.3} GB to solve; {:.3} GB are there",
+        needed / 1e9,
+        available / 1e9
+    )]
+    #[diagnostic(
+        code(brinell::job::mesh_size),
+        help(
+            "make elements larger: a larger `scale`, `growth` or size in [mesh], or a preset; a length in a wrong \
+             unit does this, too"
+        )
+    )]
+    MeshSize {
+        elements: f64,
+        seconds: f64,
+        needed: f64,
+        available: f64,
+    },
     #[error("{} cannot be used: {error}", path.display())]
     #[diagnostic(
         code(brinell::job::folder),

@@ -6,6 +6,7 @@
 
 mod anchor;
 mod bodies;
+mod bounds;
 mod consistent;
 mod counters;
 mod diagnosis;

@@ -7,6 +7,7 @@
 //! penalty.
 
 use super::anchor::Anchor;
+use super::bounds::Bounds;
 use super::counters::Counters;
 use super::evaluate::{Evaluation, History, Trial};
 use super::line_search;
@@ -68,6 +69,8 @@ pub struct LinearSolver {
     factor: Option<Prepared>,
     /// Statuses and number of flowing points that the factor was made for.
     made_for: (Vec<Status>, usize),
+    /// Corrections for which an aged factor is not tried, after it was not good enough.
+    distrust: usize,
 }
 
 /// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
@@ -79,6 +82,10 @@ pub const SHIFT: f64 = 1e-10;
 /// points) have changed, for this many directions: about what a new factor costs.
 const CHANGES: usize = 6;
 const TRIES: usize = 12;
+
+/// Where that was in vain, so many corrections are found with new factors before it is tried again: nodes that slip
+/// change the matrix though their statuses stay.
+const PAUSE: usize = 3;
 
 /// Error of a correction, in the energy norm, that is left to the next iteration.
 const INEXACT: f64 = 1e-2;
@@ -103,6 +110,7 @@ struct Progress {
     begun: Option<f64>,
     /// Energy of each correction.
     energies: Vec<f64>,
+    bounds: Bounds,
 }
 
 impl Progress {
@@ -143,7 +151,7 @@ impl LinearSolver {
         };
         let mut residual = evaluation.residual.clone();
         let mut tolerance = tolerance;
-        let small_change = || self.changes(evaluation) <= CHANGES;
+        let small_change = || self.distrust == 0 && self.changes(evaluation) <= CHANGES;
         // Renewing the parts that changed costs next to nothing.
         let aged = self.factor.as_ref();
         if let Some(factor) = aged.filter(|_| !model.is_divided() && small_change()) {
@@ -168,7 +176,9 @@ impl LinearSolver {
             residual.iter_mut().zip(&product).for_each(|(r, p)| *r -= p);
             tolerance /= outcome.residual;
             out.dx = dx;
+            self.distrust = PAUSE;
         }
+        self.distrust = self.distrust.saturating_sub(1);
         let diagonal = model.pattern.diagonal(&matrix);
         for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
             matrix.values[*start as usize] = d * (1.0 + SHIFT);
@@ -303,7 +313,7 @@ pub fn balance(
         }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
-        last.changed = update_contact(model, point, &evaluation, last.iteration);
+        last.changed = update_contact(model, point, &evaluation, &mut progress);
         count(&mut last, &evaluation);
         observer.iteration(&last);
         let settled = last.residual <= ROUGHLY && last.changed == 0;
@@ -359,28 +369,35 @@ fn update_contact(
     model: &Model,
     point: &mut Point,
     evaluation: &Evaluation,
-    iteration: usize,
+    progress: &mut Progress,
 ) -> usize {
     const FREE_ITERATIONS: usize = 12;
     const FREE_SWITCHES: u8 = 2;
     // Below this share of the largest pressure a friction bound or shear counts as unchanged.
-    const SAME: f64 = 1e-5;
+    const SAME: f64 = 1e-6;
+    let iteration = progress.energies.len() + 1;
     let pressures = evaluation.contact.iter().map(|a| a.traction[0]);
     let largest = pressures.fold(0.0, f64::max);
-    let mut changed = 0;
+    let rows = model.rows.iter().zip(&evaluation.contact);
+    let wanted: Vec<f64> = rows.map(|(r, a)| r.law.bound(&a.traction)).collect();
+    let bounds = progress.bounds.next(&point.nodes, wanted);
+    let (mut changed, mut switched) = (0, 0);
     for (index, (row, node)) in model.rows.iter().zip(&mut point.nodes).enumerate() {
         let law = &row.law;
         let traction = &evaluation.contact[index].traction;
-        let next = law.decide(node, traction, &evaluation.relative[index]);
+        let relative = &evaluation.relative[index];
+        let next = law.decide(node, traction, relative, bounds[index]);
         let same = SAME * law.friction * largest;
         let turned =
             !node.cautious && (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
-        let moved = (next.bound - node.bound).abs() > same;
-        let switched = next.closed != node.closed || next.sticks != node.sticks;
-        changed += usize::from(switched || moved || turned);
+        let moved = next.closed && (law.bound(traction) - node.bound).abs() > same;
+        let switches = next.closed != node.closed || next.sticks != node.sticks;
+        switched += usize::from(switches);
+        changed += usize::from(switches || moved || turned);
         *node = next;
         node.cautious |= iteration > FREE_ITERATIONS && node.switches > FREE_SWITCHES;
     }
+    progress.bounds.settled = switched == 0;
     changed
 }
 

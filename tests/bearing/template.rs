@@ -3,8 +3,8 @@
 use std::collections::{BTreeSet, HashMap};
 
 use brinell::case::bearing::{
-    BearingGeometry, MeshRequest, Preset, Roller, RollerEnd, Strips, gmsh_parameters, rescale,
-    shape_roller_ends, write_template,
+    BearingGeometry, MeshRequest, Preset, Roller, RollerEnd, Strips, elements, gmsh_parameters,
+    rescale, shape_roller_ends, write_template,
 };
 use brinell::mesh::{Mesh, gmsh, msh};
 
@@ -50,7 +50,22 @@ fn mesh(geometry: &BearingGeometry, request: &MeshRequest) -> Mesh {
     let template = write_template(work.path()).unwrap();
     let out = work.path().join("bearing.msh");
     gmsh::run(&template, &gmsh_parameters(geometry, request), &out).unwrap();
-    msh::read(&out).unwrap()
+    let mesh = msh::read(&out).unwrap();
+    check_count(&mesh, geometry, request);
+    mesh
+}
+
+/// Elements are counted before gmsh is called: to the element for hollow rollers, nearly for solid ones, whose core
+/// has as many along one side as along the opposite one.
+fn check_count(mesh: &Mesh, geometry: &BearingGeometry, request: &MeshRequest) {
+    let whole = request.full || !geometry.is_centred();
+    let counted = elements(geometry, &request.sizes(geometry), whole);
+    let made = mesh.hexes.len() as f64;
+    let within = if geometry.wall.is_some() { 0.0 } else { 0.1 };
+    assert!(
+        (counted / made - 1.0).abs() <= within,
+        "{counted} counted, {made} made"
+    );
 }
 
 /// Nodes of a body.

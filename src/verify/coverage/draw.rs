@@ -7,7 +7,7 @@ use crate::analytic::sizing::PRESSURE_LIMIT;
 use crate::verify::drawn::{Drawn, End, INCH, METRIC, digits};
 use crate::verify::stream::Stream;
 use libm::{sin, tan};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, SQRT_2};
 
 /// How many bearings a seed draws.
 pub const COUNT: usize = 30;
@@ -19,8 +19,10 @@ const LOADS: [f64; 2] = [0.1, 1.3];
 /// factor, so that thin rollers are not crushed.
 const RING: f64 = 0.8;
 
-/// Friction of displaced bearings over the least that holds them, tan(slope/2).
+/// Friction of displaced bearings over tan(slope/2), one of a few, and the least with which they surely stand: both
+/// rollers lean on the same friction, so √2 and a little more.
 const GRIP: f64 = 1.3;
+const HELD: f64 = 1.03 * SQRT_2;
 
 /// How far from the middle of a roller, in its lengths, the force may pass.
 const FARTHEST: f64 = 0.36;
@@ -76,6 +78,9 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     } else {
         friction
     };
+    if displaced && friction < HELD * least {
+        return None;
+    }
     let (modulus, strengths) = match inch {
         true => (29_500.0, [50.0, 100.0, 175.0, 250.0]),
         false => (203_000.0, [350.0, 690.0, 1200.0, 1700.0]),

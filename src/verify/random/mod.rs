@@ -39,6 +39,14 @@ impl Kind {
         }
     }
 
+    /// The case file of case `number` of a seed, where it has one.
+    pub fn text(self, seed: u64, number: usize) -> Option<String> {
+        match self {
+            Self::Bearing => Some(bearing::bearing(seed, number).0.text()),
+            Self::Stack => None,
+        }
+    }
+
     /// What case `number` of a seed is called.
     pub fn name(self, seed: u64, number: usize) -> String {
         match self {
@@ -50,11 +58,6 @@ impl Kind {
 
 /// How many of each are drawn for a page.
 pub const COUNT: [(Kind, usize); 2] = [(Kind::Bearing, 300), (Kind::Stack, 200)];
-
-/// The text of the case file of bearing `number` of a seed.
-pub fn bearing_text(seed: u64, number: usize) -> String {
-    bearing::bearing(seed, number).0.text()
-}
 
 /// Draws case `number` of a seed and solves it.
 pub fn run(kind: Kind, seed: u64, number: usize) -> Outcome {

@@ -1,0 +1,30 @@
+//! Cases that nobody has chosen: a sample of what `brinell verify --suite random` draws.
+
+use brinell::verify::random::{Kind, Outcome, run};
+
+#[track_caller]
+fn check(kind: Kind, seed: u64, numbers: &[usize]) -> Vec<Outcome> {
+    let outcomes: Vec<Outcome> = numbers.iter().map(|n| run(kind, seed, *n)).collect();
+    let failed: Vec<&Outcome> = outcomes.iter().filter(|o| !o.holds()).collect();
+    assert!(failed.is_empty(), "{failed:#?}");
+    outcomes
+}
+
+/// Also turned, in other units, and numbered otherwise.
+#[test]
+fn stacks_of_blocks_are_solved_or_refused_as_statics_says() {
+    let numbers: Vec<usize> = (0..14).collect();
+    let outcomes = check(Kind::Stack, 1, &numbers);
+    assert!(outcomes.iter().any(Outcome::is_solved));
+    assert!(!outcomes.iter().all(Outcome::is_solved));
+}
+
+#[test]
+fn bearings_are_solved_or_refused_as_statics_says() {
+    let outcomes = check(Kind::Bearing, 1, &BEARINGS);
+    assert!(outcomes.iter().any(Outcome::is_solved));
+    assert!(!outcomes.iter().all(Outcome::is_solved));
+}
+
+/// Of a few seconds each.
+const BEARINGS: [usize; 6] = [0, 1, 2, 3, 4, 5];

@@ -64,6 +64,13 @@ impl Preconditioner {
         }
     }
 
+    /// Replaces the columns of a matrix by A⁻¹ times these, where there is a factor of the whole.
+    pub fn solve_many(&self, prepared: &Prepared, x: &mut [f64], count: usize) {
+        if let (Self::Direct(symbolic), Prepared::Direct(factor)) = (self, prepared) {
+            symbolic.solve_many(factor, x, count);
+        }
+    }
+
     /// Entries of all factors.
     pub fn factor_entries(&self) -> usize {
         match self {

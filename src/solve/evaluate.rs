@@ -240,6 +240,11 @@ impl super::rows::ContactRow {
                 d[axis] += coefficient[axis] * u[*node as usize][axis];
             }
         }
+        self.local(d)
+    }
+
+    /// A vector in local components (normal, two tangents).
+    pub fn local(&self, d: [f64; 3]) -> [f64; 3] {
         use crate::geometry::dot;
         let [s, t] = (self.row.tangents).map_or([0.0; 2], |tangents| tangents.map(|t| dot(d, t)));
         [dot(d, self.row.normal), s, t]

@@ -30,6 +30,7 @@ mod start;
 mod state;
 mod statics;
 mod timers;
+mod update;
 
 pub use counters::Counters;
 pub use driver::{Solution, Unfinished, resume, solve};

@@ -15,6 +15,7 @@ use super::model::Model;
 use super::observer::{Iteration, Observer};
 use super::start;
 use super::timers::Phase;
+use super::update::Update;
 use crate::contact::law::{Node, Status};
 use crate::linear::cholesky::FactorError;
 use crate::linear::krylov::{self, dot, norm};
@@ -67,8 +68,10 @@ pub struct Stopped {
 #[derive(Default)]
 pub struct LinearSolver {
     factor: Option<Prepared>,
-    /// Statuses and number of flowing points that the factor was made for.
-    made_for: (Vec<Status>, usize),
+    /// Number of flowing points that the factor was made for.
+    flowing: usize,
+    /// Contact that has changed since.
+    update: Update,
     /// Corrections for which an aged factor is not tried, after it was not good enough.
     distrust: usize,
 }
@@ -78,9 +81,9 @@ pub struct LinearSolver {
 /// contain it, so that no force ever passes through it.
 pub const SHIFT: f64 = 1e-10;
 
-/// An aged factor is tried while no more than this many nodes (or eight times as many integration
-/// points) have changed, for this many directions: about what a new factor costs.
-const CHANGES: usize = 6;
+/// An aged factor, brought up to date for contact, is tried while no more than this many integration points have begun
+/// or ceased to flow, for this many directions: about what a new factor costs.
+const CHANGES: usize = 48;
 const TRIES: usize = 12;
 
 /// Where that was in vain, so many corrections are found with new factors before it is tried again: nodes that slip
@@ -151,15 +154,22 @@ impl LinearSolver {
         };
         let mut residual = evaluation.residual.clone();
         let mut tolerance = tolerance;
-        let small_change = || self.distrust == 0 && self.changes(evaluation) <= CHANGES;
+        let little_flow = flowing(evaluation).abs_diff(self.flowing) <= CHANGES;
+        let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
         // Renewing the parts that changed costs next to nothing.
-        let aged = self.factor.as_ref();
-        if let Some(factor) = aged.filter(|_| !model.is_divided() && small_change()) {
+        let aged = self.factor.as_ref().filter(|_| trusted);
+        let update = &mut self.update;
+        let aged = aged.filter(|factor| {
+            let solve = |x: &mut [f64], count| model.preconditioner.solve_many(factor, x, count);
+            timers.time(Phase::LinearSolve, || {
+                update.prepare(model, evaluation, solve)
+            })
+        });
+        if let Some(factor) = aged {
             let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
             let precondition = |x: &mut [f64]| {
-                model
-                    .preconditioner
-                    .apply(&model.pattern, factor, multiply, x)
+                (model.preconditioner).apply(&model.pattern, factor, multiply, x);
+                update.correct(model, x);
             };
             let (dx, outcome) = timers.time(Phase::LinearSolve, || {
                 krylov::solve(multiply, precondition, &residual, tolerance, TRIES)
@@ -214,24 +224,10 @@ impl LinearSolver {
         counters.krylov_directions += outcome.iterations;
         counters.factorisations += 1;
         self.factor = Some(factor);
-        self.made_for = (statuses(evaluation), flowing(evaluation));
+        self.flowing = flowing(evaluation);
+        self.update = Update::new(model, evaluation);
         Ok(out)
     }
-
-    /// How much has changed since the factor was made: contact nodes, and eighths of the
-    /// integration points that flow.
-    fn changes(&self, evaluation: &Evaluation) -> usize {
-        let now = evaluation.contact.iter().map(|a| a.status);
-        let nodes = now
-            .zip(&self.made_for.0)
-            .filter(|(now, then)| now != *then)
-            .count();
-        nodes + flowing(evaluation).abs_diff(self.made_for.1) / 8
-    }
-}
-
-fn statuses(evaluation: &Evaluation) -> Vec<Status> {
-    evaluation.contact.iter().map(|a| a.status).collect()
 }
 
 fn flowing(evaluation: &Evaluation) -> usize {

@@ -77,7 +77,12 @@ impl Symbolic {
 
     /// Solves A x = b in place.
     pub fn solve(&self, factor: &Factor, x: &mut [f64]) {
-        solve(&self.inner, &factor.values, x);
+        solve(&self.inner, &factor.values, x, 1);
+    }
+
+    /// Solves A X = B in place, for `count` columns one after the other.
+    pub fn solve_many(&self, factor: &Factor, x: &mut [f64], count: usize) {
+        solve(&self.inner, &factor.values, x, count);
     }
 }
 
@@ -97,17 +102,18 @@ pub(super) fn analyse(
         .map_err(|_| FactorError::Memory)
 }
 
-/// Solves A x = b in place.
+/// Solves A X = B in place, for `count` columns.
 pub(super) fn solve<T: RealField>(
     symbolic: &sparse::SymbolicCholesky<u32>,
     values: &[T],
     x: &mut [T],
+    count: usize,
 ) {
-    let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<T>(1, Par::Seq));
-    let rows = x.len();
+    let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<T>(count, Par::Seq));
+    let rows = x.len() / count;
     sparse::LltRef::new(symbolic, values).solve_in_place_with_conj(
         Conj::No,
-        MatMut::from_column_major_slice_mut(x, rows, 1),
+        MatMut::from_column_major_slice_mut(x, rows, count),
         Par::Seq,
         MemStack::new(&mut memory),
     );

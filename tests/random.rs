@@ -26,5 +26,5 @@ fn bearings_are_solved_or_refused_as_statics_says() {
     assert!(!outcomes.iter().all(Outcome::is_solved));
 }
 
-/// Of a few seconds each.
-const BEARINGS: [usize; 6] = [0, 1, 2, 3, 4, 5];
+/// Of a few seconds each: centred ones, a displaced one, and one that slides.
+const BEARINGS: [usize; 5] = [4, 5, 11, 13, 42];

@@ -24,8 +24,15 @@ const MOST: usize = 64;
 
 impl Growth {
     /// From the share of yield `now`, at a time in the step, to that at its end.
+    ///
+    /// At the end itself nothing tells the power: stress is taken to grow evenly, not as rounding has it.
     pub fn new(volume: f64, (time, now): (f64, f64), share: f64) -> Self {
-        let power = (share / now).ln() / (1.0 / time).ln();
+        const NEAR_END: f64 = 1e-6;
+        let way = (1.0 / time).ln();
+        let power = match way > NEAR_END {
+            true => (share / now).ln() / way,
+            false => 1.0,
+        };
         let [least, most] = POWERS;
         Self {
             volume,

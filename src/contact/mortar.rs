@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 pub struct Row {
     /// The carrier node.
     pub node: u32,
-    /// Carrier nodes beside it that have no row of their own, see [`sliver`]: this one is theirs, too.
+    /// Carrier nodes beside it that it stands for, too: the other side covers but a sliver of theirs.
     pub absorbed: Vec<u32>,
     /// Area w_A that the node stands for, covered by the other side.
     pub area: f64,

@@ -31,6 +31,13 @@ pub struct VerifyArgs {
     /// Of random cases or of bearings, only those whose names begin so; may be given again.
     #[arg(long, value_name = "NAME")]
     pub only: Vec<String>,
+    /// Folder for the cases that are drawn. With --suite coverage also for coverage.jsonl with a claim a line,
+    /// and for what --resume reads.
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Threads to use, for random cases and coverage [default: one a core].
+    #[arg(long, value_name = "COUNT")]
+    pub threads: Option<u16>,
     #[command(flatten)]
     pub coverage: CoverageArgs,
 }
@@ -48,15 +55,9 @@ pub struct CoverageArgs {
     /// With elastic steel only.
     #[arg(long)]
     pub elastic: bool,
-    /// Folder for the cases, for coverage.jsonl with a claim a line, and for what --resume reads.
-    #[arg(long, value_name = "FOLDER")]
-    pub out: Option<PathBuf>,
     /// Read solutions that an earlier run left in --out, and solve only what is not there.
     #[arg(long, requires = "out")]
     pub resume: bool,
-    /// Threads to use [default: one a core].
-    #[arg(long, value_name = "COUNT")]
-    pub threads: Option<u16>,
 }
 
 /// The page that `--write` writes, from the folder where the command is run.
@@ -109,7 +110,7 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     ));
     if args.write {
         write(Path::new(PAGE), &claims, &unsolved)
-            .map_err(|error| bad(miette::miette!("{PAGE} cannot be written: {error}")))?;
+            .map_err(|error| cannot(Path::new(PAGE), error))?;
         say(&format!("written to {PAGE}"));
     }
     let sound = failed == 0 && unsolved.is_empty();
@@ -152,8 +153,8 @@ fn run_extreme(write: bool) -> CommandResult {
 
 /// Draws and solves random cases.
 fn run_random(args: &VerifyArgs) -> CommandResult {
-    set_threads(args.coverage.threads);
-    if let Some(out) = &args.coverage.out {
+    set_threads(args.threads);
+    if let Some(out) = &args.out {
         std::fs::create_dir_all(out).map_err(|error| cannot(out, error))?;
     }
     say(&random::head());
@@ -166,7 +167,7 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
         };
         let numbers: Vec<usize> = (0..count).filter(wanted).collect();
         for number in &numbers {
-            if let (Some(out), Some(text)) = (&args.coverage.out, kind.text(args.seed, *number)) {
+            if let (Some(out), Some(text)) = (&args.out, kind.text(args.seed, *number)) {
                 let path = out.join(format!("{}.toml", kind.name(args.seed, *number)));
                 let written = write_atomically(&path, |file| file.write_all(text.as_bytes()));
                 written.map_err(|error| cannot(&path, error))?;
@@ -183,13 +184,25 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
         say(&format!("\n{what}. {}", random::tally(outcomes)));
     }
     if args.write {
-        let section = random::section(args.seed, &sets);
+        let section = random::section(&drawn_by(args), &sets);
         stability::write(Path::new(STABILITY_PAGE), stability::Part::Random, &section)
             .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
         say(&format!("written to {STABILITY_PAGE}"));
     }
     let holds = sets.iter().flat_map(|(_, o)| o).all(random::Outcome::holds);
     Ok(if holds { Status::Done } else { Status::Failed })
+}
+
+/// The arguments that say which random cases are drawn.
+fn drawn_by(args: &VerifyArgs) -> String {
+    let mut words = format!("--seed {}", args.seed);
+    if let Some(count) = args.count {
+        words.push_str(&format!(" --count {count}"));
+    }
+    for only in &args.only {
+        words.push_str(&format!(" --only {only}"));
+    }
+    words
 }
 
 fn cannot(path: &Path, error: impl std::fmt::Display) -> (Status, miette::Report) {
@@ -200,7 +213,7 @@ fn cannot(path: &Path, error: impl std::fmt::Display) -> (Status, miette::Report
 fn run_coverage(all: &VerifyArgs) -> CommandResult {
     let (args, write) = (&all.coverage, all.write);
     let bad = |report: miette::Report| (Status::BadInput, report);
-    set_threads(args.threads);
+    set_threads(all.threads);
     let mut console = Console::new(true);
     let mut suite = coverage::Suite {
         sets: vec![Set::Named, Set::Drawn(all.seed)],
@@ -211,13 +224,13 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
         },
         plastic: !args.elastic,
         keep: Keep {
-            folder: args.out.clone(),
+            folder: all.out.clone(),
             resume: args.resume,
         },
         observer: &mut console,
         say: &mut |text| say(text),
     };
-    if let Some(out) = &args.out {
+    if let Some(out) = &all.out {
         std::fs::create_dir_all(out).map_err(|error| cannot(out, error))?;
         for bearing in suite.sets.iter().flat_map(|set| set.bearings()) {
             let path = out.join(format!("{}.toml", bearing.name));
@@ -235,7 +248,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     if args.remake {
         return Ok(status(&answer, true));
     }
-    if let Some(out) = &args.out {
+    if let Some(out) = &all.out {
         let written = write_atomically(&out.join(COVERAGE_LINES), |file| {
             for record in &answer.records {
                 serde_json::to_writer(&mut *file, record)?;

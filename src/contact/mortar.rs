@@ -8,7 +8,7 @@
 
 use super::piece::{self, Gathered, Piece};
 use super::search::FacetTree;
-use super::side::Side;
+use super::side::{self, Side};
 use super::sliver;
 use crate::geometry::{Vec3, add, cross, dot, norm, planes_through, scale, sub, tangents, unit};
 use crate::mesh::{Mesh, Surface};
@@ -85,7 +85,7 @@ impl Pair<'_> {
 
 /// What the facets around a carrier node add up to.
 #[derive(Default)]
-pub struct Sum {
+pub(super) struct Sum {
     gathered: Gathered,
     terms: BTreeMap<u32, Vec3>,
     /// Areas of the facets around the node, covered by the other side or not, and their number.
@@ -120,9 +120,10 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
         .collect();
     let mut nodes: BTreeMap<u32, Sum> = BTreeMap::new();
     for (index, (piece, own)) in pieces.iter().zip(&carrier.nodes).enumerate() {
+        let area = side::area(&carrier.corners[index]);
         for (a, node) in own.iter().enumerate() {
             let sum = nodes.entry(*node).or_default();
-            sum.facets.0 += carrier.area(index);
+            sum.facets.0 += area;
             sum.facets.1 += 1;
             if let Some(piece) = piece {
                 sum.add(piece, a, own);

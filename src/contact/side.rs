@@ -46,12 +46,6 @@ impl Side {
         }
     }
 
-    /// Area of facet `index`.
-    pub fn area(&self, index: usize) -> f64 {
-        let [a, b, c, d] = self.corners[index];
-        0.5 * norm(cross(sub(c, a), sub(d, b)))
-    }
-
     /// With the images of facets within `distance` of the mirror planes: a carrier facet at the
     /// plane may look across it.
     pub fn with_images(mut self, mirrors: &[usize], distance: f64) -> Self {
@@ -97,6 +91,10 @@ fn times(a: Vec3, b: Vec3) -> Vec3 {
 /// Depth of the element below a face: its volume over the face's area.
 fn depth(mesh: &Mesh, face: &Face, corners: &[Vec3; 4]) -> f64 {
     let geometry = crate::fem::hex8::Geometry::new(&mesh.corners(face.element as usize));
-    let diagonals = cross(sub(corners[2], corners[0]), sub(corners[3], corners[1]));
-    geometry.volume / (0.5 * norm(diagonals))
+    geometry.volume / area(corners)
+}
+
+/// Area of a facet.
+pub fn area([a, b, c, d]: &[Vec3; 4]) -> f64 {
+    0.5 * norm(cross(sub(*c, *a), sub(*d, *b)))
 }

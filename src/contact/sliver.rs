@@ -17,7 +17,7 @@ const COVERED: f64 = 0.02;
 
 /// Adds the sums of slivers to those of the nodes beside them. `facets` are the nodes of all facets that the
 /// other side covers in part.
-pub fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item = [u32; 4]>) {
+pub(super) fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item = [u32; 4]>) {
     let slivers: BTreeMap<u32, f64> = nodes
         .iter()
         .map(|(node, sum)| (*node, sum.covered()))

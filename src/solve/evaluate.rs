@@ -234,10 +234,15 @@ impl super::rows::ContactRow {
     /// Relative displacement of the two sides at the row, in local components; without friction
     /// only the first is sought.
     pub fn relative(&self, u: &[[f64; 3]]) -> [f64; 3] {
+        self.relative_of(|node, axis| u[node][axis])
+    }
+
+    /// The same of the displacement that `u` has for a node and an axis.
+    pub fn relative_of(&self, u: impl Fn(usize, usize) -> f64) -> [f64; 3] {
         let mut d = [0.0; 3];
         for (node, coefficient) in &self.row.terms {
             for axis in 0..3 {
-                d[axis] += coefficient[axis] * u[*node as usize][axis];
+                d[axis] += coefficient[axis] * u(*node as usize, axis);
             }
         }
         self.local(d)

@@ -121,8 +121,8 @@ impl Progress {
     fn goes_on(&self) -> bool {
         const LATELY: usize = 6;
         const LESS: f64 = 0.1;
-        let lately = self.energies.iter().rev().take(LATELY).collect::<Vec<_>>();
-        lately.len() == LATELY && *lately[0] < LESS * lately[LATELY - 1]
+        let lately = self.energies.last_chunk::<LATELY>();
+        lately.is_some_and(|[first, .., last]| *last < LESS * first)
     }
 }
 
@@ -309,7 +309,7 @@ pub fn balance(
         }
         last.residual = norm(&evaluation.residual) / reference;
         last.penetration = violation(model, point, &evaluation);
-        last.changed = update_contact(model, point, &evaluation, &mut progress);
+        last.changed = update_contact(model, point, &evaluation, (last.iteration, &mut progress));
         count(&mut last, &evaluation);
         observer.iteration(&last);
         let settled = last.residual <= ROUGHLY && last.changed == 0;
@@ -365,13 +365,12 @@ fn update_contact(
     model: &Model,
     point: &mut Point,
     evaluation: &Evaluation,
-    progress: &mut Progress,
+    (iteration, progress): (usize, &mut Progress),
 ) -> usize {
     const FREE_ITERATIONS: usize = 12;
     const FREE_SWITCHES: u8 = 2;
     // Below this share of the largest pressure a friction bound or shear counts as unchanged.
     const SAME: f64 = 1e-6;
-    let iteration = progress.energies.len() + 1;
     let pressures = evaluation.contact.iter().map(|a| a.traction[0]);
     let largest = pressures.fold(0.0, f64::max);
     let rows = model.rows.iter().zip(&evaluation.contact);

@@ -37,9 +37,9 @@ struct Correction {
     system: PartialPivLu<f64>,
 }
 
-/// Columns that may be found at once, over the number of unknowns: they cost about half of a new factor. And the most
-/// that are used.
+/// Columns that may be found at once, over the number of unknowns: they cost about half of a new factor.
 const NEW: f64 = 1.0 / 12.0;
+/// The most that are kept. More than the factor has entries they may not take either.
 const MOST: usize = 900;
 
 fn tangent(row: &ContactRow, answer: &Answer) -> Tangent {
@@ -75,7 +75,9 @@ impl Update {
         let unknowns = model.dofs.len();
         let unknown = |row: &&usize| !self.columns.contains_key(row);
         let new: Vec<usize> = rows.iter().filter(unknown).copied().collect();
-        if 3 * new.len() > (NEW * unknowns as f64) as usize || 3 * rows.len() > MOST {
+        let kept = 3 * (self.columns.len() + new.len());
+        let dear = 3 * new.len() > (NEW * unknowns as f64) as usize;
+        if dear || kept > MOST || kept * unknowns > model.preconditioner.factor_entries() {
             return false;
         }
         if !new.is_empty() {
@@ -145,16 +147,10 @@ impl Update {
 impl ContactRow {
     /// Relative displacement in local components, of unknowns.
     fn gather(&self, model: &Model, x: &[f64]) -> [f64; 3] {
-        let mut d = [0.0; 3];
-        for (node, coefficient) in &self.row.terms {
-            let equations = model.dofs.equations[*node as usize];
-            for axis in 0..3 {
-                if equations[axis] != FIXED {
-                    d[axis] += coefficient[axis] * x[equations[axis] as usize];
-                }
-            }
-        }
-        self.local(d)
+        self.relative_of(|node, axis| match model.dofs.equations[node][axis] {
+            FIXED => 0.0,
+            equation => x[equation as usize],
+        })
     }
 
     /// Adds the forces on unknowns of a traction in local components, over the area.

@@ -46,7 +46,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
             2e-3,
         )
         .from("statics, w / 2 cos θ")
-        .because("pressure leans by up to x/R of 2 % about the mean normal; facets are chords"),
+        .because("pressure acts along the normal of the slope; the roller's facets are chords"),
         Claim::relative("p0 of each line, ksi", pressure, PEAK, 0.01)
             .from("boundary elements on half planes")
             .because("0.15 % each for h and for finite bodies, and the node next to the peak"),

@@ -77,7 +77,7 @@ impl Symbolic {
 
     /// Solves A x = b in place.
     pub fn solve(&self, factor: &Factor, x: &mut [f64]) {
-        solve(&self.inner, &factor.values, x, 1);
+        self.solve_many(factor, x, 1);
     }
 
     /// Solves A X = B in place, for `count` columns one after the other.

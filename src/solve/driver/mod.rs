@@ -175,7 +175,8 @@ struct Run<'a, 'o> {
     /// The end of the step if no steel yielded, from which its last increment starts.
     end: Option<Point>,
     counters: Counters,
-    /// Were bodies held back for a first guess in this increment?
+    /// Has statics been asked about this increment, and were bodies held back for a first guess?
+    asked: bool,
     held_back: bool,
     /// Share of the step that the next increment tries.
     size: f64,
@@ -213,6 +214,7 @@ impl<'a, 'o> Run<'a, 'o> {
             solver: LinearSolver::default(),
             guess: None,
             end: None,
+            asked: false,
             held_back: false,
             size: 0.0,
             states: Vec::new(),
@@ -329,7 +331,7 @@ impl<'a, 'o> Run<'a, 'o> {
                         continue;
                     }
                     self.accept(trial, &evaluation, target >= 1.0)?;
-                    self.held_back = false;
+                    (self.asked, self.held_back) = (false, false);
                     time = target;
                     self.accompany();
                     if !unforeseen.is_empty() {
@@ -349,40 +351,61 @@ impl<'a, 'o> Run<'a, 'o> {
                     self.expected.contact = f64::INFINITY;
                     self.rebuild(false, None)?;
                 }
-                Err(stopped) if !self.held_back && !self.gives_way(&stopped) => {
-                    if let Some(error) = no_balance(&self.model, (step, target), time) {
-                        return Err(error);
-                    }
-                    self.held_back = true;
-                    self.size = target - time;
-                    if !self.hold_back(step, target) {
+                Err(stopped) => {
+                    let at = At {
+                        step,
+                        time,
+                        iterations: self.counters.iterations - before,
+                    };
+                    if !self.try_otherwise(&stopped, &at, target)? {
                         return Ok(false);
                     }
                 }
-                Err(_) if !self.point.cautious => {
-                    self.point.cautious = true;
-                    self.size = target - time;
-                }
-                Err(stopped) => {
-                    self.size = 0.5 * (target - time);
-                    self.counters.cut_backs += 1;
-                    self.solver = LinearSolver::default();
-                    if self.size < controls.smallest_increment {
-                        let at = At {
-                            step,
-                            time,
-                            iterations: self.counters.iterations - before,
-                        };
-                        return Err(diagnose(&self.model, &stopped, &at));
-                    }
-                    self.observer.message(&format!(
-                        "cut back to {:.3} % of the step: {}",
-                        100.0 * (time + self.size),
-                        describe(&stopped.why)
-                    ));
-                }
             }
         }
+        Ok(true)
+    }
+
+    /// After an increment to `target` has failed: makes another way to it, or a smaller increment, ready. False where
+    /// the observer cancelled.
+    fn try_otherwise(
+        &mut self,
+        stopped: &Stopped,
+        at: &At,
+        target: f64,
+    ) -> Result<bool, SolveError> {
+        let (step, time) = (at.step, at.time);
+        let floats = !self.gives_way(stopped);
+        if floats && !self.asked {
+            self.asked = true;
+            if let Some(error) = no_balance(&self.model, (step, target), time) {
+                return Err(error);
+            }
+        }
+        self.size = target - time;
+        // What was in balance a little before is a better guess than springs find: they come in where nothing
+        // was, or where increments cannot be smaller.
+        let begins = (step, time) == (0, 0.0);
+        let smallest = 0.5 * self.size < self.model.scene.controls.smallest_increment;
+        if floats && !self.held_back && (begins || (smallest && self.point.cautious)) {
+            self.held_back = true;
+            return Ok(self.hold_back(step, target));
+        }
+        if !self.point.cautious {
+            self.point.cautious = true;
+            return Ok(true);
+        }
+        if smallest {
+            return Err(diagnose(&self.model, stopped, at));
+        }
+        self.size *= 0.5;
+        self.counters.cut_backs += 1;
+        self.solver = LinearSolver::default();
+        self.observer.message(&format!(
+            "cut back to {:.3} % of the step: {}",
+            100.0 * (time + self.size),
+            describe(&stopped.why)
+        ));
         Ok(true)
     }
 

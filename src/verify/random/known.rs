@@ -32,18 +32,13 @@ pub enum Balance {
 impl Known {
     pub fn balance(&self) -> Balance {
         let over = |limit: &Limit| (limit.has - limit.needs) / limit.has.abs().max(limit.needs);
-        let worst = |(least, close): (Balance, bool), limit: &Limit| {
-            let over = over(limit);
-            match over {
-                _ if over < -limit.within => (Balance::None, close),
-                _ if over < limit.within => (least, true),
-                _ => (least, close),
-            }
-        };
-        match self.limits.iter().fold((Balance::Sure, false), worst) {
-            (Balance::None, _) => Balance::None,
-            (_, true) => Balance::Close,
-            _ => Balance::Sure,
+        let mut limits = self.limits.iter();
+        if limits.clone().any(|limit| over(limit) < -limit.within) {
+            Balance::None
+        } else if limits.any(|limit| over(limit) < limit.within) {
+            Balance::Close
+        } else {
+            Balance::Sure
         }
     }
 

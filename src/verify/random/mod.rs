@@ -17,7 +17,6 @@ pub use page::{head, line, section, tally};
 
 use crate::case;
 use crate::job::{self, Options};
-use miette::Diagnostic;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use watch::Watch;
 
@@ -75,12 +74,10 @@ fn solve_bearing(seed: u64, number: usize, watch: &mut Watch) -> Verdict {
     let name = format!("{}.toml", drawn.name);
     let case = match case::parse(&name, &drawn.text()) {
         Ok(case) => case,
-        Err(error) => return outcome::refused(&known, None, &error.to_string()),
+        Err(error) => return outcome::refused(&known, &error),
     };
     match job::run(&case, &Options::default(), watch) {
-        Ok(outcome) if outcome.interrupted || !outcome.summary.converged => {
-            outcome::refused(&known, None, outcome::LATE)
-        }
+        Ok(outcome) if outcome.interrupted || !outcome.summary.converged => outcome::late(),
         Ok(outcome) => {
             let overlap = |limit: &String| limit.starts_with("penetration");
             let missed = outcome.missed_limits(&case).into_iter();
@@ -88,9 +85,6 @@ fn solve_bearing(seed: u64, number: usize, watch: &mut Watch) -> Verdict {
             let words = |limits: Vec<String>| (!limits.is_empty()).then(|| limits.join("; "));
             outcome::solved(&known, words(failed), words(doubts))
         }
-        Err(error) => {
-            let code = error.code().map(|code| code.to_string());
-            outcome::refused(&known, code.as_deref(), &error.to_string())
-        }
+        Err(error) => outcome::refused(&known, &error),
     }
 }

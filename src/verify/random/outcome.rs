@@ -2,6 +2,7 @@
 
 use super::known::{Balance, Known};
 use super::watch::Watch;
+use miette::Diagnostic;
 
 /// Of a case that took longer than it may.
 pub const LATE: &str = "not finished in 120 s";
@@ -77,23 +78,27 @@ pub fn solved(known: &Known, failed: Option<String>, doubt: Option<String>) -> V
     }
 }
 
-/// Of a case that ended with the error of this code, `None` where it took too long.
-pub fn refused(known: &Known, code: Option<&str>, message: &str) -> Verdict {
-    let why = message.lines().next().unwrap_or_default().to_owned();
-    let statics = code.is_some_and(|code| {
-        code.ends_with("solve::no_balance") || code.ends_with("solve::free_body")
-    });
-    let confirmed = match known.balance() {
-        Balance::Sure => false,
-        Balance::Close => statics,
-        // Not to converge is no reason.
-        Balance::None => statics,
-    };
-    let flows = code.is_none_or(|code| {
-        code.ends_with("solve::limit_load") || code.ends_with("solve::not_converged")
-    });
-    match confirmed || (flows && known.is_overloaded()) {
+/// Of a case that was refused with this error.
+pub fn refused(known: &Known, error: &dyn Diagnostic) -> Verdict {
+    let code = error.code().map(|code| code.to_string());
+    let is = |name: &str| code.as_ref().is_some_and(|code| code.ends_with(name));
+    let stands = known.balance() == Balance::Sure;
+    let falls = is("solve::no_balance") || is("solve::free_body");
+    // Steel that flows without limit ends as one or the other.
+    let flows = is("solve::limit_load") || is("solve::not_converged");
+    let why = first_line(error);
+    match (falls && !stands) || (flows && known.is_overloaded()) {
         true => Verdict::Refused { why },
         false => Verdict::Unexplained { why },
     }
+}
+
+/// Of a case that was not finished in time.
+pub fn late() -> Verdict {
+    Verdict::Unexplained { why: LATE.into() }
+}
+
+fn first_line(error: &dyn Diagnostic) -> String {
+    let message = error.to_string();
+    message.lines().next().unwrap_or_default().to_owned()
 }

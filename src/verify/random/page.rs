@@ -83,10 +83,11 @@ pub fn tally(outcomes: &[Outcome]) -> String {
     )
 }
 
-/// The section of `docs/stability.md`: what came of the cases of a seed, with those by name that went wrong.
-pub fn section(seed: u64, sets: &[(&str, Vec<Outcome>)]) -> String {
+/// The section of `docs/stability.md`: what came of the cases that these arguments draw, with those by name that
+/// went wrong.
+pub fn section(arguments: &str, sets: &[(&str, Vec<Outcome>)]) -> String {
     let mut text = format!(
-        "Written by `brinell verify --suite random --seed {seed} --write`; do not edit. Bearings and stacks of\n\
+        "Written by `brinell verify --suite random {arguments} --write`; do not edit. Bearings and stacks of\n\
          blocks are drawn by the seed, whatever comes of them. Each is solved, or refused for a reason that is\n\
          known without the solver: statics says that it cannot stand, or a bound of the limit load that plastic\n\
          steel cannot carry it. All else is unexplained.\n"

@@ -6,14 +6,15 @@
 
 use super::Kind;
 use super::known::{Known, Limit};
-use crate::geometry::{Vec3, cross, dot, norm, scale, sub, unit};
+use crate::geometry::{Vec3, dot, norm, scale, sub};
 use crate::material::Steel;
 use crate::mesh::Mesh;
 use crate::mesh::block::{Block, uniform};
-use crate::scene::{Partner, Scene, Side, Traction, TractionValue};
+use crate::scene::{Scene, Side, Traction, TractionValue};
 use crate::verify::stream::Stream;
 use crate::verify::{VerifyError, kit};
 use libm::{cos, sin};
+use nalgebra::{Rotation3, Unit, Vector3};
 use std::f64::consts::PI;
 
 /// A stack with what statics knows of it.
@@ -116,8 +117,9 @@ pub fn stack(seed: u64, number: usize) -> Result<Stack, VerifyError> {
     let sides: Vec<Side> = (1..count)
         .map(|_| stream.of([Side::Upper, Side::Lower]))
         .collect();
-    let axis = unit([(); 3].map(|()| stream.between([-1.0, 1.0]))).unwrap_or([0.0, 0.0, 1.0]);
+    let axis = Vector3::from([(); 3].map(|()| stream.between([-1.0, 1.0])));
     let angle = stream.of([0.0, 1.0]) * stream.between([0.1, 3.0]);
+    let rotation = Rotation3::from_axis_angle(&Unit::new_normalize(axis), angle);
 
     let top = &parts[count - 1];
     let area: f64 = (0..2).map(|i| top.high[i] - top.low[i]).product();
@@ -131,7 +133,7 @@ pub fn stack(seed: u64, number: usize) -> Result<Stack, VerifyError> {
         .map(|(part, name)| part.mesh(name))
         .collect();
     let mut mesh = Mesh::join(meshes?).map_err(|_| VerifyError::Missing("mesh"))?;
-    let turned = |v: Vec3| turn(v, axis, angle);
+    let turned = |v: Vec3| Vec3::from(rotation * Vector3::from(v));
     mesh.points.iter_mut().for_each(|p| *p = turned(*p));
     let mut scene = kit::scene(&Kind::Stack.name(seed, number), mesh, steels[0]);
     scene.materials = steels;
@@ -151,7 +153,6 @@ pub fn stack(seed: u64, number: usize) -> Result<Stack, VerifyError> {
             let mut pair = kit::pair(NAMES[k], &names[0], &names[1]);
             pair.friction = frictions[k - 1];
             pair.carrier = sides[k - 1];
-            pair.upper = Partner::Surface(names[0].clone());
             pair
         })
         .collect();
@@ -225,16 +226,10 @@ impl Part {
     fn mesh(&self, name: &str) -> Result<Mesh, VerifyError> {
         let [x, y, z] = self.cells;
         let line = |cells| uniform(0.0, 1.0, cells);
-        let block = Block::new(name, line(x), line(y), line(z)).mapped(|at| self.place(at));
-        let faces = ["z_min", "z_max"];
-        let block = faces.into_iter().fold(block, |block, face| {
-            block.face(face, format!("{name}_{face}"))
-        });
-        let sides = ["x_min", "x_max", "y_min", "y_max"];
-        let block = sides.into_iter().fold(block, |block, face| {
-            block.face(face, format!("{name}_{face}"))
-        });
-        Ok(block.build()?)
+        let block = Block::new("block", line(x), line(y), line(z)).mapped(|at| self.place(at));
+        let faces = ["x_min", "x_max", "y_min", "y_max", "z_min", "z_max"];
+        let block = (faces.into_iter()).fold(block, |block, face| block.face(face, face));
+        Ok(block.build()?.prefixed(&format!("{name}_")))
     }
 
     /// From the unit cube into the part. Inner nodes are moved to and fro, and so are those of a face within it.
@@ -253,12 +248,4 @@ impl Part {
         let [low, high] = self.faces.map(|face| face.at(plan));
         [plan[0], plan[1], low + share * (high - low)]
     }
-}
-
-/// Turned about an axis through the origin (Rodrigues).
-pub fn turn(v: Vec3, axis: Vec3, angle: f64) -> Vec3 {
-    let across = cross(axis, v);
-    let along = dot(axis, v);
-    [0, 1, 2]
-        .map(|i| v[i] * cos(angle) + across[i] * sin(angle) + axis[i] * along * (1.0 - cos(angle)))
 }

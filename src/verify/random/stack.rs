@@ -1,7 +1,7 @@
 //! Solving a stack, and looking at its answer from all sides.
 
 use super::outcome::{self, Verdict};
-use super::scene::{self, Stack, turn};
+use super::scene::{self, Stack};
 use super::watch::Watch;
 use crate::geometry::{Vec3, add, norm, scale, sub};
 use crate::material::mises;
@@ -9,7 +9,7 @@ use crate::results::State;
 use crate::scene::{Scene, TractionValue};
 use crate::solve::{self, SolveError};
 use crate::verify::energy::strain_energy;
-use miette::Diagnostic;
+use nalgebra::{Rotation3, Unit, Vector3};
 
 /// Relative error of forces and energies in balance.
 const BALANCED: f64 = 1e-6;
@@ -34,11 +34,8 @@ pub fn solve(seed: u64, number: usize, watch: &mut Watch) -> Verdict {
             let failed = check(&stack, &state).or_else(|| differs(&stack, &state));
             outcome::solved(&stack.known, failed, overlap(&stack, &state))
         }
-        Ok(None) => outcome::refused(&stack.known, None, outcome::LATE),
-        Err(error) => {
-            let code = error.code().map(|code| code.to_string());
-            outcome::refused(&stack.known, code.as_deref(), &error.to_string())
-        }
+        Ok(None) => outcome::late(),
+        Err(error) => outcome::refused(&stack.known, &error),
     }
 }
 
@@ -58,10 +55,10 @@ fn check(stack: &Stack, state: &State) -> Option<String> {
         if !(off <= BALANCED) {
             return Some(format!("{}: the force is off by {off:.1e}", pair.name));
         }
-        let most = field.pressure.iter().fold(0.0f64, |most, p| most.max(*p));
+        let most = largest(field.pressure.iter().copied());
         let slips = field.traction.iter().zip(&field.pressure);
         let beyond = slips.map(|(t, p)| norm(*t) - pair.friction * p.max(0.0));
-        let beyond = beyond.fold(0.0, f64::max) / most;
+        let beyond = largest(beyond) / most;
         if !(beyond <= BALANCED) {
             return Some(format!(
                 "{}: beyond Coulomb's law by {beyond:.1e}",
@@ -69,7 +66,9 @@ fn check(stack: &Stack, state: &State) -> Option<String> {
             ));
         }
     }
-    let energy = state.energy?;
+    let Some(energy) = state.energy else {
+        return Some("its energy is not known".into());
+    };
     let spent = energy.elastic + energy.plastic + energy.friction + energy.contact;
     let lost = (energy.work - spent).abs() / energy.turned_over;
     let stored = (strain_energy(&stack.scene, state) - energy.elastic).abs() / energy.turned_over;
@@ -141,26 +140,16 @@ fn differs(stack: &Stack, state: &State) -> Option<String> {
 }
 
 fn turned(scene: &Scene) -> Guise {
-    const AXIS: Vec3 = [0.48, 0.6, 0.64];
-    const ANGLE: f64 = 1.1;
-    let mut scene = scene.clone();
-    scene
-        .mesh
-        .points
-        .iter_mut()
-        .for_each(|p| *p = turn(*p, AXIS, ANGLE));
-    for traction in &mut scene.tractions {
-        if let TractionValue::Vector(t) = &mut traction.value {
-            *t = turn(*t, AXIS, ANGLE);
-        }
-    }
+    let axis = Unit::new_normalize(Vector3::new(0.48, 0.6, 0.64));
+    let rotation = Rotation3::from_axis_angle(&axis, 1.1);
+    let turn = move |v: Vec3| (rotation * Vector3::from(v)).into();
     Guise {
         what: "turned",
-        scene,
+        scene: moved(scene, turn, turn),
         node: Box::new(|node| node),
         element: Box::new(|element| element),
         stress: 1.0,
-        back: Box::new(|u| turn(u, AXIS, -ANGLE)),
+        back: Box::new(move |u| (rotation.inverse() * Vector3::from(u)).into()),
     }
 }
 
@@ -168,21 +157,11 @@ fn turned(scene: &Scene) -> Guise {
 fn scaled(scene: &Scene) -> Guise {
     const LENGTH: f64 = 1e6;
     const STRESS: f64 = 1e3;
-    let mut scene = scene.clone();
-    scene
-        .mesh
-        .points
-        .iter_mut()
-        .for_each(|p| *p = scale(*p, LENGTH));
+    let mut scene = moved(scene, |p| scale(p, LENGTH), |t| scale(t, STRESS));
     for steel in &mut scene.materials {
         steel.youngs_modulus *= STRESS;
         steel.yield_stress *= STRESS;
         steel.hardening_modulus *= STRESS;
-    }
-    for traction in &mut scene.tractions {
-        if let TractionValue::Vector(t) = &mut traction.value {
-            *t = scale(*t, STRESS);
-        }
     }
     Guise {
         what: "in other units",
@@ -192,6 +171,20 @@ fn scaled(scene: &Scene) -> Guise {
         stress: STRESS,
         back: Box::new(|u| scale(u, 1.0 / LENGTH)),
     }
+}
+
+/// With other points and other tractions.
+fn moved(scene: &Scene, point: impl Fn(Vec3) -> Vec3, traction: impl Fn(Vec3) -> Vec3) -> Scene {
+    let mut scene = scene.clone();
+    for p in &mut scene.mesh.points {
+        *p = point(*p);
+    }
+    for load in &mut scene.tractions {
+        if let TractionValue::Vector(t) = &mut load.value {
+            *t = traction(*t);
+        }
+    }
+    scene
 }
 
 /// Nodes, and elements within their bodies, from the last to the first.

@@ -245,7 +245,8 @@ fn solve_on(
     let recovered = recover(&scene, reported(&scene, &solution));
     let fields = (&solution, &recovered);
     let mut summary = summarise(case, &scene, fields, second, timing, options)?;
-    summary.warnings.extend(solution.stuck.clone().map(Warning));
+    let remarks = [&solution.stuck, &solution.laborious].into_iter().flatten();
+    summary.warnings.extend(remarks.cloned().map(Warning));
     if let Some(text) = strips::shortcoming(case, &scene, reported(&scene, &solution)) {
         summary.warnings.push(Warning(text));
     }

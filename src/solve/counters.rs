@@ -1,5 +1,6 @@
 //! How often the expensive parts of a solution ran.
 
+use super::effort::Effort;
 use super::model::Model;
 use super::timers::Timers;
 use serde::{Deserialize, Serialize};
@@ -9,6 +10,7 @@ use serde::{Deserialize, Serialize};
 pub struct Counters {
     pub iterations: usize,
     pub cut_backs: usize,
+    pub effort: Effort,
     pub factorisations: usize,
     pub linear_solves: usize,
     pub krylov_directions: usize,

@@ -100,6 +100,20 @@ pub enum SolveError {
         body: String,
         share: f64,
     },
+    #[error(
+        "step `{step}` came to {percent:.3} % in {iterations} iterations, more than are spent on taking a load off"
+    )]
+    #[diagnostic(
+        code(brinell::solve::crawls),
+        help(
+            "without load bodies that only contact holds all but float: take off less of it, or use a finer mesh"
+        )
+    )]
+    Crawls {
+        step: String,
+        percent: f64,
+        iterations: usize,
+    },
     #[error("what stays after unloading was not found: {residual:.1e} of the forces are left over")]
     #[diagnostic(
         code(brinell::solve::spring_back),
@@ -186,6 +200,7 @@ impl SolveError {
                 | Self::FreeBody { .. }
                 | Self::NoBalance(_)
                 | Self::LimitLoad { .. }
+                | Self::Crawls { .. }
         )
     }
 }

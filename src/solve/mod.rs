@@ -11,6 +11,7 @@ mod consistent;
 mod counters;
 mod diagnosis;
 mod driver;
+mod effort;
 mod energy;
 mod error;
 mod evaluate;

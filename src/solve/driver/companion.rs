@@ -113,6 +113,7 @@ impl Run<'_, '_> {
         let ends = passed.into_iter().enumerate().filter(|(i, _)| i % 2 != odd);
         let mut evaluation = None;
         for (_, mut trial) in ends {
+            let before = self.counters.iterations;
             let balanced = newton::balance(
                 &self.model,
                 &companion.history,
@@ -121,6 +122,7 @@ impl Run<'_, '_> {
                 self.observer,
                 &mut self.counters,
             );
+            self.counters.effort.second += self.counters.iterations - before;
             match balanced {
                 Ok(found) => {
                     companion.history.advance(&mut trial, &found);

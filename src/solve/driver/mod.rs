@@ -9,6 +9,7 @@ mod plan;
 use super::anchor;
 use super::counters::Counters;
 use super::diagnosis::{At, describe, diagnose, no_balance};
+use super::effort::UNLOADING;
 use super::error::SolveError;
 use super::evaluate::History;
 use super::foresight::Expected;
@@ -52,6 +53,8 @@ pub struct Solution {
     pub complete: bool,
     /// Why the load was not taken off to the end, in words, where all steps before were finished.
     pub stuck: Option<String>,
+    /// Why it took many iterations, in words, where it did.
+    pub laborious: Option<String>,
 }
 
 /// Solves `scene`, telling `observer` of every iteration and increment.
@@ -143,6 +146,7 @@ pub fn resume(
             .iter()
             .map(|kept| kept.restore(&run.model)))
         .collect(),
+        laborious: (run.counters.effort).reason(run.counters.iterations, run.counters.cut_backs),
         counters: run.counters,
         closings,
         untouched,
@@ -295,8 +299,22 @@ impl<'a, 'o> Run<'a, 'o> {
         if time == 0.0 {
             self.size = self.first_increment();
             self.point.cautious = false;
+            self.counters.effort.before_step = self.counters.iterations;
         }
+        let unloads = self
+            .model
+            .scene
+            .before_unloading()
+            .is_some_and(|full| step > full);
         while time < 1.0 {
+            let spent = self.counters.iterations - self.counters.effort.before_step;
+            if unloads && spent > UNLOADING {
+                return Err(SolveError::Crawls {
+                    step: self.model.scene.steps[step].name.clone(),
+                    percent: 100.0 * time,
+                    iterations: spent,
+                });
+            }
             let most = self.size.min(self.relief(step, time));
             let end = self.planned_end(step, time);
             let target = if time + 1.001 * most >= end {
@@ -315,9 +333,9 @@ impl<'a, 'o> Run<'a, 'o> {
                 self.observer,
                 &mut self.counters,
             );
+            let iterations = self.counters.iterations - before;
             match result {
                 Ok(evaluation) => {
-                    let iterations = self.counters.iterations - before;
                     if iterations <= controls.iterations / 3 {
                         self.size = (GROWTH * self.size).min(LARGEST * self.first_increment());
                     }
@@ -326,6 +344,7 @@ impl<'a, 'o> Run<'a, 'o> {
                         return Ok(false);
                     }
                     if unforeseen.missed {
+                        self.counters.effort.unforeseen += iterations;
                         self.prepare_for(unforeseen, Some(&trial))?;
                         self.size = target - time;
                         continue;
@@ -346,16 +365,17 @@ impl<'a, 'o> Run<'a, 'o> {
                     why: Failure::Cancelled,
                     ..
                 }) => return Ok(false),
-                Err(_) if !self.model.spare.is_empty() => {
-                    // Perhaps a body is held by contact that was left out.
-                    self.expected.contact = f64::INFINITY;
-                    self.rebuild(false, None)?;
-                }
                 Err(stopped) => {
+                    self.counters.effort.given_up += iterations;
+                    if !self.model.spare.is_empty() {
+                        // Perhaps a body is held by contact that was left out.
+                        self.expected.contact = f64::INFINITY;
+                        self.rebuild(false, None)?;
+                    }
                     let at = At {
                         step,
                         time,
-                        iterations: self.counters.iterations - before,
+                        iterations,
                     };
                     if !self.try_otherwise(&stopped, &at, target)? {
                         return Ok(false);
@@ -419,6 +439,7 @@ impl<'a, 'o> Run<'a, 'o> {
     fn hold_back(&mut self, step: usize, target: f64) -> bool {
         self.observer
             .message("bodies are held back by springs that become weaker, for a first guess");
+        let before = self.counters.iterations;
         let mut guess = self.predict(step, target);
         self.touch(&mut guess);
         let held = anchor::approach(
@@ -430,6 +451,7 @@ impl<'a, 'o> Run<'a, 'o> {
             &mut self.counters,
         );
         self.guess = Some(guess);
+        self.counters.effort.held_back += self.counters.iterations - before;
         held.is_ok()
     }
 

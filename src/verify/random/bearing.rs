@@ -5,7 +5,7 @@ use super::known::{Known, Limit};
 use crate::verify::drawn::{Drawn, End, INCH, METRIC, digits};
 use crate::verify::stream::Stream;
 use libm::{cos, sin, tan};
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::PI;
 
 /// Loads, over that at which the pressure of the study's rule (2-49) is reached, p0 = 1.65 Y.
 const LOADS: [f64; 2] = [0.1, 4.0];
@@ -114,6 +114,9 @@ pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
     (bearing, known)
 }
 
+/// Corners of a roller on the mesh of the report, which rolls on them.
+const CORNERS: f64 = 24.0;
+
 /// What a displaced bearing needs to stand.
 ///
 /// Rollers weigh nothing: the force in each passes from its line of contact above to that below, so leans by half
@@ -121,35 +124,55 @@ pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
 /// tan(slope/2) both lean by √2 t from the normals of all faces. The forces in all parts lie on one straight
 /// line, which from the line of contact at s reaches s + t H in the height H of both rollers and the plate
 /// between them.
+///
+/// A roller of the mesh has corners. It bears on that which is nearest to the slope, at the angle c from the lowest
+/// point, or on those beside it as far as the bodies are dented: t is known to lie between tan(slope/2) and tan(c/2).
 fn limits(bearing: &Drawn) -> Vec<Limit> {
     if bearing.offset == 0.0 {
         return Vec::new();
     }
     let slope = bearing.degrees.to_radians();
-    let lean = tan(0.5 * slope);
+    let apart = 2.0 * PI / CORNERS;
+    let corner = apart * (slope / apart).round();
+    let round = tan(0.5 * slope);
+    let meshed = tan(0.5 * corner);
     let height = bearing.thickness[1]
         + 2.0 * bearing.offset * tan(slope)
         + bearing.diameter * (1.0 + 1.0 / cos(slope));
-    let touches = bearing.offset + 0.5 * bearing.diameter * sin(slope);
     let end = match bearing.end {
         End::Radius(radius) => radius,
         _ => 0.0,
     };
+    let friction = [round, meshed].map(|lean| {
+        let slid = [[0.0, 0.0], [tan(slope), 0.0]].map(|face| sheared([lean; 2], face));
+        slid[0].max(slid[1])
+    });
+    let length = [(round, slope), (meshed, corner)].map(|(lean, at)| {
+        let touches = bearing.offset + 0.5 * bearing.diameter * sin(at);
+        (bearing.offset + lean * height).max(touches)
+    });
+    let between = |what, has, [a, b]: [f64; 2], within: f64| Limit {
+        what,
+        has,
+        needs: [a.min(b) * (1.0 - within), a.max(b) * (1.0 + within)],
+    };
     vec![
-        Limit {
-            what: "friction",
-            has: bearing.friction,
-            needs: SQRT_2 * lean,
-            within: 0.03,
-        },
-        Limit {
-            what: "length of the rollers",
-            has: 0.5 * bearing.length - end,
-            needs: (bearing.offset + lean * height).max(touches),
-            // The middle of a force is known to an element of the mesh.
-            within: 0.06,
-        },
+        between("friction", bearing.friction, friction, 0.03),
+        // The middle of a force is known to an element of the mesh.
+        between(
+            "length of the rollers",
+            0.5 * bearing.length - end,
+            length,
+            0.06,
+        ),
     ]
+}
+
+/// Shear over pressure of the force along (x, y, 1) on the face whose normal is along (a, b, 1).
+fn sheared([x, y]: [f64; 2], [a, b]: [f64; 2]) -> f64 {
+    let pressed = x * a + y * b + 1.0;
+    let across = [y - b, a - x, x * b - y * a];
+    across.iter().map(|c| c * c).sum::<f64>().sqrt() / pressed
 }
 
 /// An upper bound of the load that the rollers carry as rings, which collapse by four hinges: the two halves of

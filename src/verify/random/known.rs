@@ -5,9 +5,20 @@
 pub struct Limit {
     pub what: &'static str,
     pub has: f64,
-    pub needs: f64,
-    /// By how much of it a mesh may be wrong.
-    pub within: f64,
+    /// What it needs at least, on some mesh, and what is enough on all.
+    pub needs: [f64; 2],
+}
+
+impl Limit {
+    /// One that is needed to within this share of it, or of what there is.
+    pub fn about(what: &'static str, has: f64, needs: f64, within: f64) -> Self {
+        let off = within * has.abs().max(needs);
+        Self {
+            what,
+            has,
+            needs: [needs - off, needs + off],
+        }
+    }
 }
 
 /// What is known of a case.
@@ -31,11 +42,10 @@ pub enum Balance {
 
 impl Known {
     pub fn balance(&self) -> Balance {
-        let over = |limit: &Limit| (limit.has - limit.needs) / limit.has.abs().max(limit.needs);
         let mut limits = self.limits.iter();
-        if limits.clone().any(|limit| over(limit) < -limit.within) {
+        if limits.clone().any(|limit| limit.has < limit.needs[0]) {
             Balance::None
-        } else if limits.any(|limit| over(limit) < limit.within) {
+        } else if limits.any(|limit| limit.has < limit.needs[1]) {
             Balance::Close
         } else {
             Balance::Sure
@@ -44,11 +54,11 @@ impl Known {
 
     /// What is missing for balance, in words.
     pub fn missing(&self) -> Option<String> {
-        let lacking = |limit: &&Limit| limit.has < limit.needs;
+        let lacking = |limit: &&Limit| limit.has < limit.needs[0];
         let limit = self.limits.iter().find(lacking)?;
         Some(format!(
             "{} {:.4} where {:.4} is needed",
-            limit.what, limit.has, limit.needs
+            limit.what, limit.has, limit.needs[0]
         ))
     }
 
@@ -64,12 +74,7 @@ mod tests {
 
     fn known(has: f64) -> Known {
         Known {
-            limits: vec![Limit {
-                what: "friction",
-                has,
-                needs: 0.1,
-                within: 0.03,
-            }],
+            limits: vec![Limit::about("friction", has, 0.1, 0.03)],
             plastic: 1.0,
             load: 2.0,
         }

@@ -194,12 +194,7 @@ fn limits(parts: &[Part], frictions: &[f64], force: Vec3) -> Vec<Limit> {
         let pressed = -dot(force, normal);
         let shear = norm(sub(force, scale(normal, -pressed)));
         if shear > NOTHING * pressed {
-            limits.push(Limit {
-                what: "friction",
-                has: *friction,
-                needs: shear / pressed,
-                within: 0.02,
-            });
+            limits.push(Limit::about("friction", *friction, shear / pressed, 0.02));
         }
         // Where the line of force meets the interface.
         let origin = [0.0, 0.0, face.height];
@@ -211,12 +206,12 @@ fn limits(parts: &[Part], frictions: &[f64], force: Vec3) -> Vec<Limit> {
             // Pressure at the very edge of the area takes nodes there: its middle is known to a third of a cell.
             let cell = |part: &Part| (part.high[i] - part.low[i]) / part.cells[i] as f64;
             let half = 0.5 * (high - low);
-            limits.push(Limit {
-                what: "half of the width that bears",
-                has: half,
-                needs: (at[i] - 0.5 * (low + high)).abs().max(NOTHING),
-                within: cell(below).max(cell(above)) / (3.0 * half.abs()),
-            });
+            limits.push(Limit::about(
+                "half of the width that bears",
+                half,
+                (at[i] - 0.5 * (low + high)).abs().max(NOTHING),
+                cell(below).max(cell(above)) / (3.0 * half.abs()),
+            ));
         }
     }
     limits

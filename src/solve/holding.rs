@@ -125,6 +125,23 @@ impl Frames {
         })
     }
 
+    /// What the motions of all bodies move each node.
+    pub fn displacement(&self, vector: &[f64]) -> Vec<Vec3> {
+        let at = |(bodies, at): (&Vec<usize>, &Vec3)| {
+            let Some(body) = bodies.first() else {
+                return [0.0; 3];
+            };
+            let own = &vector[6 * body..6 * body + 6];
+            [0, 1, 2].map(|axis| {
+                let mut direction = [0.0; 3];
+                direction[axis] = 1.0;
+                let does = self.row(*body, *at, direction, 1.0);
+                does.iter().zip(own).map(|(d, v)| d * v).sum()
+            })
+        };
+        self.bodies.iter().zip(&self.points).map(at).collect()
+    }
+
     /// What the loads, times their factors by name, do to the motions of all bodies.
     pub fn load(&self, scene: &Scene, factor: &dyn Fn(&str) -> f64) -> Vec<f64> {
         let mut forces = vec![[0.0; 3]; scene.mesh.points.len()];

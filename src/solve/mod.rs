@@ -24,6 +24,7 @@ mod newton;
 mod observer;
 mod reaction;
 mod restart;
+mod rigid;
 mod rows;
 mod size;
 mod spring_back;

@@ -7,12 +7,13 @@
 //! balance, a motion that the loads drive and that no contact resists (the lemma of Farkas): the body tips or
 //! slides along it. Nothing here knows of stiffness, or of how the solution is found.
 
-use super::holding::{Frames, FreeMotion, Seen, relative};
+use super::holding::{Frames, FreeMotion};
+use super::rigid::{Touch, free_motions};
 use super::rows::ContactRow;
 use super::start::extent;
 use crate::geometry::{Vec3, add, dot, norm, scale, sub, unit};
 use crate::scene::Scene;
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
@@ -96,22 +97,6 @@ pub fn imbalance<'r>(
     })
 }
 
-/// Motions of all bodies that supports, rigid planes and shared nodes leave, a column each; `None` where there are
-/// none.
-fn free_motions(scene: &Scene, frames: &Frames) -> Option<DMatrix<f64>> {
-    const UNSEEN: f64 = 1e-9;
-    let mut seen = Seen::new(scene.mesh.bodies.len());
-    seen.supports(scene, frames);
-    seen.planes(scene, frames);
-    seen.shared_nodes(frames);
-    let eigen = SymmetricEigen::new(seen.matrix);
-    let free = (0..eigen.eigenvalues.len()).filter(|i| eigen.eigenvalues[*i] < UNSEEN);
-    let columns: Vec<_> = free
-        .map(|i| eigen.eigenvectors.column(i).into_owned())
-        .collect();
-    (!columns.is_empty()).then(|| DMatrix::from_columns(&columns))
-}
-
 /// The rows that can bear a rigid body: where the gap is least along the surface in one direction at least, and
 /// small enough for the body to rock there. A roller bears along a line, a flat face wherever it is flat; beside
 /// the line it bears only on what elasticity makes of it.
@@ -180,32 +165,6 @@ fn neighbours(scene: &Scene, pair: usize) -> BTreeMap<u32, BTreeSet<u32>> {
         }
     }
     beside
-}
-
-/// A contact row, as the free motions see it: closure, and slip along both tangents.
-struct Touch {
-    friction: f64,
-    normal: DVector<f64>,
-    tangents: Option<[DVector<f64>; 2]>,
-}
-
-impl Touch {
-    fn new(contact: &ContactRow, frames: &Frames, free: &DMatrix<f64>) -> Self {
-        let on = |direction: Vec3| {
-            let mut sum = DVector::zeros(free.ncols());
-            for (body, values) in relative(contact, direction, frames) {
-                for (i, value) in values.into_iter().enumerate() {
-                    sum += value * free.row(6 * body + i).transpose();
-                }
-            }
-            sum
-        };
-        Self {
-            friction: contact.law.friction,
-            normal: on(contact.row.normal),
-            tangents: contact.row.tangents.map(|t| t.map(on)),
-        }
-    }
 }
 
 /// Edges of the cones of friction, a column each; `friction` says what becomes of a coefficient.

@@ -17,6 +17,7 @@ use super::model::{Model, can_yield};
 use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
 use super::restart::{Beside, Kept, Restart};
+use super::rigid;
 use super::rows::{contact_rows, sights};
 use super::start::{self, Closing};
 use super::timers::{Phase, Timers};
@@ -31,6 +32,9 @@ pub use companion::KeptCompanion;
 /// asks for a small first increment asks for a fine path.
 const GROWTH: f64 = 1.5;
 const LARGEST: f64 = 3.0;
+
+/// Share of a step to which the plastic limit is sought: meshes know it no better.
+const LIMIT_KNOWN: f64 = 5e-3;
 
 /// What a solved scene leaves behind.
 #[derive(Debug, Clone)]
@@ -306,6 +310,9 @@ impl<'a, 'o> Run<'a, 'o> {
             .scene
             .before_unloading()
             .is_some_and(|full| step > full);
+        if (step, time) == (0, 0.0) {
+            self.come_to_rest(self.size.min(self.relief(step, time)))?;
+        }
         while time < 1.0 {
             let spent = self.counters.iterations - self.counters.effort.before_step;
             if unloads && spent > UNLOADING {
@@ -406,7 +413,13 @@ impl<'a, 'o> Run<'a, 'o> {
         // What was in balance a little before is a better guess than springs find: they come in where nothing
         // was, or where increments cannot be smaller.
         let begins = (step, time) == (0, 0.0);
-        let smallest = 0.5 * self.size < self.model.scene.controls.smallest_increment;
+        let least = self.model.scene.controls.smallest_increment;
+        let least = if floats {
+            least
+        } else {
+            least.max(LIMIT_KNOWN)
+        };
+        let smallest = 0.5 * self.size < least;
         if floats && !self.held_back && (begins || (smallest && self.point.cautious)) {
             self.held_back = true;
             return Ok(self.hold_back(step, target));
@@ -433,6 +446,32 @@ impl<'a, 'o> Run<'a, 'o> {
     fn gives_way(&self, stopped: &Stopped) -> bool {
         const LITTLE: f64 = 0.02;
         stopped.flowing.len() as f64 > LITTLE * self.model.scene.mesh.hexes.len() as f64
+    }
+
+    /// Finds a first guess at `target` with rigid bodies, and prepares all rows that press there.
+    fn come_to_rest(&mut self, target: f64) -> Result<(), SolveError> {
+        loop {
+            let model = &self.model;
+            let rows: Vec<_> = model.rows.iter().chain(&model.spare).collect();
+            let factor = |name: &str| model.factor(name, 0, target);
+            let Some(mut rest) = rigid::at_rest(model.scene, &rows, &factor) else {
+                return Ok(());
+            };
+            let spare = rest.nodes.split_off(model.rows.len());
+            if spare.iter().any(|node| node.closed) {
+                self.expected.contact = f64::INFINITY;
+                self.rebuild(false, None)?;
+                continue;
+            }
+            self.guess = Some(Point {
+                x: model.unknowns(&rest.displacement),
+                nodes: rest.nodes,
+                ..self.point.clone()
+            });
+            // Where they rest they are in balance.
+            self.asked = true;
+            return Ok(());
+        }
     }
 
     /// Finds a first guess at `target` with bodies that springs hold back. False where the observer cancelled.

@@ -114,8 +114,10 @@ pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
     (bearing, known)
 }
 
-/// Corners of a roller on the mesh of the report, which rolls on them.
+/// Corners of a roller on the mesh of the report, which rolls on them, and the length of an element along it over its
+/// diameter.
 const CORNERS: f64 = 24.0;
+const ALONG: f64 = 1.0 / 6.0;
 
 /// What a displaced bearing needs to stand.
 ///
@@ -151,20 +153,18 @@ fn limits(bearing: &Drawn) -> Vec<Limit> {
         let touches = bearing.offset + 0.5 * bearing.diameter * sin(at);
         (bearing.offset + lean * height).max(touches)
     });
-    let between = |what, has, [a, b]: [f64; 2], within: f64| Limit {
+    let between = |what, has, [a, b]: [f64; 2], off: f64| Limit {
         what,
         has,
-        needs: [a.min(b) * (1.0 - within), a.max(b) * (1.0 + within)],
+        needs: [a.min(b) - off, a.max(b) + off],
     };
+    let rough = 0.03 * friction[0].max(friction[1]);
+    // The middle of a force is known to an element of the mesh.
+    let element = ALONG * bearing.diameter;
+    let half = 0.5 * bearing.length - end;
     vec![
-        between("friction", bearing.friction, friction, 0.03),
-        // The middle of a force is known to an element of the mesh.
-        between(
-            "length of the rollers",
-            0.5 * bearing.length - end,
-            length,
-            0.06,
-        ),
+        between("friction", bearing.friction, friction, rough),
+        between("half of the length of the rollers", half, length, element),
     ]
 }
 
@@ -177,7 +177,8 @@ fn sheared([x, y]: [f64; 2], [a, b]: [f64; 2]) -> f64 {
 
 /// An upper bound of the load that the rollers carry as rings, which collapse by four hinges: the two halves of
 /// the work P w are spent in hinges that turn by 8 w / (2 r) together, each at the moment M = 2/√3 Y t²/4 of plane
-/// strain, so that P = 4 M L / r at the mean radius r. Infinite for solid rollers.
+/// strain, so that P = 4 M L / r at the mean radius r. (A ring that has become flat may carry more, but has then
+/// moved too far for small displacements.) Infinite for solid rollers.
 fn ring(bearing: &Drawn, strength: f64) -> f64 {
     bearing.wall.map_or(f64::INFINITY, |wall| {
         let moment = 2.0 / 3f64.sqrt() * strength * wall * wall / 4.0;

@@ -2,6 +2,7 @@
 
 use crate::case::variant;
 use crate::hash::Fnv;
+use crate::input;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
@@ -38,7 +39,7 @@ impl MeshFiles {
         let Some(file) = mesh_file(text) else {
             return 0;
         };
-        let hash = |path: &PathBuf| std::fs::read(path).map_or(0, |bytes| Fnv::of(&bytes));
+        let hash = |path: &PathBuf| input::bytes(path).map_or(0, |bytes| Fnv::of(&bytes));
         *self.known.entry(file).or_insert_with_key(hash)
     }
 }

@@ -17,7 +17,9 @@ pub struct MeshFiles {
 
 impl MeshFiles {
     pub fn new(case: &Path) -> Self {
-        let folder = case.parent().unwrap_or(Path::new(""));
+        // An empty path has no absolute one.
+        let folder = case.parent().filter(|folder| *folder != Path::new(""));
+        let folder = folder.unwrap_or(Path::new("."));
         Self {
             folder: std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()),
             known: BTreeMap::new(),

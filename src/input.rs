@@ -8,6 +8,9 @@ use std::path::Path;
 /// Bytes that a text which somebody writes by hand, or a table of cases, may have.
 pub const TEXT: u64 = 256 << 20;
 
+/// What is read however little memory is left: whether the rest is enough, the solution says better.
+const SMALL: u64 = 4 << 20;
+
 /// The bytes of the file at `path`, which may be as many as half of the memory that is left.
 ///
 /// # Errors
@@ -15,7 +18,9 @@ pub const TEXT: u64 = 256 << 20;
 pub fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     bounded(
         path,
-        memory::available().map_or(u64::MAX - 1, |left| (0.5 * left) as u64),
+        memory::available()
+            .map_or(u64::MAX - 1, |left| (0.5 * left) as u64)
+            .max(SMALL),
     )
 }
 

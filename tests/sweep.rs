@@ -384,3 +384,30 @@ fn a_row_beyond_the_memory_is_refused_with_its_estimate() {
     );
     assert_eq!(bench.run("--out out --resume").0, 0);
 }
+
+/// A slip in a grid is told before its rows fill the memory.
+#[test]
+fn a_grid_beyond_all_reason_is_refused() {
+    let long = |key: usize| format!("a{key} = {:?}\n", [1; 400]);
+    let pair = |key: usize| format!("a{key} = [1, 2]\n");
+    let rows: String = (0..2).map(long).collect();
+    let values: String = (0..16).map(pair).collect();
+    for (grid, what) in [(rows, "100000 rows"), (values, "1000000 values")] {
+        let (status, said) = Bench::new(&quick(&format!("[grid]\n{grid}"))).run("--out out");
+        assert_eq!(status, 2, "{said}");
+        assert!(said.contains(&format!("more than {what}")), "{said}");
+    }
+}
+
+/// A mesh that never ends is no mesh.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_device_is_no_mesh_of_a_sweep() {
+    let bench = Bench::new(&quick("[[row]]\nmesh.file = \"/dev/zero\"\n"));
+    let (status, said) = bench.run("--out out");
+    assert_eq!(status, 2, "{said}");
+    assert!(
+        said.contains("/dev/zero: cannot read the mesh file"),
+        "{said}"
+    );
+}

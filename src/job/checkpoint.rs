@@ -44,12 +44,14 @@ impl Checkpoint {
             source: std::io::Error::other(error),
         };
         let content: Vec<u8> = postcard::to_stdvec(restart).map_err(failed)?;
-        write_atomically(&self.path, |out| {
-            out.write_all(FORMAT)?;
-            out.write_all(&self.scene.to_le_bytes())?;
-            out.write_all(&Fnv::of(&content).to_le_bytes())?;
-            out.write_all(&content)
-        })
+        let bytes = self.sealed(&content);
+        write_atomically(&self.path, |out| out.write_all(&bytes))
+    }
+
+    /// The bytes of the file that holds `content`, a [`Restart`] as `postcard` writes it.
+    pub fn sealed(&self, content: &[u8]) -> Vec<u8> {
+        let hash = Fnv::of(content).to_le_bytes();
+        [FORMAT, &self.scene.to_le_bytes(), &hash, content].concat()
     }
 
     /// What an earlier run left; `None` where there is nothing.
@@ -57,14 +59,21 @@ impl Checkpoint {
     /// # Errors
     /// [`JobError::Checkpoint`] where the file is none, is damaged or belongs to another scene.
     pub fn read(&self) -> Result<Option<Restart>, JobError> {
+        match crate::input::bytes(&self.path) {
+            Ok(bytes) => self.restart(&bytes).map(Some),
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(JobError::folder(&self.path, error)),
+        }
+    }
+
+    /// What `bytes` hold, which are all of such a file.
+    ///
+    /// # Errors
+    /// [`JobError::Checkpoint`] as [`Checkpoint::read`].
+    pub fn restart(&self, bytes: &[u8]) -> Result<Restart, JobError> {
         let refused = |why: &str| JobError::Checkpoint {
             path: self.path.clone(),
             why: why.to_owned(),
-        };
-        let bytes = match crate::input::bytes(&self.path) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-            Err(error) => return Err(JobError::folder(&self.path, error)),
         };
         let not_ours = "it is not a checkpoint that this version of Brinell can read";
         let rest = bytes.strip_prefix(FORMAT).ok_or(refused(not_ours))?;
@@ -77,9 +86,7 @@ impl Checkpoint {
         if u64::from_le_bytes(*hash) != Fnv::of(content) {
             return Err(damaged());
         }
-        postcard::from_bytes(content)
-            .map(Some)
-            .map_err(|_| refused(not_ours))
+        postcard::from_bytes(content).map_err(|_| refused(not_ours))
     }
 }
 

@@ -6,26 +6,74 @@ use std::path::{Path, PathBuf};
 /// Prefix of the kernel's files, for tests: a folder that has `proc` and `sys` below it.
 const ROOT: &str = "BRINELL_SYSTEM_ROOT";
 
-/// Address space that each thread takes beside what it works with: its stack and an arena of the allocator.
-const OF_A_THREAD: f64 = 80e6;
+/// Address space that each thread reserves for its stack and an arena of the allocator.
+const BESIDE: f64 = 80e6;
 
 /// Bytes that this process can still get, as far as the system tells: what the machine has left, or
 /// less where a control group, its parents or a limit on the address space (`ulimit -v`) say so.
 pub fn available() -> Option<f64> {
-    let root = std::env::var_os(ROOT).map_or_else(|| PathBuf::from("/"), PathBuf::from);
+    let root = root();
     let read = |path: &str| fs::read_to_string(root.join(path)).ok();
     let machine = read("proc/meminfo").and_then(|text| bytes(&text, "MemAvailable:"));
+    let threads = 1 + rayon::current_num_threads();
     let space = read("proc/self/limits").and_then(|text| address_space(&text));
-    let taken = read("proc/self/status").and_then(|text| bytes(&text, "VmSize:"));
-    let threads = rayon::current_num_threads() as f64;
+    let taken = read("proc/self/status").and_then(|text| {
+        let [size, resident] = ["VmSize:", "VmRSS:"].map(|name| bytes(&text, name));
+        Some([size? as f64, resident? as f64])
+    });
     let left = [
         machine.map(|bytes| bytes as f64),
         read("proc/self/cgroup").and_then(|text| groups(&text, &root)),
-        space
-            .zip(taken)
-            .map(|(s, t)| (s.saturating_sub(t) as f64 - threads * OF_A_THREAD).max(0.0)),
+        space.zip(taken).map(|(space, [size, resident])| {
+            // What is reserved without being used is what some of the threads have reserved already.
+            let reserved = (size - resident).max(threads as f64 * of_a_thread(&read));
+            (space as f64 - resident - reserved).max(0.0)
+        }),
     ];
     left.into_iter().flatten().reduce(f64::min)
+}
+
+/// The threads beside the first that may reserve half of the address space, where that has a limit: one at least.
+pub fn most_threads() -> Option<usize> {
+    let root = root();
+    let read = |path: &str| fs::read_to_string(root.join(path)).ok();
+    let space = address_space(&read("proc/self/limits")?)?;
+    let threads = 0.5 * space as f64 / of_a_thread(&read) - 1.0;
+    Some((threads as usize).max(1))
+}
+
+fn root() -> PathBuf {
+    std::env::var_os(ROOT).map_or_else(|| PathBuf::from("/"), PathBuf::from)
+}
+
+/// Address space that a thread reserves: the kernel of dense products takes two buffers of the size of the last level
+/// of cache in every thread, and touches next to nothing of them.
+fn of_a_thread(read: &impl Fn(&str) -> Option<String>) -> f64 {
+    BESIDE + 2.0 * last_cache(read).unwrap_or(0.0)
+}
+
+/// Bytes of the last level of cache, of all processors together.
+fn last_cache(read: &impl Fn(&str) -> Option<String>) -> Option<f64> {
+    let folder = "sys/devices/system/cpu";
+    let text = read(&format!("{folder}/cpu0/cache/index3/size"))?;
+    let kib: f64 = text.trim().strip_suffix('K')?.parse().ok()?;
+    let shared = read(&format!("{folder}/cpu0/cache/index3/shared_cpu_list"));
+    let [sharing, all] = [shared, read(&format!("{folder}/present"))].map(|text| {
+        text.as_deref()
+            .and_then(processors)
+            .filter(|count| *count > 0.0)
+    });
+    let caches = all.zip(sharing).map_or(1.0, |(all, sharing)| all / sharing);
+    Some(1024.0 * kib * caches.max(1.0))
+}
+
+/// How many there are in a list of the kernel, such as `0-3,8`.
+fn processors(list: &str) -> Option<f64> {
+    let count = |range: &str| -> Option<f64> {
+        let (first, last) = range.split_once('-').unwrap_or((range, range));
+        Some(last.parse::<f64>().ok()? - first.parse::<f64>().ok()? + 1.0)
+    };
+    list.trim().split(',').map(count).sum()
 }
 
 /// What the control groups of this process, as `/proc/self/cgroup` lists them, and their parents leave it: version
@@ -143,6 +191,23 @@ mod tests {
         ]);
         let list = "7:cpu,cpuacct:/x\n4:memory:/job\n0::/\n";
         assert_eq!(groups(list, root.path()), Some(2100.0));
+    }
+
+    #[test]
+    fn caches_of_all_processors_count() {
+        let read = |path: &str| {
+            let name = path.rsplit('/').next().unwrap_or("");
+            let text = match name {
+                "size" => "32768K\n",
+                "shared_cpu_list" => "0-3,16-19\n",
+                _ => "0-31\n",
+            };
+            Some(text.to_owned())
+        };
+        assert_eq!(last_cache(&read), Some(4.0 * 32.0 * 1024.0 * 1024.0));
+        assert_eq!(last_cache(&|_: &str| None), None);
+        assert_eq!(processors("0-3,8\n"), Some(5.0));
+        assert_eq!(processors("\n"), None);
     }
 
     #[test]

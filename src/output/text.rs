@@ -1,5 +1,7 @@
 //! Numbers and columns of plain text.
 
+use crate::units::Quantity;
+use std::borrow::Cow;
 use std::fmt::Write;
 
 /// `value` with `digits` significant digits, trailing zeros kept; a dash for what is no number.
@@ -95,6 +97,17 @@ impl Columns {
     }
 }
 
+/// `text` as a cell that a spreadsheet shows: an apostrophe stands before what it would calculate.
+pub fn shown(text: &str) -> Cow<'_, str> {
+    let is_number = || text.parse::<f64>().is_ok() || Quantity::parse(text).is_ok();
+    let is_formula =
+        text.starts_with(['=', '@', '\t', '\r']) || text.starts_with(['+', '-']) && !is_number();
+    match is_formula {
+        true => Cow::Owned(format!("'{text}")),
+        false => Cow::Borrowed(text),
+    }
+}
+
 /// `text` as the value of an XML attribute.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
@@ -141,6 +154,16 @@ mod tests {
         let mut columns = Columns::new(&["body", "in³"]);
         columns.row(["roller".to_string(), "1.5".to_string()]);
         assert_eq!(columns.render(), "  body    in³\n  roller  1.5\n");
+    }
+
+    #[test]
+    fn formulas_are_shown_and_numbers_stay() {
+        for text in ["=1+1", "@sum(a1)", "+cmd|' /c calc'!a0", "-2+3", "\t=1"] {
+            assert_eq!(shown(text), format!("'{text}"));
+        }
+        for text in ["-0.5 in", "+3", "-1e-3", "upper-lower", "a=b", ""] {
+            assert_eq!(shown(text), text);
+        }
     }
 
     #[test]

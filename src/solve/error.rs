@@ -30,8 +30,8 @@ pub enum SolveError {
     #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
     Factor(#[from] FactorError),
     #[error(
-        "{unknowns} unknowns take about {:.2} GB of memory, and {:.2} GB are left",
-        1e-9 * needed,
+        "{unknowns} unknowns take about {} GB of memory, and {:.2} GB are left",
+        gigabytes(*needed),
         1e-9 * available
     )]
     #[diagnostic(
@@ -209,5 +209,13 @@ fn in_pieces(pieces: usize) -> String {
     match pieces {
         0..=1 => String::new(),
         _ => format!("; it falls into {pieces} pieces that share no nodes"),
+    }
+}
+
+/// What is next to nothing is more than what is left.
+fn gigabytes(bytes: f64) -> String {
+    match bytes < 1e7 {
+        true => format!("{:.0e}", 1e-9 * bytes),
+        false => format!("{:.2}", 1e-9 * bytes),
     }
 }

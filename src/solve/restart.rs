@@ -167,7 +167,7 @@ impl Restart {
     ///
     /// # Errors
     /// [`Stranger`] says what does not fit.
-    pub(super) fn check(&self, scene: &Scene) -> Result<(), Stranger> {
+    pub fn check(&self, scene: &Scene) -> Result<(), Stranger> {
         let beside = self.beside.doubled.iter().chain(&self.beside.elastic);
         for kept in self.finished.iter().chain([&self.last]).chain(beside) {
             kept.check(scene)?;

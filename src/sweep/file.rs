@@ -39,6 +39,9 @@ pub struct SweepFile {
 /// More rows than this are taken for a slip.
 const MOST: usize = 100_000;
 
+/// More values than this in all rows of a grid are, too.
+const MOST_VALUES: usize = 1_000_000;
+
 const KEYS: [&str; 6] = ["title", "case", "set", "grid", "row", "csv"];
 
 /// Reads the sweep file at `path`.
@@ -50,7 +53,15 @@ pub fn read(path: &Path) -> Result<SweepFile, SweepError> {
         path: path.to_owned(),
         error,
     })?;
-    Reader { path, text: &text }.read()
+    parse(path, &text)
+}
+
+/// Reads `text` as the sweep file at `path`.
+///
+/// # Errors
+/// [`SweepError`] where it, or the CSV file that it names, cannot be read or understood.
+pub fn parse(path: &Path, text: &str) -> Result<SweepFile, SweepError> {
+    Reader { path, text }.read()
 }
 
 struct Reader<'a> {
@@ -154,14 +165,23 @@ impl Reader<'_> {
     /// Every combination, the last key changing fastest.
     fn grid(&self, table: &Spanned<DeValue>) -> Result<Vec<Settings>, SweepError> {
         let mut rows: Vec<Settings> = vec![Vec::new()];
-        for (key, values) in self.leaves(table)? {
+        for (columns, (key, values)) in (1..).zip(self.leaves(table)?) {
             let list = values.get_ref().as_array();
             let list = list.filter(|list| !list.is_empty()).ok_or_else(|| {
                 let message = format!("`{key}` must be a list of values, such as [1, 2]");
                 self.error(values.span(), message)
             })?;
-            if rows.len().saturating_mul(list.len()) > MOST {
-                let message = format!("the grid has more than {MOST} rows");
+            let count = rows.len().saturating_mul(list.len());
+            let beyond = [
+                (count > MOST, MOST, "rows"),
+                (
+                    count.saturating_mul(columns) > MOST_VALUES,
+                    MOST_VALUES,
+                    "values",
+                ),
+            ];
+            if let Some((_, most, what)) = beyond.into_iter().find(|(is, ..)| *is) {
+                let message = format!("the grid has more than {most} {what}");
                 return Err(self.error(values.span(), message));
             }
             let list: Vec<Value> = list

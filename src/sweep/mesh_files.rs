@@ -2,6 +2,7 @@
 
 use crate::case::variant;
 use crate::hash::Fnv;
+use crate::input;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
@@ -16,7 +17,9 @@ pub struct MeshFiles {
 
 impl MeshFiles {
     pub fn new(case: &Path) -> Self {
-        let folder = case.parent().unwrap_or(Path::new(""));
+        // An empty path has no absolute one.
+        let folder = case.parent().filter(|folder| *folder != Path::new(""));
+        let folder = folder.unwrap_or(Path::new("."));
         Self {
             folder: std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()),
             known: BTreeMap::new(),
@@ -38,7 +41,7 @@ impl MeshFiles {
         let Some(file) = mesh_file(text) else {
             return 0;
         };
-        let hash = |path: &PathBuf| std::fs::read(path).map_or(0, |bytes| Fnv::of(&bytes));
+        let hash = |path: &PathBuf| input::bytes(path).map_or(0, |bytes| Fnv::of(&bytes));
         *self.known.entry(file).or_insert_with_key(hash)
     }
 }

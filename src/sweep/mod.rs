@@ -27,7 +27,7 @@ mod validate;
 pub use budget::Budget;
 pub use collect::collect;
 pub use error::{RowError, SweepError};
-pub use file::Settings;
+pub use file::{Settings, SweepFile, parse};
 pub use local::{Watcher, run};
 pub use one::run as run_row;
 pub use place::Place;

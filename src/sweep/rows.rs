@@ -1,7 +1,7 @@
 //! The rows of a sweep: one case each.
 
 use super::error::SweepError;
-use super::file::{self, Settings};
+use super::file::{self, Settings, SweepFile};
 use super::mesh_files::MeshFiles;
 use crate::case::{self, Case, CaseError, variant};
 use crate::hash::Fnv;
@@ -47,31 +47,36 @@ pub fn read(path: &Path) -> Result<Sweep, SweepError> {
         path: plan.case.clone(),
         error,
     })?;
-    let mut meshes = MeshFiles::new(&plan.case);
-    let varying = varying(&plan.columns, &plan.rows);
-    let row = |(at, parameters): (usize, &Settings)| {
-        let text = meshes.absolute(text(&base, &[&plan.fixed, parameters]));
-        let mesh = meshes.content(&text);
-        Row {
-            number: at + 1,
-            name: name(at + 1, parameters, &varying),
-            fingerprint: format!("{:016x}", Fnv::of(format!("{text}{mesh:x}").as_bytes())),
-            parameters: parameters.clone(),
-            text,
-        }
-    };
-    Ok(Sweep {
-        rows: plan.rows.iter().enumerate().map(row).collect(),
-        title: plan.title,
-        file: path.to_owned(),
-        case: plan.case,
-        columns: plan.columns,
-        fixed: plan.fixed,
-        base,
-    })
+    Ok(Sweep::of(plan, path, base))
 }
 
 impl Sweep {
+    /// The rows that `plan`, read from `file`, makes of the case `base`.
+    pub fn of(plan: SweepFile, file: &Path, base: String) -> Self {
+        let varying = varying(&plan.columns, &plan.rows);
+        let mut meshes = MeshFiles::new(&plan.case);
+        let row = |(at, parameters): (usize, &Settings)| {
+            let text = meshes.absolute(text(&base, &[&plan.fixed, parameters]));
+            let mesh = meshes.content(&text);
+            Row {
+                number: at + 1,
+                name: name(at + 1, parameters, &varying),
+                fingerprint: format!("{:016x}", Fnv::of(format!("{text}{mesh:x}").as_bytes())),
+                parameters: parameters.clone(),
+                text,
+            }
+        };
+        Self {
+            rows: plan.rows.iter().enumerate().map(row).collect(),
+            title: plan.title,
+            file: file.to_owned(),
+            case: plan.case,
+            columns: plan.columns,
+            fixed: plan.fixed,
+            base,
+        }
+    }
+
     /// The case of a row, its meshes sought where those of the case that is varied are.
     ///
     /// # Errors

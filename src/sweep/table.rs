@@ -6,6 +6,7 @@ use super::place::Place;
 use super::record::Record;
 use crate::output::file::write_atomically;
 use crate::output::summary::Named;
+use crate::output::text::shown;
 use serde_json::Value;
 use std::collections::HashSet;
 use std::io;
@@ -67,11 +68,11 @@ fn heads(lines: &[Line]) -> Vec<&str> {
 
 fn as_csv(heads: &[&str], lines: &[Line], out: &mut dyn io::Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(out);
-    table.write_record(heads)?;
+    table.write_record(heads.iter().map(|head| shown(head).into_owned()))?;
     for line in lines {
         let cell = |head: &&str| match line.cell(head) {
             Value::Null => String::new(),
-            Value::String(text) => text.clone(),
+            Value::String(text) => shown(text).into_owned(),
             other => other.to_string(),
         };
         table.write_record(heads.iter().map(cell))?;

@@ -196,7 +196,7 @@ impl Deck<'_> {
             writeln!(out, "{}", number(springs.stiffness))?;
         }
         for plane in self.driven.iter().filter(|plane| !plane.others.is_empty()) {
-            let (name, axis) = (&plane.plane, AXES[plane.axis]);
+            let (name, axis) = (super::one_line(&plane.plane), AXES[plane.axis]);
             writeln!(out, "** The nodes of {name} move along {axis} as one.")?;
             let (reference, dof) = (plane.reference + 1, plane.axis + 1);
             writeln!(out, "*EQUATION")?;

@@ -1,6 +1,7 @@
 //! Line loads as comma-separated values.
 
 use super::WholeLine;
+use crate::output::text::shown;
 use crate::output::units::UnitLabels;
 use std::fmt::Write;
 
@@ -23,9 +24,10 @@ pub fn csv(lines: &[WholeLine], units: &UnitLabels) -> String {
 
 /// A text as one field (RFC 4180).
 fn field(text: &str) -> String {
+    let text = shown(text);
     match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_string(),
+        false => text.into_owned(),
     }
 }
 

@@ -29,6 +29,7 @@ use crate::results::bore::Bore;
 use crate::results::ending::ending;
 use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::{Recovered, recover};
+use crate::results::turn::largest_turn;
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
 pub use check::check;
@@ -246,6 +247,9 @@ fn solve_on(
     let mut summary = summarise(case, &scene, fields, second, timing, options)?;
     let remarks = [&solution.stuck, &solution.laborious].into_iter().flatten();
     summary.warnings.extend(remarks.cloned().map(Warning));
+    summary
+        .warnings
+        .extend(turned(&scene, reported(&scene, &solution)).map(Warning));
     if let Some(text) = strips::shortcoming(case, &scene, reported(&scene, &solution)) {
         summary.warnings.push(Warning(text));
     }
@@ -267,6 +271,17 @@ fn solve_on(
         solution,
         summary,
     })))
+}
+
+/// A body that turns so far that contact is elsewhere than where it was sought, in words.
+fn turned(scene: &Scene, state: &State) -> Option<String> {
+    let (body, angle) = largest_turn(&scene.mesh, &state.displacement)?;
+    (angle > solve::FAR).then(|| {
+        format!(
+            "`{body}` turns by {angle:.3} rad: contact is sought where bodies stood before, and rotations are taken \
+             as small"
+        )
+    })
 }
 
 /// The displacement that stays after unloading, where there is unloading. Dents can be told without

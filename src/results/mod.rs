@@ -22,6 +22,7 @@ pub mod strain;
 pub mod strip;
 pub mod strip_profile;
 pub mod tensor;
+pub mod turn;
 
 mod fit;
 

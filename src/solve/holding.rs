@@ -7,7 +7,7 @@
 use super::rows::ContactRow;
 use super::start::extent;
 use crate::fem::loads::add_traction;
-use crate::geometry::{Vec3, add, cross, scale, sub};
+use crate::geometry::{Vec3, add, cross, norm, scale, sub};
 use crate::scene::{PlaneMotion, Scene};
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::collections::BTreeMap;
@@ -123,6 +123,12 @@ impl Frames {
             turn: part(3),
             driven,
         })
+    }
+
+    /// The largest angle by which a body turns.
+    pub fn largest_turn(&self, vector: &[f64]) -> f64 {
+        let turns = vector.chunks(6).map(|own| norm([own[3], own[4], own[5]]));
+        turns.fold(0.0, f64::max) / self.size
     }
 
     /// What the motions of all bodies move each node.

@@ -57,6 +57,8 @@ pub fn free_motions(scene: &Scene, frames: &Frames) -> Option<DMatrix<f64>> {
     (!columns.is_empty()).then(|| DMatrix::from_columns(&columns))
 }
 
+/// Radians: a roller that rolls further bears a fiftieth of its radius beside where contact was sought, or more.
+pub const FAR: f64 = 0.02;
 /// Force that may be left over, of the load.
 const BALANCED: f64 = 1e-6;
 /// Steps, and iterations in each.
@@ -72,7 +74,7 @@ pub struct Rest {
 }
 
 /// Where rigid bodies that touch at `rows` come to rest under loads of these `factors`; `None` where nothing is free
-/// or loaded, or no rest is found.
+/// or loaded, or no rest is found near where they stand.
 pub fn at_rest(scene: &Scene, rows: &[&ContactRow], factors: &dyn Fn(&str) -> f64) -> Option<Rest> {
     let frames = Frames::new(scene);
     let free = free_motions(scene, &frames)?;
@@ -87,10 +89,14 @@ pub fn at_rest(scene: &Scene, rows: &[&ContactRow], factors: &dyn Fn(&str) -> f6
     });
     let points: Vec<Point> = points.collect();
     let q = balance(&points, &load)?;
+    let motions = &free * &q;
+    if frames.largest_turn(motions.as_slice()) > FAR {
+        return None;
+    }
     let nodes = rows.iter().zip(&points).map(|(row, p)| p.node(row, &q));
     Some(Rest {
         nodes: nodes.collect(),
-        displacement: frames.displacement((&free * q).as_slice()),
+        displacement: frames.displacement(motions.as_slice()),
     })
 }
 

@@ -23,18 +23,22 @@ pub(super) fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item 
         .map(|(node, sum)| (*node, sum.covered()))
         .filter(|(_, covered)| *covered > 0.0 && *covered < COVERED)
         .collect();
-    // The node beside each that is covered most; a tie goes to the lower number.
+    // Of the nodes at the other ends of its edges that which is covered most. Rounding decides no tie.
+    const TIE: f64 = 1e-9;
     let mut beside: BTreeMap<u32, (f64, u32)> = BTreeMap::new();
     if slivers.is_empty() {
         return;
     }
     for facet in facets {
-        for node in facet.iter().filter(|node| slivers.contains_key(node)) {
-            for other in facet {
-                let better = |a: (f64, u32), b: (f64, u32)| a.0 > b.0 || (a.0 == b.0 && a.1 < b.1);
+        for (a, node) in facet.iter().enumerate() {
+            if !slivers.contains_key(node) {
+                continue;
+            }
+            for other in [facet[(a + 1) % 4], facet[(a + 3) % 4]] {
                 let candidate = (nodes[&other].covered(), other);
                 let best = beside.entry(*node).or_insert(candidate);
-                if better(candidate, *best) {
+                let more = candidate.0 - best.0;
+                if more > TIE || (more >= -TIE && other < best.1) {
                     *best = candidate;
                 }
             }
@@ -45,7 +49,7 @@ pub(super) fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item 
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     for (_, node) in order {
         let (_, into) = beside[&node];
-        if into == node {
+        if into == node || !nodes.contains_key(&into) {
             continue;
         }
         if let Some(sum) = nodes.remove(&node)

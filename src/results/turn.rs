@@ -44,14 +44,15 @@ mod tests {
         let block = |name| Block::new(name, line(), line(), line()).build().unwrap();
         let mut other = block("b");
         other.points.iter_mut().for_each(|p| p[0] += 5.0);
-        let mesh = Mesh::join([block("a"), other]).unwrap();
+        let parts = [block("a"), other.prefixed("b_")];
+        let mesh = Mesh::join(parts).unwrap();
         let turned = |p: &Vec3| match p[0] > 2.0 {
             true => add([0.3, 0.1, 0.0], cross([0.0, 0.01, 0.02], *p)),
             false => [0.7, 0.0, 0.0],
         };
         let displacement: Vec<Vec3> = mesh.points.iter().map(turned).collect();
         let (body, angle) = largest_turn(&mesh, &displacement).unwrap();
-        assert_eq!(body, "b");
+        assert_eq!(body, "b_b");
         assert!((angle - 5e-4f64.sqrt()).abs() < 1e-12, "{angle}");
     }
 }

@@ -84,9 +84,12 @@ impl Frames {
             }
             middles.push(scale(sum, 1.0 / f64::max(count, 1.0)));
         }
+        let centre = mesh.points.iter().fold([0.0; 3], |sum, p| add(sum, *p));
+        let centre = scale(centre, 1.0 / mesh.points.len().max(1) as f64);
+        let away = mesh.points.iter().map(|p| norm(sub(*p, centre)));
         Self {
             middles,
-            size: 0.25 * extent(scene),
+            size: 0.5 * away.fold(f64::MIN_POSITIVE, f64::max),
             bodies,
             points: mesh.points.clone(),
         }

@@ -15,6 +15,9 @@ use std::collections::BTreeMap;
 /// share by 20 for pressures, and by 1.6 for the shears of cautious nodes.
 const COVERED: f64 = 0.02;
 
+/// Nodes that are covered alike to within this are: rounding decides no tie.
+const TIE: f64 = 1e-9;
+
 /// Adds the sums of slivers to those of the nodes beside them. `facets` are the nodes of all facets that the
 /// other side covers in part.
 pub(super) fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item = [u32; 4]>) {
@@ -23,8 +26,7 @@ pub(super) fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item 
         .map(|(node, sum)| (*node, sum.covered()))
         .filter(|(_, covered)| *covered > 0.0 && *covered < COVERED)
         .collect();
-    // Of the nodes at the other ends of its edges that which is covered most. Rounding decides no tie.
-    const TIE: f64 = 1e-9;
+    // Of the nodes at the other ends of its edges that which is covered most; a tie goes to the lower number.
     let mut beside: BTreeMap<u32, (f64, u32)> = BTreeMap::new();
     if slivers.is_empty() {
         return;

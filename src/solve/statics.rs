@@ -43,8 +43,6 @@ pub struct Bears {
 const DIRECTIONS: usize = 16;
 /// Share of the load that may be left over: the shapes of facets, and rounding.
 const LEFT_OVER: f64 = 1e-5;
-/// Angle by which a body may rock.
-const ROCKS: f64 = 5e-3;
 /// The largest coefficient of friction that is asked for.
 const ROUGHEST: f64 = 2.0;
 
@@ -103,6 +101,8 @@ pub fn imbalance<'r>(
 /// small enough for the body to rock there. A roller bears along a line, a flat face wherever it is flat; beside
 /// the line it bears only on what elasticity makes of it.
 fn ridges<'r>(scene: &Scene, mut rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRow> {
+    /// Angle by which a body may rock.
+    const ROCKS: f64 = 5e-3;
     /// Cosine of the angle between two sides of a node that lie opposite.
     const OPPOSITE: f64 = -0.7;
     /// Of the model, a gap that is none.

@@ -183,9 +183,7 @@ struct Run<'a, 'o> {
     /// The end of the step if no steel yielded, from which its last increment starts.
     end: Option<Point>,
     counters: Counters,
-    /// Has a rest of rigid bodies been sought, has statics been asked about this increment, and were bodies held
-    /// back for a first guess?
-    rested: bool,
+    /// Has statics been asked about this increment, and were bodies held back for a first guess?
     asked: bool,
     held_back: bool,
     /// Share of the step that the next increment tries.
@@ -224,7 +222,6 @@ impl<'a, 'o> Run<'a, 'o> {
             solver: LinearSolver::default(),
             guess: None,
             end: None,
-            rested: false,
             asked: false,
             held_back: false,
             size: 0.0,
@@ -313,6 +310,9 @@ impl<'a, 'o> Run<'a, 'o> {
             .scene
             .before_unloading()
             .is_some_and(|full| step > full);
+        if (step, time) == (0, 0.0) {
+            self.come_to_rest(self.size.min(self.relief(step, time)))?;
+        }
         while time < 1.0 {
             let spent = self.counters.iterations - self.counters.effort.before_step;
             if unloads && spent > UNLOADING {
@@ -404,13 +404,6 @@ impl<'a, 'o> Run<'a, 'o> {
         let (step, time) = (at.step, at.time);
         let floats = !self.gives_way(stopped);
         let begins = (step, time) == (0, 0.0);
-        if floats && begins && !self.rested {
-            self.rested = true;
-            if self.come_to_rest(target)? {
-                self.size = target - time;
-                return Ok(true);
-            }
-        }
         if floats && !self.asked {
             self.asked = true;
             if let Some(error) = no_balance(&self.model, (step, target), time) {
@@ -455,15 +448,15 @@ impl<'a, 'o> Run<'a, 'o> {
         stopped.flowing.len() as f64 > LITTLE * self.model.scene.mesh.hexes.len() as f64
     }
 
-    /// Finds a first guess at `target` with rigid bodies, and prepares all rows that press there. False where they
-    /// find no rest.
-    fn come_to_rest(&mut self, target: f64) -> Result<bool, SolveError> {
+    /// Finds a first guess at `target` with rigid bodies, where they find rest, and prepares all rows that press
+    /// there.
+    fn come_to_rest(&mut self, target: f64) -> Result<(), SolveError> {
         loop {
             let model = &self.model;
             let rows: Vec<_> = model.rows.iter().chain(&model.spare).collect();
             let factor = |name: &str| model.factor(name, 0, target);
             let Some(mut rest) = rigid::at_rest(model.scene, &rows, &factor) else {
-                return Ok(false);
+                return Ok(());
             };
             let spare = rest.nodes.split_off(model.rows.len());
             if spare.iter().any(|node| node.closed) {
@@ -478,7 +471,7 @@ impl<'a, 'o> Run<'a, 'o> {
             });
             // Where they rest they are in balance.
             self.asked = true;
-            return Ok(true);
+            return Ok(());
         }
     }
 

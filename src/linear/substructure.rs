@@ -5,7 +5,7 @@
 //! A supernodal Cholesky factor with B last gives all of it: the trailing block L_BB is a factor
 //! of S, and half a triangular solve is the reduction of f.
 
-use super::cholesky::{FactorError, analyse, numeric, structure};
+use super::cholesky::{FactorError, analyse, numeric, structure, supernodal_work};
 use super::ordering;
 use super::pages::Pages;
 use super::sparse::{Pattern, SymmetricMatrix};
@@ -50,20 +50,7 @@ impl Condensation {
 
     /// Multiplications that the elimination takes.
     pub fn work(&self) -> f64 {
-        let nodes = self.supernodal();
-        let columns = |s: usize| {
-            let node = nodes.supernode(s);
-            let width = nodes.supernode_end()[s] as usize - node.start();
-            (node, width)
-        };
-        (0..nodes.n_supernodes())
-            .map(columns)
-            .filter(|(node, _)| node.start() < self.eliminated)
-            .map(|(node, width)| {
-                let height = (node.pattern().len() + width) as f64;
-                0.5 * width as f64 * height * height
-            })
-            .sum()
+        supernodal_work(self.supernodal(), self.eliminated)
     }
 
     /// Entries of the factor.

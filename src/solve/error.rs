@@ -6,6 +6,10 @@ use crate::geometry::Vec3;
 use crate::linear::cholesky::FactorError;
 use std::fmt;
 
+/// Radians: what turns so far has its lengths wrong by half a percent, and a roller bears a tenth of its radius beside
+/// where contact was integrated.
+pub const TOO_FAR: f64 = 0.1;
+
 /// Why a scene could not be solved. What was accepted before went to the observer.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum SolveError {
@@ -99,6 +103,23 @@ pub enum SolveError {
         percent: f64,
         body: String,
         share: f64,
+    },
+    #[error(
+        "body `{body}` turns by {angle:.3} rad beyond {percent:.3} % of step `{step}`: rotations are taken as \
+         small, and up to {TOO_FAR} rad are solved for"
+    )]
+    #[diagnostic(
+        code(brinell::solve::turns_far),
+        help(
+            "the states up to there are kept; less load or offset, more friction, or a support that holds it"
+        )
+    )]
+    TurnsFar {
+        step: String,
+        percent: f64,
+        body: String,
+        /// Radians.
+        angle: f64,
     },
     #[error(
         "step `{step}` came to {percent:.3} % in {iterations} iterations, more than are spent on taking a load off"
@@ -200,6 +221,7 @@ impl SolveError {
                 | Self::FreeBody { .. }
                 | Self::NoBalance(_)
                 | Self::LimitLoad { .. }
+                | Self::TurnsFar { .. }
                 | Self::Crawls { .. }
         )
     }

@@ -83,7 +83,12 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
         within_reach: of(&rows, index) + of(&spare, index),
     });
     let pairs = pairs.collect();
-    let size = Size::new(scene, &dofs, &needed(scene, &dofs, &rows, &[]), false);
+    let size = Size::new(
+        scene,
+        &dofs,
+        &needed(scene, &dofs, &rows, &[]),
+        (&[], false),
+    );
     let can_yield = (0..scene.mesh.hexes.len() as u32).filter(|e| can_yield(scene, *e));
     let can_yield = can_yield.count();
     let iterations = iterations(scene, can_yield > 0);

@@ -8,6 +8,7 @@ mod anchor;
 mod bodies;
 mod bounds;
 mod consistent;
+mod cost;
 mod counters;
 mod diagnosis;
 mod driver;

@@ -1,6 +1,7 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
 use super::bodies::{self, Bodies, Plan};
+use super::cost;
 use super::error::SolveError;
 use super::foresight::Expected;
 use super::rows::{ContactRow, penalty};
@@ -16,7 +17,7 @@ use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
-use crate::scene::{PlaneMotion, Scene, Step};
+use crate::scene::{PlaneMotion, Scene, SolverKind, Step};
 
 /// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
 pub struct Model<'a> {
@@ -64,20 +65,9 @@ impl<'a> Model<'a> {
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
         let (mut rows, spare) = expected.split(rows);
         let needed = needed(scene, &all, &rows, &expected.flow);
-        let Size {
-            divided, memory, ..
-        } = Size::new(scene, &all, &needed, expected.divided);
-        if let Some(available) = available().filter(|available| memory > *available) {
-            return Err(SolveError::Memory {
-                unknowns: all.len(),
-                needed: memory,
-                available,
-            });
-        }
-        for r in &mut rows {
-            r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, divided);
-        }
-        let plan = Plan {
+        let size = |large| Size::new(scene, &all, &needed, (&expected.flow, large));
+        let mut size_of = size(expected.divided);
+        let plan = |divided: bool| Plan {
             scene,
             dofs: &all,
             elastic: &elastic,
@@ -85,18 +75,43 @@ impl<'a> Model<'a> {
             flow: &expected.flow,
             condense: !divided,
         };
-        let mut bodies = Bodies::new(&plan)?;
-        let dofs = bodies.kept_dofs(&all);
-        let pattern = pattern(&scene.mesh, &bodies, &dofs, &rows);
+        let fits = |size: &Size| match available() {
+            Some(available) if size.memory > available => Err(SolveError::Memory {
+                unknowns: all.len(),
+                needed: size.memory,
+                available,
+            }),
+            _ => Ok(()),
+        };
+        fits(&size_of)?;
+        let mut structure = Structure::new(&plan(size_of.divided), &rows)?;
+        if scene.controls.solver == SolverKind::Auto && structure.is_dear(all.len()) {
+            size_of = size(true);
+            structure = Structure::new(&plan(true), &rows)?;
+        }
+        let Size {
+            divided, memory, ..
+        } = size_of;
+        let Structure {
+            mut bodies,
+            dofs,
+            pattern,
+            symbolic,
+        } = structure;
+        for r in &mut rows {
+            r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, divided);
+        }
         let number = |e| bodies.kept_of(e);
-        let mut stiffness = bodies::assemble(&plan, &bodies.sparse_elements, &pattern, number);
+        let mut stiffness =
+            bodies::assemble(&plan(divided), &bodies.sparse_elements, &pattern, number);
         bodies.add_stiffness(&pattern, &mut stiffness);
         bodies.release();
-        let preconditioner = if divided {
-            let places = places(scene, &dofs);
-            Preconditioner::Schwarz(Box::new(Schwarz::new(&pattern, &stiffness, &places)?))
-        } else {
-            Preconditioner::Direct(Box::new(Symbolic::new(&pattern, &bodies.blocks)?))
+        let preconditioner = match symbolic {
+            Some(symbolic) => Preconditioner::Direct(Box::new(symbolic)),
+            None => {
+                let places = places(scene, &dofs);
+                Preconditioner::Schwarz(Box::new(Schwarz::new(&pattern, &stiffness, &places)?))
+            }
         };
         let mut model = Self {
             loads: load_vectors(scene, &all),
@@ -277,6 +292,42 @@ impl<'a> Model<'a> {
             (self.source_name(source).to_owned(), self.all.gather(&force))
         });
         forces.collect()
+    }
+}
+
+/// Which unknowns are kept, and how they hang together.
+struct Structure {
+    bodies: Bodies,
+    dofs: DofMap,
+    pattern: Pattern,
+    /// Of one factor; `None` of a divided model.
+    symbolic: Option<Symbolic>,
+}
+
+impl Structure {
+    fn new(plan: &Plan, rows: &[ContactRow]) -> Result<Self, SolveError> {
+        let bodies = Bodies::new(plan)?;
+        let dofs = bodies.kept_dofs(plan.dofs);
+        let pattern = pattern(&plan.scene.mesh, &bodies, &dofs, rows);
+        let symbolic = match plan.condense {
+            true => Some(Symbolic::new(&pattern, &bodies.blocks)?),
+            false => None,
+        };
+        Ok(Self {
+            bodies,
+            dofs,
+            pattern,
+            symbolic,
+        })
+    }
+
+    /// Would iterations of the divided model, of so many unknowns in all, cost less?
+    fn is_dear(&self, unknowns: usize) -> bool {
+        self.symbolic.as_ref().is_some_and(|symbolic| {
+            let entries = symbolic.factor_entries() as f64;
+            // What has been condensed is a loss either way.
+            cost::direct(symbolic.work(), entries, 0.0) > cost::divided(unknowns)
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a model will cost, reckoned before it is made.
 
-use crate::fem::dofs::DofMap;
+use super::cost;
+use crate::fem::dofs::{DofMap, FIXED};
 use crate::linear::memory::available;
 use crate::scene::{Scene, SolverKind};
 
@@ -19,12 +20,18 @@ pub struct Size {
 }
 
 impl Size {
-    /// Of a model that acts on the `needed` vertices; `large` where it was found too large before.
-    pub fn new(scene: &Scene, dofs: &DofMap, needed: &[bool], large: bool) -> Self {
+    /// Of a model that acts on the `needed` vertices and in which the elements `flow` may flow; `large` where it was
+    /// found too large before.
+    pub fn new(
+        scene: &Scene,
+        dofs: &DofMap,
+        needed: &[bool],
+        (flow, large): (&[u32], bool),
+    ) -> Self {
         let divided = match scene.controls.solver {
             SolverKind::Auto => {
                 let short = |available| memory(scene, dofs, needed, false) > SPARE * available;
-                large || is_large(scene, dofs, needed) || available().is_some_and(short)
+                large || is_large(scene, dofs, needed, flow) || available().is_some_and(short)
             }
             SolverKind::Direct => false,
             SolverKind::Divided => true,
@@ -37,19 +44,28 @@ impl Size {
     }
 }
 
-/// Is it better to divide the model than to condense its bodies?
-pub fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool]) -> bool {
-    // Seen from the needed unknowns a body is dense; factors take the cube of their number, and are
-    // made about as often as Krylov directions number with a division.
-    const DIVIDED: f64 = 1.5e7;
-    // Entries of the factors of whole bodies: of a bearing of 255 thousand unknowns 350 million take 43 s,
-    // once, where a division takes minutes an increment.
-    const ENTRIES: f64 = 4e8;
-    kept(dofs, needed).powi(3) / 3.0 > DIVIDED * dofs.len() as f64 || entries(scene) > ENTRIES
+/// Is it certainly better to divide the model than to condense its bodies? Seen from the unknowns that are needed of
+/// its elastic elements each body is dense: more than that its factor cannot be spared.
+fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> bool {
+    let vertex_of = dofs.vertices();
+    let bodies = scene.mesh.bodies.iter().map(|body| {
+        let elastic = |e: &usize| flow.binary_search(&(*e as u32)).is_err();
+        let elements = body.elements.clone().filter(elastic);
+        let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e));
+        let mut dense: Vec<u32> = equations
+            .filter(|e| *e != FIXED && needed[vertex_of[*e as usize] as usize])
+            .collect();
+        dense.sort_unstable();
+        dense.dedup();
+        let condensing = cost::work_of(factor_entries(body.elements.len()));
+        ((dense.len() as f64).powi(3) / 6.0, condensing)
+    });
+    let (dense, condensing) = bodies.fold((0.0, 0.0), |sum, b| (sum.0 + b.0, sum.1 + b.1));
+    cost::direct(dense, 0.0, condensing) > cost::divided(dofs.len())
 }
 
 /// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
-pub fn memory(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
+fn memory(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
     let unknowns = dofs.len() as f64;
     match divided {
         true => 6e3 * unknowns,

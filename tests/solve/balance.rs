@@ -4,7 +4,7 @@ use brinell::case;
 use brinell::material::Steel;
 use brinell::mesh::block::{Block, uniform};
 use brinell::scene::{ContactPair, Controls, Partner, Scene, Side, Step, Traction, TractionValue};
-use brinell::solve::{NoBalance, Silent, SolveError, solve};
+use brinell::solve::{NoBalance, Silent, SolveError, resume, solve};
 use std::path::Path;
 
 const WIDTH: f64 = 1.0;
@@ -119,4 +119,25 @@ fn a_displaced_bearing_needs_friction_across_both_rollers() {
         (friction / needed - 1.0).abs() < 0.1,
         "{friction} of {needed}"
     );
+}
+
+/// As soft as that it stands, and leans farther than small rotations describe. What was solved before is kept.
+#[test]
+fn a_block_that_leans_far_is_refused_by_its_angle() {
+    let mut scene = standing(0.9, 0.2);
+    scene.materials[0].youngs_modulus = 12.0;
+    scene.controls.first_increment = 0.1;
+    let unfinished = resume(&mut scene, None, &mut Silent).expect_err("it leans");
+    let SolveError::TurnsFar {
+        percent,
+        body,
+        angle,
+        ..
+    } = &unfinished.error
+    else {
+        panic!("{}", unfinished.error);
+    };
+    assert!(body == "block" && *angle > 0.1, "{angle}");
+    let solution = unfinished.solution.expect("the increments before");
+    assert!((100.0 * solution.last.time - percent).abs() < 1e-9 && *percent > 0.0);
 }

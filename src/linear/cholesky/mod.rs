@@ -11,6 +11,7 @@ use super::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::perm::PermRef;
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::traits::RealField;
@@ -57,6 +58,18 @@ impl Symbolic {
         self.inner.len_val()
     }
 
+    /// Multiplications that a factor takes.
+    pub fn work(&self) -> f64 {
+        let squared = |height: usize| 0.5 * (height as f64).powi(2);
+        match self.inner.raw() {
+            SymbolicCholeskyRaw::Supernodal(nodes) => supernodal_work(nodes, usize::MAX),
+            SymbolicCholeskyRaw::Simplicial(columns) => {
+                let ends = columns.col_ptr().windows(2);
+                ends.map(|ends| squared((ends[1] - ends[0]) as usize)).sum()
+            }
+        }
+    }
+
     /// Factorises `matrix`, reusing the storage of `old`.
     ///
     /// # Errors
@@ -84,6 +97,24 @@ impl Symbolic {
     pub fn solve_many(&self, factor: &Factor, x: &mut [f64], count: usize) {
         solve(&self.inner, &factor.values, x, count);
     }
+}
+
+/// Multiplications that it takes to eliminate the columns before `end`.
+pub(super) fn supernodal_work(nodes: &SymbolicSupernodalCholesky<u32>, end: usize) -> f64 {
+    let columns = |s: usize| {
+        let node = nodes.supernode(s);
+        let width = nodes.supernode_end()[s] as usize - node.start();
+        (node, width)
+    };
+    (0..nodes.n_supernodes())
+        .map(columns)
+        .filter(|(node, _)| node.start() < end)
+        .map(|(node, width)| {
+            let (below, w) = (node.pattern().len() as f64, width as f64);
+            // Column by column, half the square of what is left of it.
+            0.5 * w * (below * below + below * w + w * w / 3.0)
+        })
+        .sum()
 }
 
 /// Structure of the factor of a lower triangle, the equations of which are eliminated in `order`.

@@ -1,8 +1,9 @@
 //! What an accepted increment leaves, and going on from there.
 
 use super::Run;
-use crate::results::Energy;
-use crate::solve::error::SolveError;
+use crate::results::turn::largest_turn;
+use crate::results::{Energy, State};
+use crate::solve::error::{SolveError, TOO_FAR};
 use crate::solve::evaluate::Evaluation;
 use crate::solve::foresight::Expected;
 use crate::solve::newton::Point;
@@ -33,6 +34,25 @@ impl Run<'_, '_> {
         ));
     }
 
+    /// Refuses contact that has gone elsewhere: small rotations do not describe it.
+    fn refuse_far(&self, state: &State) -> Result<(), SolveError> {
+        let scene = self.model.scene;
+        match largest_turn(&scene.mesh, &state.displacement) {
+            Some((body, angle)) if angle > TOO_FAR && !scene.contacts.is_empty() => {
+                Err(SolveError::TurnsFar {
+                    step: scene.steps[state.step].name.clone(),
+                    percent: match self.last.step == state.step {
+                        true => 100.0 * self.last.time,
+                        false => 0.0,
+                    },
+                    body: body.to_owned(),
+                    angle,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
     pub(super) fn accept(
         &mut self,
         trial: Point,
@@ -55,6 +75,7 @@ impl Run<'_, '_> {
             state
         });
         self.counters.timers = timers;
+        self.refuse_far(&state)?;
         self.observer
             .increment(&state)
             .map_err(SolveError::Observer)?;

@@ -203,10 +203,12 @@ impl NoBalance {
     fn remedy(&self) -> String {
         match self.friction {
             Some(friction) => format!(
-                "the bodies stand with a coefficient of friction of {friction:.4} or more, or with less slope or offset"
+                "the bodies, as they are meshed, stand with a coefficient of friction of {friction:.4} or more, or with less slope \
+                 or offset"
             ),
             None => "no friction helps: bring the load nearer to the middle of what carries it (less offset), or \
-                     support the body"
+                     support the body; where the balance is close, a mesh that follows round ends and faces \
+                     more finely"
                 .to_owned(),
         }
     }

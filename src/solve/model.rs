@@ -48,6 +48,10 @@ pub struct Model<'a> {
     pub memory: f64,
 }
 
+/// Unknowns up to which a divided model is solved with stiff contact: each correction takes more directions, and they
+/// cost next to nothing.
+const SMALL: usize = 20_000;
+
 impl<'a> Model<'a> {
     /// Prepares `scene` with its contact `rows` for what is expected to happen.
     ///
@@ -98,8 +102,9 @@ impl<'a> Model<'a> {
             pattern,
             symbolic,
         } = structure;
+        let soft = divided && all.len() > SMALL;
         for r in &mut rows {
-            r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, divided);
+            r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, soft);
         }
         let number = |e| bodies.kept_of(e);
         let mut stiffness =
@@ -142,6 +147,11 @@ impl<'a> Model<'a> {
             model.bodies.reduce(vector);
         }
         Ok(model)
+    }
+
+    /// Are corrections right to a hundredth only, and contact soft for their sake?
+    pub fn is_soft(&self) -> bool {
+        self.is_divided() && self.all.len() > SMALL
     }
 
     /// Is it too large for one factor?

@@ -92,6 +92,8 @@ const PAUSE: usize = 3;
 
 /// Error of a correction, in the energy norm, that is left to the next iteration.
 const INEXACT: f64 = 1e-2;
+/// The same where directions are cheap, and contact as stiff as with one factor.
+const EXACT: f64 = 1e-5;
 
 /// Directions with a fresh factor.
 const DIRECTIONS: usize = 150;
@@ -212,7 +214,7 @@ impl LinearSolver {
                 multiply,
                 precondition,
                 &residual,
-                INEXACT,
+                if model.is_soft() { INEXACT } else { EXACT },
                 tolerance,
                 DIRECTIONS,
             ),

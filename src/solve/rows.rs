@@ -12,15 +12,14 @@ use crate::scene::{ContactPair, Partner, Scene};
 /// enough that few updates are needed and soft enough that the factor stays accurate.
 const PENALTY: f64 = 1000.0;
 
-/// The same where the model is divided and there is friction, which follows the pressure: corrections
+/// The same where a divided model is large and there is friction, which follows the pressure: corrections
 /// are then right to a hundredth of their energy, and beside stiffer contact next to none of that is
 /// left for how the pressure is distributed.
 const DIVIDED_PENALTY: f64 = 50.0;
 
-/// Bounds of both, whatever the user's factor: softer, and multipliers take dozens of updates; stiffer,
-/// and rounding of displacements makes forces that never balance. The answer is the same.
-const SOFTEST: f64 = 10.0;
-const STIFFEST: f64 = 1e6;
+/// Bounds of the user's factor: softer, and multipliers take dozens of updates; stiffer, and rounding of
+/// displacements makes forces that never balance. The answer is the same.
+const FACTORS: [f64; 2] = [0.3, 1e3];
 
 /// A contact row with its pair's law.
 pub struct ContactRow {
@@ -52,11 +51,12 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
     all
 }
 
-/// The penalty of a row beside which the bodies have the given stiffness.
-pub fn penalty(pair: &ContactPair, stiffness: f64, divided: bool) -> f64 {
-    let soft = divided && pair.friction > 0.0;
+/// The penalty of a row beside which the bodies have the given stiffness; `soft` where corrections are not exact.
+pub fn penalty(pair: &ContactPair, stiffness: f64, soft: bool) -> f64 {
+    let soft = soft && pair.friction > 0.0;
     let times = if soft { DIVIDED_PENALTY } else { PENALTY };
-    (times * pair.penalty_factor).clamp(SOFTEST, STIFFEST) * stiffness
+    let [least, most] = FACTORS;
+    times * pair.penalty_factor.clamp(least, most) * stiffness
 }
 
 /// Rows of one pair.

@@ -159,8 +159,13 @@ fn limits(bearing: &Drawn) -> Vec<Limit> {
         needs: [a.min(b) - off, a.max(b) + off],
     };
     let rough = 0.03 * friction[0].max(friction[1]);
-    // The middle of a force is known to an element of the mesh.
-    let element = ALONG * bearing.diameter;
+    // The middle of a force is known to an element of the mesh. A fillet that is smaller is a chamfer as long as the
+    // last element, and the node before it bears only once that has closed.
+    let elements = match bearing.end {
+        End::Radius(_) => 2.0,
+        _ => 1.0,
+    };
+    let element = elements * ALONG * bearing.diameter;
     let half = 0.5 * bearing.length - end;
     vec![
         between("friction", bearing.friction, friction, rough),

@@ -92,8 +92,6 @@ const PAUSE: usize = 3;
 
 /// Error of a correction, in the energy norm, that is left to the next iteration.
 const INEXACT: f64 = 1e-2;
-/// The same where directions are cheap, and contact as stiff as with one factor.
-const EXACT: f64 = 1e-5;
 
 /// Directions with a fresh factor.
 const DIRECTIONS: usize = 150;
@@ -208,13 +206,13 @@ impl LinearSolver {
                 .preconditioner
                 .apply(&model.pattern, &factor, multiply, x)
         };
-        let (dx, outcome) = timers.time(Phase::LinearSolve, || match model.is_divided() {
+        let (dx, outcome) = timers.time(Phase::LinearSolve, || match model.is_soft() {
             // Every direction costs as much as the last: no more than the next iteration can use.
             true => krylov::minimise(
                 multiply,
                 precondition,
                 &residual,
-                if model.is_soft() { INEXACT } else { EXACT },
+                INEXACT,
                 tolerance,
                 DIRECTIONS,
             ),

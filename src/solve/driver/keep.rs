@@ -34,21 +34,21 @@ impl Run<'_, '_> {
         ));
     }
 
-    /// Refuses contact that has gone elsewhere: small rotations do not describe it.
+    /// Refuses contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror
+    /// planes leave also turns where the whole only bends.
     fn refuse_far(&self, state: &State) -> Result<(), SolveError> {
         let scene = self.model.scene;
+        let whole = scene.mirrors.is_empty() && !scene.contacts.is_empty();
         match largest_turn(&scene.mesh, &state.displacement) {
-            Some((body, angle)) if angle > TOO_FAR && !scene.contacts.is_empty() => {
-                Err(SolveError::TurnsFar {
-                    step: scene.steps[state.step].name.clone(),
-                    percent: match self.last.step == state.step {
-                        true => 100.0 * self.last.time,
-                        false => 0.0,
-                    },
-                    body: body.to_owned(),
-                    angle,
-                })
-            }
+            Some((body, angle)) if angle > TOO_FAR && whole => Err(SolveError::TurnsFar {
+                step: scene.steps[state.step].name.clone(),
+                percent: match self.last.step == state.step {
+                    true => 100.0 * self.last.time,
+                    false => 0.0,
+                },
+                body: body.to_owned(),
+                angle,
+            }),
             _ => Ok(()),
         }
     }

@@ -132,7 +132,7 @@ pub const CONTROLS: Keys = Keys {
         key(
             "penetration",
             "share, at most 1",
-            "1e-5",
+            "1e-7",
             "largest penetration, of the approach of the bodies",
         ),
         key(

@@ -307,7 +307,7 @@ fn descent_claim(evidence: &Evidence) -> Option<Claim> {
 
 /// The error of the increments, over the difference that doubling them makes. It would be one where the error
 /// of an increment grows with the square of its size and flow is smooth; corners begin to flow one by one.
-const DOUBLING: f64 = 1.5;
+pub const DOUBLING: f64 = 1.5;
 
 /// What the size of the increments does to a figure, from the same figure in increments twice as large.
 fn increment(claim: &Claim, doubled: Option<&[Claim]>) -> Option<f64> {

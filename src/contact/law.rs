@@ -42,8 +42,10 @@ pub enum Status {
 pub struct Law {
     /// Coulomb's coefficient.
     pub friction: f64,
-    /// ε, traction per closure and per slip of a sticking node.
+    /// ε, traction per closure and per slip of a sticking node,
     pub penalty: f64,
+    /// and the most that it is raised to.
+    pub firmest: f64,
     /// c, weight of d against λ where the sets are decided: the stiffness of the bodies there.
     pub stiffness: f64,
 }
@@ -64,8 +66,10 @@ pub struct Node {
     pub cautious: bool,
     /// How often it changed between stick and slip in this increment.
     pub switches: u8,
-    /// By how many powers of ten ε_t has been raised, because λ came nearer too slowly.
+    /// By how many powers of ten ε_t has been raised, because λ came nearer too slowly, or because sets have settled.
     pub raised: u8,
+    /// By how many powers of ten ε has been raised for the same reason.
+    pub firmer: u8,
     /// What λ was off when it was taken last, as a length.
     pub missed: f64,
 }
@@ -83,9 +87,15 @@ pub struct Answer {
 const SOFT: f64 = 30.0;
 
 /// The most that ε_t is raised.
-const MOST_RAISED: u8 = 2;
+pub const MOST_RAISED: u8 = 2;
 
 impl Law {
+    /// ε of a node.
+    fn penalty(&self, node: &Node) -> f64 {
+        let raised = self.penalty * f64::powi(10.0, i32::from(node.firmer));
+        raised.min(self.firmest)
+    }
+
     /// ε_t of a cautious node.
     fn soft(&self, node: &Node) -> f64 {
         SOFT * self.stiffness * f64::powi(10.0, i32::from(node.raised))
@@ -110,8 +120,9 @@ impl Law {
             return answer;
         }
         answer.status = Status::Slip;
-        answer.traction[0] = node.multiplier[0] + self.penalty * d[0];
-        answer.tangent[0][0] = self.penalty;
+        let penalty = self.penalty(node);
+        answer.traction[0] = node.multiplier[0] + penalty * d[0];
+        answer.tangent[0][0] = penalty;
         if self.friction == 0.0 {
             return answer;
         }
@@ -125,7 +136,7 @@ impl Law {
             return answer;
         }
         let soft = self.soft(node);
-        let stick = if node.cautious { soft } else { self.penalty };
+        let stick = if node.cautious { soft } else { penalty };
         let elastic = [1, 2].map(|i| node.multiplier[i] + stick * d[i]);
         let shear = elastic[0].hypot(elastic[1]);
         if !node.cautious || shear <= node.bound {
@@ -158,28 +169,42 @@ impl Law {
         // Elastic slip counts by this share: it moves no pressure.
         const SLIP_SHARE: f64 = 0.1;
         let miss = |i: usize| answer.traction[i] - node.multiplier[i];
-        let closure = miss(0).abs() / self.penalty;
+        let closure = miss(0).abs() / self.penalty(node);
         if answer.status != Status::Stick {
             return closure;
         }
         let slip = miss(1).hypot(miss(2));
         closure.max(match node.cautious {
             true => SLIP_SHARE * slip / self.soft(node),
-            false => slip / self.penalty,
+            false => slip / self.penalty(node),
         })
+    }
+
+    /// What decides whether a node is closed: its pressure. That of an open one is what its overlap would give. What
+    /// a closed node is off its gap is only what λ was off: of no account, however much.
+    pub fn presses(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3]) -> f64 {
+        match node.closed {
+            true => traction[0],
+            false => self.stiffness * d[0],
+        }
+    }
+
+    /// What decides whether a node slips: by how much |λ + c d| is beyond the bound.
+    pub fn beyond(&self, traction: &[f64; 3], d: &[f64; 3], bound: f64) -> f64 {
+        let trial = [1, 2].map(|i| traction[i] + self.stiffness * d[i]);
+        trial[0].hypot(trial[1]) - bound
     }
 
     /// The node after an iteration that ended with `traction` at d: multipliers take the tractions, sets are
     /// decided anew, shear is bounded by `bound`.
     pub fn decide(&self, node: &Node, traction: &[f64; 3], d: &[f64; 3], bound: f64) -> Node {
         let [pressure, s, t] = *traction;
-        // What a closed node is off its gap is only what λ was off: of no account, however much.
-        let presses = if node.closed { pressure } else { d[0] };
-        if presses <= 0.0 {
+        if self.presses(node, traction, d) <= 0.0 {
             return Node {
                 cautious: node.cautious,
                 switches: node.switches,
                 raised: node.raised,
+                firmer: node.firmer,
                 ..Node::default()
             };
         }
@@ -190,6 +215,7 @@ impl Law {
             cautious: node.cautious,
             switches: node.switches,
             raised: node.raised,
+            firmer: node.firmer,
             missed: node.missed,
             ..Node::default()
         };
@@ -200,10 +226,8 @@ impl Law {
             (next.multiplier[1], next.multiplier[2]) = (node.multiplier[1], node.multiplier[2]);
             return next;
         }
-        let trial = [s + self.stiffness * d[1], t + self.stiffness * d[2]];
-        let shear = trial[0].hypot(trial[1]);
         // A node that has just closed may have moved far: it sticks only once it is known to.
-        next.sticks = node.closed && shear <= next.bound;
+        next.sticks = node.closed && self.beyond(traction, d, bound) <= 0.0;
         next.switches += u8::from(node.closed && next.sticks != node.sticks);
         if !next.sticks {
             self.slip(&mut next, [s, t], [d[1], d[2]]);
@@ -233,7 +257,7 @@ impl Law {
             return;
         }
         let n = trial.map(|v| v / b);
-        let excess = (b - bound).max(bound / SOFT);
+        let excess = (b - bound).max(bound * c / self.soft(node));
         let along = (old[0] * n[0] + old[1] * n[1]).clamp(0.0, bound);
         let slip_along = d[0] * n[0] + d[1] * n[1];
         let across = bound * c / excess;
@@ -256,6 +280,7 @@ mod tests {
     const LAW: Law = Law {
         friction: 0.15,
         penalty: 1000.0,
+        firmest: 1000.0,
         stiffness: 10.0,
     };
 

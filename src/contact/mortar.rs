@@ -34,7 +34,8 @@ pub struct Row {
     pub tangents: Option<[Vec3; 2]>,
     /// Initial gap, open positive.
     pub gap: f64,
-    /// Stiffness per area of the material next to the contact: the scale of the penalty.
+    /// Traction over the closure that it makes, in magnitude: the scale of the penalty. That of the material next to
+    /// the contact, and more where the other side covers little, for so little area moves little.
     pub stiffness: f64,
 }
 
@@ -176,6 +177,7 @@ impl Sum {
 
     fn finish(self, node: u32, pair: &Pair) -> Option<Row> {
         let at = &pair.mesh.points[node as usize];
+        let covered = self.covered();
         let mirrors: Vec<usize> = planes_through(pair.mirrors, at).collect();
         let Gathered {
             area,
@@ -211,7 +213,7 @@ impl Sum {
             normal,
             tangents: pair.friction.then(|| free_tangents(normal, &across)),
             gap,
-            stiffness: stiffness / area,
+            stiffness: stiffness / (area * covered),
         })
     }
 }

@@ -29,7 +29,7 @@ use crate::results::bore::Bore;
 use crate::results::ending::ending;
 use crate::results::peaks::{BodyPeaks, peaks};
 use crate::results::recovery::{Recovered, recover};
-use crate::results::turn::largest_turn;
+use crate::results::turn::{FAR, largest_turn};
 use crate::scene::Scene;
 use crate::solve::{self, Observer, Phase, Solution, Timers};
 pub use check::check;
@@ -276,7 +276,7 @@ fn solve_on(
 /// A body that turns so far that contact is elsewhere than where it was sought, in words.
 fn turned(scene: &Scene, state: &State) -> Option<String> {
     let (body, angle) = largest_turn(&scene.mesh, &state.displacement)?;
-    (angle > solve::FAR).then(|| {
+    (angle > FAR).then(|| {
         format!(
             "`{body}` turns by {angle:.3} rad: contact is sought where bodies stood before, and rotations are taken \
              as small"

@@ -4,6 +4,11 @@ use crate::geometry::{Vec3, add, cross, dot, norm, scale, sub};
 use crate::mesh::Mesh;
 use nalgebra::{Matrix3, Vector3};
 
+/// Radians: a roller that rolls further bears a fiftieth of its radius beside where contact was sought, or more.
+pub const FAR: f64 = 0.02;
+/// What turns so far has its lengths wrong by half a percent, and a roller bears a tenth of its radius beside.
+pub const TOO_FAR: f64 = 0.1;
+
 /// The body that turns most and its angle in radians: of the rotation about the middle of its nodes that is nearest
 /// to their displacements, in least squares. `None` for a mesh without bodies.
 pub fn largest_turn<'m>(mesh: &'m Mesh, displacement: &[Vec3]) -> Option<(&'m str, f64)> {

@@ -251,7 +251,7 @@ impl Default for Controls {
     fn default() -> Self {
         Self {
             residual: 1e-8,
-            penetration: 1e-7,
+            penetration: 1e-8,
             first_increment: 0.25,
             smallest_increment: 1e-4,
             iterations: 40,

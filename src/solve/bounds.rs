@@ -11,20 +11,19 @@ use crate::contact::law::Node;
 pub struct Bounds {
     /// Bounds of the iteration before, and what its pressures asked for.
     last: Option<(Vec<f64>, Vec<f64>)>,
-    /// Did no node change between open, stick and slip?
-    pub settled: bool,
 }
 
 /// How far a step may be carried on, over its own length, and held back.
-const ON: f64 = 2.0;
+const ON: f64 = 10.0;
 const BACK: f64 = 0.5;
 
 impl Bounds {
-    /// The bounds of the next iteration, where `wanted` is what the pressures ask for now.
-    pub fn next(&mut self, nodes: &[Node], wanted: Vec<f64>) -> Vec<f64> {
+    /// The bounds of the next iteration, where `wanted` is what the pressures ask for now; `settled` where no node
+    /// changed between open, stick and slip.
+    pub fn next(&mut self, nodes: &[Node], wanted: Vec<f64>, settled: bool) -> Vec<f64> {
         let now: Vec<f64> = nodes.iter().map(|node| node.bound).collect();
         let mut next = wanted.clone();
-        if let (true, Some((before, asked))) = (self.settled, &self.last) {
+        if let (true, Some((before, asked))) = (settled, &self.last) {
             let (mut along, mut size) = (0.0, 0.0);
             for i in 0..now.len() {
                 let (missed, change) = (
@@ -55,15 +54,12 @@ mod tests {
     /// Bounds that near (1, 2) by 0.45 in every iteration are there in three.
     #[test]
     fn a_steady_approach_is_cut_short() {
-        let mut bounds = Bounds {
-            settled: true,
-            ..Bounds::default()
-        };
+        let mut bounds = Bounds::default();
         let mut nodes = [Node::default(); 2];
         for _ in 0..3 {
             let limit = [1.0, 2.0];
             let wanted = [0, 1].map(|i| limit[i] + 0.45 * (nodes[i].bound - limit[i]));
-            let next = bounds.next(&nodes, wanted.to_vec());
+            let next = bounds.next(&nodes, wanted.to_vec(), true);
             nodes.iter_mut().zip(next).for_each(|(n, b)| n.bound = b);
         }
         assert!((nodes[0].bound - 1.0).abs() < 1e-12 && (nodes[1].bound - 2.0).abs() < 1e-12);

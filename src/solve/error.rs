@@ -4,11 +4,8 @@ use super::restart::Stranger;
 use crate::fem::dofs::Conflict;
 use crate::geometry::Vec3;
 use crate::linear::cholesky::FactorError;
+use crate::results::turn::TOO_FAR;
 use std::fmt;
-
-/// Radians: what turns so far has its lengths wrong by half a percent, and a roller bears a tenth of its radius beside
-/// where contact was integrated.
-pub const TOO_FAR: f64 = 0.1;
 
 /// Why a scene could not be solved. What was accepted before went to the observer.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

@@ -42,7 +42,6 @@ pub use forecast::{Forecast, PairForecast, forecast};
 pub use holding::{FreeMotion, free_motions};
 pub use observer::{Iteration, Observer, Silent};
 pub use restart::{Restart, Stranger};
-pub use rigid::FAR;
 pub use spring_back::spring_back;
 pub use start::{Closing, close_gaps};
 pub use timers::{Phase, Timers};

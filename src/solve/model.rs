@@ -4,7 +4,7 @@ use super::bodies::{self, Bodies, Plan};
 use super::cost;
 use super::error::SolveError;
 use super::foresight::Expected;
-use super::rows::{ContactRow, penalty};
+use super::rows::{ContactRow, law};
 use super::size::Size;
 use crate::fem::dofs::{DofMap, FIXED, Source};
 use crate::fem::element::Element;
@@ -48,9 +48,12 @@ pub struct Model<'a> {
     pub memory: f64,
 }
 
-/// Unknowns up to which a divided model is solved with stiff contact: each correction takes more directions, and they
-/// cost next to nothing.
-const SMALL: usize = 20_000;
+/// Are corrections of a divided model, or not, of so many unknowns right to a hundredth only? Where there are few,
+/// directions cost next to nothing.
+fn is_soft(divided: bool, unknowns: usize) -> bool {
+    const SMALL: usize = 20_000;
+    divided && unknowns > SMALL
+}
 
 impl<'a> Model<'a> {
     /// Prepares `scene` with its contact `rows` for what is expected to happen.
@@ -69,8 +72,15 @@ impl<'a> Model<'a> {
         let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
         let (mut rows, spare) = expected.split(rows);
         let needed = needed(scene, &all, &rows, &expected.flow);
-        let size = |large| Size::new(scene, &all, &needed, (&expected.flow, large));
-        let mut size_of = size(expected.divided);
+        let reckon = |large| Size::new(scene, &all, &needed, (&expected.flow, large));
+        let mut size = reckon(expected.divided);
+        if let Some(available) = available().filter(|available| size.memory > *available) {
+            return Err(SolveError::Memory {
+                unknowns: all.len(),
+                needed: size.memory,
+                available,
+            });
+        }
         let plan = |divided: bool| Plan {
             scene,
             dofs: &all,
@@ -79,32 +89,25 @@ impl<'a> Model<'a> {
             flow: &expected.flow,
             condense: !divided,
         };
-        let fits = |size: &Size| match available() {
-            Some(available) if size.memory > available => Err(SolveError::Memory {
-                unknowns: all.len(),
-                needed: size.memory,
-                available,
-            }),
-            _ => Ok(()),
-        };
-        fits(&size_of)?;
-        let mut structure = Structure::new(&plan(size_of.divided), &rows)?;
+        let mut structure = Structure::new(&plan(size.divided), &rows)?;
         if scene.controls.solver == SolverKind::Auto && structure.is_dear(all.len()) {
-            size_of = size(true);
+            // Two of them at once would be twice the memory.
+            drop(structure);
+            size = reckon(true);
             structure = Structure::new(&plan(true), &rows)?;
         }
         let Size {
             divided, memory, ..
-        } = size_of;
+        } = size;
         let Structure {
             mut bodies,
             dofs,
             pattern,
             symbolic,
         } = structure;
-        let soft = divided && all.len() > SMALL;
+        let soft = is_soft(divided, all.len());
         for r in &mut rows {
-            r.law.penalty = penalty(&scene.contacts[r.pair], r.law.stiffness, soft);
+            r.law = law(&scene.contacts[r.pair], r.law.stiffness, soft);
         }
         let number = |e| bodies.kept_of(e);
         let mut stiffness =
@@ -121,10 +124,7 @@ impl<'a> Model<'a> {
         let mut model = Self {
             loads: load_vectors(scene, &all),
             reference: 0.0,
-            yielding: match divided {
-                true => expected.flow.clone(),
-                false => yielding(scene, &bodies),
-            },
+            yielding: expected.flow.clone(),
             scene,
             elastic,
             pattern,
@@ -151,7 +151,7 @@ impl<'a> Model<'a> {
 
     /// Are corrections right to a hundredth only, and contact soft for their sake?
     pub fn is_soft(&self) -> bool {
-        self.is_divided() && self.all.len() > SMALL
+        is_soft(self.is_divided(), self.all.len())
     }
 
     /// Is it too large for one factor?
@@ -373,12 +373,6 @@ pub fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -
         }
     }
     needed
-}
-
-/// Elements that may flow: none of them is condensed.
-fn yielding(scene: &Scene, bodies: &Bodies) -> Vec<u32> {
-    let sparse = bodies.sparse_elements.iter().copied();
-    sparse.filter(|e| can_yield(scene, *e)).collect()
 }
 
 /// Is the element of a steel that yields?

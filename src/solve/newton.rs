@@ -16,7 +16,8 @@ use super::observer::{Iteration, Observer};
 use super::start;
 use super::timers::Phase;
 use super::update::Update;
-use crate::contact::law::{Node, Status};
+use crate::contact::law::{MOST_RAISED, Node, Status};
+use crate::fem::dofs::FIXED;
 use crate::linear::cholesky::FactorError;
 use crate::linear::krylov::{self, dot, norm};
 use crate::linear::preconditioner::Prepared;
@@ -102,6 +103,14 @@ const PATIENCE: usize = 25;
 /// Share of the residual with which λ of cautious nodes was taken last that may be left when it is taken anew.
 const NEARLY: f64 = 1e-4;
 
+/// Over the iterations after which an increment is given up: the most that it takes where corrections become smaller
+/// steadily.
+const MOST: usize = 2;
+
+/// Where so much of the violation of contact is left by an iteration, a penalty softer than the automatic one is raised
+/// (Bertsekas 1982).
+const LINGERS: f64 = 0.25;
+
 /// Residual, and number of iterations, that are enough for bodies that an anchor holds.
 const ROUGHLY: f64 = 1e-3;
 const ANCHORED: usize = 8;
@@ -114,15 +123,17 @@ struct Progress {
     /// Energy of each correction.
     energies: Vec<f64>,
     bounds: Bounds,
+    /// For how many iterations has no node changed between open, stick and slip?
+    settled: usize,
 }
 
 impl Progress {
     /// Do corrections become smaller so steadily that it would be a waste to stop?
     fn goes_on(&self) -> bool {
-        const LATELY: usize = 6;
-        const LESS: f64 = 0.1;
-        let lately = self.energies.last_chunk::<LATELY>();
-        lately.is_some_and(|[first, .., last]| *last < LESS * first)
+        const LESS: f64 = 0.3;
+        let most = |energies: &[f64]| energies.iter().copied().fold(0.0, f64::max);
+        let lately = self.energies.last_chunk::<6>();
+        lately.is_some_and(|six| most(&six[3..]) < LESS * most(&six[..3]))
     }
 }
 
@@ -261,7 +272,7 @@ pub fn balance(
     let cautious = point.cautious;
     for node in &mut point.nodes {
         (node.cautious, node.switches) = (cautious, 0);
-        (node.raised, node.missed) = (0, 0.0);
+        (node.raised, node.firmer, node.missed) = (0, 0, 0.0);
     }
     let patience = match cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
         true => controls.iterations,
@@ -308,7 +319,8 @@ pub fn balance(
             return Err(stop(Failure::Runaway { node, axis }));
         }
         last.residual = norm(&evaluation.residual) / reference;
-        last.penetration = violation(model, point, &evaluation);
+        let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
+        let lingers = last.penetration > LINGERS * before;
         last.changed = update_contact(model, point, &evaluation, (last.iteration, &mut progress));
         count(&mut last, &evaluation);
         observer.iteration(&last);
@@ -320,6 +332,10 @@ pub fn balance(
         if balanced && last.penetration <= controls.penetration {
             return Ok(evaluation);
         }
+        if lingers {
+            let nodes = point.nodes.iter_mut();
+            nodes.for_each(|node| node.firmer = node.firmer.saturating_add(1));
+        }
         if balanced || last.residual <= NEARLY * begun {
             take_shears(model, point, &evaluation);
             progress.begun = None;
@@ -329,7 +345,7 @@ pub fn balance(
             return Err(stop(Failure::Cancelled));
         }
         let patient = last.iteration < patience || progress.goes_on();
-        if !patient || last.iteration >= controls.iterations {
+        if !patient || last.iteration >= MOST * controls.iterations {
             return Err(stop(slow(model, point, &evaluation, &last)));
         }
         evaluation = evaluate(point, &point.x, counters);
@@ -369,30 +385,52 @@ fn update_contact(
 ) -> usize {
     const FREE_ITERATIONS: usize = 12;
     const FREE_SWITCHES: u8 = 2;
-    // Below this share of the largest pressure a friction bound or shear counts as unchanged.
-    const SAME: f64 = 1e-6;
-    let pressures = evaluation.contact.iter().map(|a| a.traction[0]);
-    let largest = pressures.fold(0.0, f64::max);
+    // Below this share of the largest force a friction bound or shear counts as unchanged.
+    const SAME: f64 = 1e-7;
+    let forces =
+        (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
+    let largest = forces.fold(0.0, f64::max);
     let rows = model.rows.iter().zip(&evaluation.contact);
     let wanted: Vec<f64> = rows.map(|(r, a)| r.law.bound(&a.traction)).collect();
-    let bounds = progress.bounds.next(&point.nodes, wanted);
+    let bounds = (progress.bounds).next(&point.nodes, wanted, progress.settled > 0);
     let (mut changed, mut switched) = (0, 0);
+    // The longer nothing switches the nearer the slopes of slipping nodes may come to Newton's.
+    let calm = progress
+        .settled
+        .saturating_sub(1)
+        .min(usize::from(MOST_RAISED)) as u8;
     for (index, (row, node)) in model.rows.iter().zip(&mut point.nodes).enumerate() {
         let law = &row.law;
+        if !node.cautious {
+            node.raised = calm;
+        }
         let traction = &evaluation.contact[index].traction;
         let relative = &evaluation.relative[index];
         let next = law.decide(node, traction, relative, bounds[index]);
-        let same = SAME * law.friction * largest;
+        let least = SAME * largest / row.row.area;
+        let same = law.friction * least;
         let turned =
             !node.cautious && (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
         let moved = next.closed && (law.bound(traction) - node.bound).abs() > same;
-        let switches = next.closed != node.closed || next.sticks != node.sticks;
+        let switches = match (node.closed, next.closed) {
+            (true, true) => {
+                next.sticks != node.sticks && law.beyond(traction, relative, bounds[index]) > same
+            }
+            (false, false) => false,
+            _ => law.presses(node, traction, relative).abs() > least,
+        };
         switched += usize::from(switches);
         changed += usize::from(switches || moved || turned);
         *node = next;
-        node.cautious |= iteration > FREE_ITERATIONS && node.switches > FREE_SWITCHES;
+        if !node.cautious && iteration > FREE_ITERATIONS && node.switches > FREE_SWITCHES {
+            (node.cautious, node.raised) = (true, 0);
+        }
     }
-    progress.bounds.settled = switched == 0;
+    progress.settled = if switched == 0 {
+        progress.settled + 1
+    } else {
+        0
+    };
     changed
 }
 
@@ -434,7 +472,13 @@ fn evaluate(
 /// of a closed node, slip of a sticking one.
 fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
     let worst = violations(model, point, evaluation).fold(0.0, f64::max);
-    let travel = point.x.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let moved = |axes: &[u32; 3]| {
+        let free = axes.iter().filter(|e| **e != FIXED);
+        free.map(|e| point.x[*e as usize].powi(2)).sum::<f64>()
+    };
+    let travel = (model.dofs.equations.iter().map(moved))
+        .fold(0.0, f64::max)
+        .sqrt();
     if worst == 0.0 {
         0.0
     } else {

@@ -11,6 +11,7 @@ use super::holding::{Frames, Seen, relative};
 use super::rows::ContactRow;
 use crate::contact::law::Node;
 use crate::geometry::Vec3;
+use crate::results::turn::FAR;
 use crate::scene::Scene;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
@@ -57,8 +58,6 @@ pub fn free_motions(scene: &Scene, frames: &Frames) -> Option<DMatrix<f64>> {
     (!columns.is_empty()).then(|| DMatrix::from_columns(&columns))
 }
 
-/// Radians: a roller that rolls further bears a fiftieth of its radius beside where contact was sought, or more.
-pub const FAR: f64 = 0.02;
 /// Force that may be left over, of the load.
 const BALANCED: f64 = 1e-6;
 /// Steps, and iterations in each.

@@ -17,9 +17,10 @@ const PENALTY: f64 = 1000.0;
 /// left for how the pressure is distributed.
 const DIVIDED_PENALTY: f64 = 50.0;
 
-/// Bounds of the user's factor: softer, and multipliers take dozens of updates; stiffer, and rounding of
-/// displacements makes forces that never balance. The answer is the same.
-const FACTORS: [f64; 2] = [0.3, 1e3];
+/// Bounds of both, whatever the user's factor: softer, and multipliers take dozens of updates; stiffer,
+/// and rounding of displacements makes forces that never balance. The answer is the same.
+const SOFTEST: f64 = 10.0;
+const STIFFEST: f64 = 1e6;
 
 /// A contact row with its pair's law.
 pub struct ContactRow {
@@ -39,11 +40,7 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
     for (index, pair) in scene.contacts.iter().enumerate() {
         let rows = pair_rows(scene, pair, reach, &moduli);
         all.extend(rows.into_iter().map(|row| ContactRow {
-            law: Law {
-                friction: pair.friction,
-                penalty: penalty(pair, row.stiffness, false),
-                stiffness: row.stiffness,
-            },
+            law: law(pair, row.stiffness, false),
             pair: index,
             row,
         }));
@@ -51,12 +48,17 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
     all
 }
 
-/// The penalty of a row beside which the bodies have the given stiffness; `soft` where corrections are not exact.
-pub fn penalty(pair: &ContactPair, stiffness: f64, soft: bool) -> f64 {
+/// The law of a row beside which the bodies have the given stiffness; `soft` where corrections are not exact.
+pub fn law(pair: &ContactPair, stiffness: f64, soft: bool) -> Law {
     let soft = soft && pair.friction > 0.0;
-    let times = if soft { DIVIDED_PENALTY } else { PENALTY };
-    let [least, most] = FACTORS;
-    times * pair.penalty_factor.clamp(least, most) * stiffness
+    let automatic = if soft { DIVIDED_PENALTY } else { PENALTY };
+    let wanted = (automatic * pair.penalty_factor).clamp(SOFTEST, STIFFEST);
+    Law {
+        friction: pair.friction,
+        penalty: wanted * stiffness,
+        firmest: wanted.max(automatic) * stiffness,
+        stiffness,
+    }
 }
 
 /// Rows of one pair.

@@ -132,7 +132,7 @@ pub const CONTROLS: Keys = Keys {
         key(
             "penetration",
             "share, at most 1",
-            "1e-7",
+            "1e-8",
             "largest penetration, of the approach of the bodies",
         ),
         key(
@@ -159,7 +159,7 @@ pub const CONTROLS: Keys = Keys {
             "iterations",
             "whole number, 1 or more",
             "40",
-            "Newton iterations before an increment is cut back",
+            "Newton iterations before an increment is cut back; twice as many while they come nearer steadily",
         ),
         key(
             "plasticity",

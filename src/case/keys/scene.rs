@@ -138,7 +138,7 @@ pub const CONTACT: Keys = Keys {
             "penalty_factor",
             "share, positive",
             "1",
-            "multiplies the automatic penalty, softer than 0.3 times it never; the converged answer does not depend on it",
+            "multiplies the automatic penalty; the converged answer does not depend on it",
         ),
         key(
             "true_geometry",

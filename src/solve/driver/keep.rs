@@ -1,9 +1,9 @@
 //! What an accepted increment leaves, and going on from there.
 
 use super::Run;
-use crate::results::turn::largest_turn;
+use crate::results::turn::{TOO_FAR, largest_turn};
 use crate::results::{Energy, State};
-use crate::solve::error::{SolveError, TOO_FAR};
+use crate::solve::error::SolveError;
 use crate::solve::evaluate::Evaluation;
 use crate::solve::foresight::Expected;
 use crate::solve::newton::Point;
@@ -38,9 +38,11 @@ impl Run<'_, '_> {
     /// planes leave also turns where the whole only bends.
     fn refuse_far(&self, state: &State) -> Result<(), SolveError> {
         let scene = self.model.scene;
-        let whole = scene.mirrors.is_empty() && !scene.contacts.is_empty();
+        if scene.contacts.is_empty() || !scene.mirrors.is_empty() {
+            return Ok(());
+        }
         match largest_turn(&scene.mesh, &state.displacement) {
-            Some((body, angle)) if angle > TOO_FAR && whole => Err(SolveError::TurnsFar {
+            Some((body, angle)) if angle > TOO_FAR => Err(SolveError::TurnsFar {
                 step: scene.steps[state.step].name.clone(),
                 percent: match self.last.step == state.step {
                     true => 100.0 * self.last.time,

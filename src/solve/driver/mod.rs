@@ -28,7 +28,7 @@ use crate::scene::{LITTLE, Scene};
 use companion::Companion;
 pub use companion::KeptCompanion;
 
-/// By how much increments that were easy grow, and how much larger than the first they may get in all: who
+/// By how much increments that were not cut back grow, and how much larger than the first they may get in all: who
 /// asks for a small first increment asks for a fine path.
 const GROWTH: f64 = 1.5;
 const LARGEST: f64 = 3.0;
@@ -188,6 +188,8 @@ struct Run<'a, 'o> {
     held_back: bool,
     /// Share of the step that the next increment tries.
     size: f64,
+    /// Has it been cut back?
+    cut: bool,
     states: Vec<State>,
     last: State,
     /// What the states of the finished steps and the last one can be restored from.
@@ -225,6 +227,7 @@ impl<'a, 'o> Run<'a, 'o> {
             asked: false,
             held_back: false,
             size: 0.0,
+            cut: false,
             states: Vec::new(),
             last: State::default(),
             finished: Vec::new(),
@@ -295,7 +298,6 @@ impl<'a, 'o> Run<'a, 'o> {
     }
 
     fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
-        let controls = self.model.scene.controls;
         let mut time = match self.point.step == step && self.point.time < 1.0 {
             true => self.point.time,
             false => 0.0,
@@ -343,7 +345,7 @@ impl<'a, 'o> Run<'a, 'o> {
             let iterations = self.counters.iterations - before;
             match result {
                 Ok(evaluation) => {
-                    if iterations <= controls.iterations / 3 {
+                    if !std::mem::take(&mut self.cut) {
                         self.size = (GROWTH * self.size).min(LARGEST * self.first_increment());
                     }
                     let mut unforeseen = self.look(&trial, self.size / target);
@@ -432,6 +434,7 @@ impl<'a, 'o> Run<'a, 'o> {
             return Err(diagnose(&self.model, stopped, at));
         }
         self.size *= 0.5;
+        self.cut = true;
         self.counters.cut_backs += 1;
         self.solver = LinearSolver::default();
         self.observer.message(&format!(
@@ -524,15 +527,19 @@ impl<'a, 'o> Run<'a, 'o> {
             .unwrap_or(f64::INFINITY)
     }
 
+    /// Share of a step that is done.
+    fn stands(&self, step: usize) -> f64 {
+        match self.point.step == step {
+            true => self.point.time,
+            false => 0.0,
+        }
+    }
+
     /// First guess at `target`: where things stand, or the elastic end of the step where that is nearer.
     /// On along the last increment would be worse: as contact grows bodies turn towards each other, and
     /// nodes that were closing part again.
     fn predict(&mut self, step: usize, target: f64) -> Point {
-        let stands = if self.point.step == step {
-            self.point.time
-        } else {
-            0.0
-        };
+        let stands = self.stands(step);
         let nearer = |end: &mut Point| end.step == step && 1.0 - target < target - stands;
         let guess = self.guess.take();
         let guess = guess.or_else(|| self.end.take_if(nearer));

@@ -33,14 +33,22 @@ impl Run<'_, '_> {
             time: 1.0,
             ..trial.clone()
         };
-        let balanced = newton::balance(
-            &self.model,
-            &self.history,
-            (&mut end, None),
-            &mut self.solver,
-            self.observer,
-            &mut self.counters,
-        );
+        let mut balance = |end: &mut Point| {
+            newton::balance(
+                &self.model,
+                &self.history,
+                (end, None),
+                &mut self.solver,
+                self.observer,
+                &mut self.counters,
+            )
+        };
+        let mut balanced = balance(&mut end);
+        if matches!(&balanced, Err(stopped) if stopped.why != Failure::Cancelled) && !end.cautious {
+            end.cautious = true;
+            balanced = balance(&mut end);
+        }
+        end.cautious = trial.cautious;
         if let Ok(evaluation) = &balanced {
             let model = &self.model;
             let [now, then] = [trial, &end].map(|p| {
@@ -69,6 +77,13 @@ impl Run<'_, '_> {
                 // Of a strip that outgrows what was prepared for it nothing else is known.
                 unforeseen.add_contact(contact);
             }
+        } else if unforeseen.missed {
+            // Nothing is known of the flow to come: one increment of it would say nothing of its own error.
+            let stands = self.stands(trial.step);
+            self.beside.plan = Some(Plan {
+                step: trial.step,
+                ends: vec![0.5 * (stands + trial.time), trial.time],
+            });
         }
         swap(&mut self.history.plastic, &mut plastic);
         self.model.yielding = watched;

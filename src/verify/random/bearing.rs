@@ -110,6 +110,7 @@ pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
         limits: limits(&bearing),
         plastic: ring(&bearing, weakest + STRAIN * hardening),
         load: load / units.forces,
+        turn: 0.0,
     };
     (bearing, known)
 }
@@ -159,17 +160,17 @@ fn limits(bearing: &Drawn) -> Vec<Limit> {
         needs: [a.min(b) - off, a.max(b) + off],
     };
     let rough = 0.03 * friction[0].max(friction[1]);
-    // The middle of a force is known to an element of the mesh. A fillet that is smaller is a chamfer as long as the
-    // last element, and the node before it bears only once that has closed.
-    let elements = match bearing.end {
-        End::Radius(_) => 2.0,
-        _ => 1.0,
-    };
-    let element = elements * ALONG * bearing.diameter;
+    // The middle of a force is known to an element of the mesh.
+    let element = ALONG * bearing.diameter;
     let half = 0.5 * bearing.length - end;
+    let mut length = between("half of the length of the rollers", half, length, element);
+    if let End::Radius(_) = bearing.end {
+        // A smaller fillet is a chamfer as long as the last element: the node before it bears only once that has closed.
+        length.needs[1] += element;
+    }
     vec![
         between("friction", bearing.friction, friction, rough),
-        between("half of the length of the rollers", half, length, element),
+        length,
     ]
 }
 

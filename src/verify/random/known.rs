@@ -1,5 +1,7 @@
 //! What is known of a case without solving it: whether it can be in balance, and how much it can carry.
 
+use crate::results::turn::TOO_FAR;
+
 /// Something that a case has to have for balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
@@ -29,6 +31,8 @@ pub struct Known {
     /// An upper bound of the plastic limit load.
     pub plastic: f64,
     pub load: f64,
+    /// About how far a body turns, in radians, as columns that give way would have it; zero where that is not known.
+    pub turn: f64,
 }
 
 /// Can bodies be in balance?
@@ -62,6 +66,11 @@ impl Known {
         ))
     }
 
+    /// May a body turn too far for small rotations? Columns know it to a factor of three.
+    pub fn turns_far(&self) -> bool {
+        3.0 * self.turn > TOO_FAR
+    }
+
     /// Is the load beyond what plastic steel can carry?
     pub fn is_overloaded(&self) -> bool {
         self.load > self.plastic
@@ -77,6 +86,7 @@ mod tests {
             limits: vec![Limit::about("friction", has, 0.1, 0.03)],
             plastic: 1.0,
             load: 2.0,
+            turn: 0.02,
         }
     }
 
@@ -91,5 +101,6 @@ mod tests {
                 .is_some_and(|m| m.contains("friction"))
         );
         assert!(known(0.2).missing().is_none() && known(0.2).is_overloaded());
+        assert!(!known(0.2).turns_far());
     }
 }

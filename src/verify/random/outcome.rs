@@ -86,10 +86,9 @@ pub fn refused(known: &Known, error: &dyn Diagnostic) -> Verdict {
     let falls = is("solve::no_balance") || is("solve::free_body");
     // Steel that flows without limit ends as one or the other.
     let flows = is("solve::limit_load") || is("solve::not_converged");
-    // Measured, not judged: whoever looks at the displacements sees it.
-    let turns = is("solve::turns_far");
+    let turns = is("solve::turns_far") && known.turns_far();
     let why = first_line(error);
-    match (falls && !stands) || (flows && known.is_overloaded()) || turns {
+    match turns || (falls && !stands) || (flows && known.is_overloaded()) {
         true => Verdict::Refused { why },
         false => Verdict::Unexplained { why },
     }

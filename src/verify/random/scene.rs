@@ -124,10 +124,12 @@ pub fn stack(seed: u64, number: usize) -> Result<Stack, VerifyError> {
     let top = &parts[count - 1];
     let area: f64 = (0..2).map(|i| top.high[i] - top.low[i]).product();
     let force = scale(traction, area);
+    let interfaces = interfaces(&parts, force);
     let known = Known {
-        limits: limits(&parts, &frictions, force),
+        limits: limits(&parts, &frictions, &interfaces),
         plastic: f64::INFINITY,
         load: norm(force),
+        turn: turn(&parts, &steels, &interfaces),
     };
     let meshes: Result<Vec<Mesh>, VerifyError> = (parts.iter().zip(NAMES))
         .map(|(part, name)| part.mesh(name))
@@ -181,40 +183,89 @@ fn steel(stream: &mut Stream) -> Steel {
     }
 }
 
-/// What every interface needs.
-fn limits(parts: &[Part], frictions: &[f64], force: Vec3) -> Vec<Limit> {
+/// Where the force passes an interface.
+struct Interface {
+    /// Force across it, and along it.
+    pressed: f64,
+    shear: f64,
+    /// Of the area where the two blocks face each other: half of its widths,
+    half: [f64; 2],
+    /// and how far from its middle the line of force passes.
+    off: [f64; 2],
+}
+
+fn interfaces(parts: &[Part], force: Vec3) -> Vec<Interface> {
     let top = &parts[parts.len() - 1];
     let middle = [0, 1].map(|i| 0.5 * (top.low[i] + top.high[i]));
     let centre = [middle[0], middle[1], top.faces[1].at(middle)];
-    let mut limits = Vec::new();
-    for (pair, friction) in parts.windows(2).zip(frictions) {
-        let [below, above] = [&pair[0], &pair[1]];
-        let face = below.faces[1];
+    let between = |pair: &[Part]| {
+        let face = pair[0].faces[1];
         let normal = face.normal();
         let pressed = -dot(force, normal);
-        let shear = norm(sub(force, scale(normal, -pressed)));
-        if shear > NOTHING * pressed {
-            limits.push(Limit::about("friction", *friction, shear / pressed, 0.02));
-        }
         // Where the line of force meets the interface.
         let origin = [0.0, 0.0, face.height];
         let way = dot(sub(origin, centre), normal) / dot(force, normal);
-        let at = [0, 1].map(|i| centre[i] + way * force[i]);
+        let bears = [0, 1].map(|i| {
+            let low = pair[0].low[i].max(pair[1].low[i]);
+            let high = pair[0].high[i].min(pair[1].high[i]);
+            let at = centre[i] + way * force[i];
+            (0.5 * (high - low), (at - 0.5 * (low + high)).abs())
+        });
+        Interface {
+            pressed,
+            shear: norm(sub(force, scale(normal, -pressed))),
+            half: bears.map(|(half, _)| half),
+            off: bears.map(|(_, off)| off),
+        }
+    };
+    parts.windows(2).map(between).collect()
+}
+
+/// What every interface needs.
+fn limits(parts: &[Part], frictions: &[f64], interfaces: &[Interface]) -> Vec<Limit> {
+    let mut limits = Vec::new();
+    for ((pair, friction), at) in parts.windows(2).zip(frictions).zip(interfaces) {
+        let Interface { pressed, shear, .. } = *at;
+        if shear > NOTHING * pressed {
+            limits.push(Limit::about("friction", *friction, shear / pressed, 0.02));
+        }
         for i in 0..2 {
-            let low = below.low[i].max(above.low[i]);
-            let high = below.high[i].min(above.high[i]);
             // Pressure at the very edge of the area takes nodes there: its middle is known to a third of a cell.
             let cell = |part: &Part| (part.high[i] - part.low[i]) / part.cells[i] as f64;
-            let half = 0.5 * (high - low);
+            let half = at.half[i];
             limits.push(Limit::about(
                 "half of the width that bears",
                 half,
-                (at[i] - 0.5 * (low + high)).abs().max(NOTHING),
-                cell(below).max(cell(above)) / (3.0 * half.abs()),
+                at.off[i].max(NOTHING),
+                cell(&pair[0]).max(cell(&pair[1])) / (3.0 * half.abs()),
             ));
         }
     }
     limits
+}
+
+/// About by how much the uppermost block turns, in radians. Where the force passes an interface beyond the kern of
+/// its area, pressure grows from nothing to twice its mean over three times the distance of the force from the edge;
+/// the blocks beside give way as columns would.
+fn turn(parts: &[Part], steels: &[Steel], interfaces: &[Interface]) -> f64 {
+    let mut all = 0.0;
+    for ((pair, steels), at) in parts.windows(2).zip(steels.windows(2)).zip(interfaces) {
+        for i in 0..2 {
+            let half = at.half[i];
+            let bears = (3.0 * (half - at.off[i])).clamp(NOTHING, 2.0 * half);
+            let uneven = (3.0 * at.off[i] / half).min(1.0);
+            let edge = uneven * 2.0 * at.pressed / (bears * 2.0 * at.half[1 - i]);
+            for (part, steel) in pair.iter().zip(steels) {
+                let height = part.faces[1].height - part.faces[0].height;
+                let strain = match edge > steel.yield_stress {
+                    true => (edge - steel.yield_stress) / steel.hardening_modulus,
+                    false => edge / steel.youngs_modulus,
+                };
+                all += strain * height / bears;
+            }
+        }
+    }
+    all
 }
 
 impl Part {

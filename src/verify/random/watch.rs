@@ -16,6 +16,8 @@ pub struct Watch {
     now: usize,
     /// The most that an accepted increment took, cut-backs included.
     pub most: usize,
+    /// When accepted increments ended.
+    pub times: Vec<f64>,
 }
 
 impl Watch {
@@ -25,6 +27,7 @@ impl Watch {
             iterations: 0,
             now: 0,
             most: 0,
+            times: Vec::new(),
         }
     }
 
@@ -39,9 +42,10 @@ impl Observer for Watch {
         self.now += 1;
     }
 
-    fn increment(&mut self, _: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+    fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         self.most = self.most.max(self.now);
         self.now = 0;
+        self.times.push(state.time);
         Ok(())
     }
 

@@ -473,7 +473,7 @@ fixed = "xyz"
 /// that, up to 2.5.
 #[test]
 fn a_stiff_cylinder_dents_a_block_without_alternating() {
-    let summary = solve(
+    let summary = solve(&format!(
         r#"
 title = "dent"
 units = "in-kip-ksi"
@@ -494,26 +494,15 @@ lower = "block_contact"
 [[pressure]]
 surface = "top"
 value = 2.3384
-[[support]]
-surface = "base"
-fixed = "y"
-[[support]]
-surface = "symmetry"
-fixed = "x"
-[[support]]
-surface = "back"
-fixed = "z"
-[[support]]
-surface = "front"
-fixed = "z"
+{SLICE}
 [[step]]
 name = "load"
 factor = 1
 [[step]]
 name = "unload"
 factor = 0.001
-"#,
-    );
+"#
+    ));
     let peak = figure(
         &summary,
         Quantity::PeakPressure,

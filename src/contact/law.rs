@@ -386,6 +386,22 @@ mod tests {
     }
 
     #[test]
+    fn a_soft_penalty_is_raised_as_far_as_the_automatic_one() {
+        let law = Law {
+            penalty: 20.0,
+            ..LAW
+        };
+        let pressure = |firmer| {
+            let node = Node {
+                firmer,
+                ..closed([10.0, 0.0, 0.0], true)
+            };
+            law.traction(&node, &[0.01, 0.0, 0.0]).traction[0]
+        };
+        assert_eq!([0, 1, 9].map(pressure), [10.2, 12.0, 20.0]);
+    }
+
+    #[test]
     fn tension_opens_and_penetration_closes() {
         let node = closed([10.0, 0.0, 0.0], false);
         let d = [1e-6, 0.0, 0.0];

@@ -10,9 +10,9 @@
 use super::mortar::Sum;
 use std::collections::BTreeMap;
 
-/// Share of a facet's area that the other side has to cover with a node. An augmented multiplier with a penalty
-/// of P times the stiffness of the bodies nears its value by a factor of about 1 + P c in an iteration: at this
-/// share by 20 for pressures, and by 1.6 for the shears of cautious nodes.
+/// Share of a facet's area that the other side has to cover with a node. Down to it the penalty grows as the share
+/// falls, and multipliers near their values as quickly as others; shears of cautious nodes do so by 1.6 in an
+/// iteration at this share. Below it pressures would be large numbers on next to no area.
 const COVERED: f64 = 0.02;
 
 /// Nodes that are covered alike to within this are: rounding decides no tie.

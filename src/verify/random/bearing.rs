@@ -110,7 +110,7 @@ pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
         limits: limits(&bearing),
         plastic: ring(&bearing, weakest + STRAIN * hardening),
         load: load / units.forces,
-        turn: 0.0,
+        turn: turn(&bearing, load / units.forces),
     };
     (bearing, known)
 }
@@ -139,13 +139,7 @@ fn limits(bearing: &Drawn) -> Vec<Limit> {
     let corner = apart * (slope / apart).round();
     let round = tan(0.5 * slope);
     let meshed = tan(0.5 * corner);
-    let height = bearing.thickness[1]
-        + 2.0 * bearing.offset * tan(slope)
-        + bearing.diameter * (1.0 + 1.0 / cos(slope));
-    let end = match bearing.end {
-        End::Radius(radius) => radius,
-        _ => 0.0,
-    };
+    let height = bearing.height();
     let friction = [round, meshed].map(|lean| {
         let slid = [[0.0, 0.0], [tan(slope), 0.0]].map(|face| sheared([lean; 2], face));
         slid[0].max(slid[1])
@@ -160,18 +154,54 @@ fn limits(bearing: &Drawn) -> Vec<Limit> {
         needs: [a.min(b) - off, a.max(b) + off],
     };
     let rough = 0.03 * friction[0].max(friction[1]);
+    let mut friction = between("friction", bearing.friction, friction, rough);
+    if bearing.offset < 0.5 * bearing.diameter * apart {
+        // Nearer to the valley than a facet is long the meshed roller bears on both of its faces.
+        friction.needs[0] = 0.0;
+    }
     // The middle of a force is known to an element of the mesh.
     let element = ALONG * bearing.diameter;
-    let half = 0.5 * bearing.length - end;
+    let half = bearing.half();
     let mut length = between("half of the length of the rollers", half, length, element);
     if let End::Radius(_) = bearing.end {
         // A smaller fillet is a chamfer as long as the last element: the node before it bears only once that has closed.
         length.needs[1] += element;
     }
-    vec![
-        between("friction", bearing.friction, friction, rough),
-        length,
-    ]
+    vec![friction, length]
+}
+
+impl Drawn {
+    /// Of both rollers and the plate between them, along the line of the forces.
+    fn height(&self) -> f64 {
+        let slope = self.degrees.to_radians();
+        self.thickness[1]
+            + 2.0 * self.offset * tan(slope)
+            + self.diameter * (1.0 + 1.0 / cos(slope))
+    }
+
+    /// Of the straight length of a roller.
+    fn half(&self) -> f64 {
+        let end = match self.end {
+            End::Radius(radius) => radius,
+            _ => 0.0,
+        };
+        0.5 * self.length - end
+    }
+}
+
+/// About by how much a plate turns where the force passes a hollow roller near its end, in radians. Pressure grows
+/// from nothing to twice its mean over three times the distance of the force from the end; the ring there becomes
+/// flatter by 0.1488 q r³ / (E I) (Young and Budynas, Roark's Formulas for Stress and Strain, table 9.2, case 1).
+fn turn(bearing: &Drawn, load: f64) -> f64 {
+    let Some(wall) = bearing.wall.filter(|_| bearing.offset > 0.0) else {
+        return 0.0;
+    };
+    let lean = tan(0.5 * bearing.degrees.to_radians());
+    let left = bearing.half() - bearing.offset - lean * bearing.height();
+    let bears = 3.0 * left.max(ALONG * bearing.diameter / 3.0);
+    let mean = 0.5 * (bearing.diameter - wall);
+    let bending = bearing.modulus / (1.0 - bearing.poisson * bearing.poisson) * wall.powi(3) / 12.0;
+    0.1488 * 2.0 * load / bears * mean.powi(3) / bending / bears
 }
 
 /// Shear over pressure of the force along (x, y, 1) on the face whose normal is along (a, b, 1).

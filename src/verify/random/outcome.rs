@@ -87,8 +87,10 @@ pub fn refused(known: &Known, error: &dyn Diagnostic) -> Verdict {
     // Steel that flows without limit ends as one or the other.
     let flows = is("solve::limit_load") || is("solve::not_converged");
     let turns = is("solve::turns_far") && known.turns_far();
+    // Such as rollers beyond the edges of their plates.
+    let undrawable = is("case::value");
     let why = first_line(error);
-    match turns || (falls && !stands) || (flows && known.is_overloaded()) {
+    match turns || ((falls || undrawable) && !stands) || (flows && known.is_overloaded()) {
         true => Verdict::Refused { why },
         false => Verdict::Unexplained { why },
     }

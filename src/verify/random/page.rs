@@ -90,7 +90,7 @@ pub fn section(arguments: &str, sets: &[(&str, Vec<Outcome>)]) -> String {
         "Written by `brinell verify --suite random {arguments} --write`; do not edit. Bearings and stacks of\n\
          blocks are drawn by the seed, whatever comes of them. Each is solved, or refused for a reason that is\n\
          known without the solver: statics says that it cannot stand, a bound of the limit load that plastic\n\
-         steel cannot carry it, columns that give way that a block turns too far. All else is unexplained.\n\
+         steel cannot carry it, rings and columns that give way that a body turns too far. All else is unexplained.\n\
          Stacks are also solved turned, in other units and numbered otherwise, and have to give the same to\n\
          1e-6; and with penalties of 0.01 and 100 and divided, to 1e-5. Where increments end elsewhere, they may\n\
          differ by twice what increments are said to be worth.\n"

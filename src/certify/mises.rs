@@ -111,8 +111,9 @@ pub(super) struct Strip {
     pub centre: [f64; 3],
     pub axis: usize,
     pub half_width: f64,
-    /// Distance of the nodes in its middle.
+    /// Distance of the nodes in its middle; the larger of that and the one at its edge.
     pub spacing: f64,
+    pub widest: f64,
     /// Largest Mises stress below it in a half space.
     pub mises: f64,
 }
@@ -135,6 +136,7 @@ impl Strip {
                     axis: line.axis,
                     half_width: hertz.half_width,
                     spacing: line.line.heaviest.middle_spacing(),
+                    widest: line.line.heaviest.spacing(),
                     mises: LineField::below(&hertz, nu).ok()?.peak_mises().value,
                 })
             };
@@ -166,7 +168,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
             Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
             Some(strip) => {
                 // The finer the mesh, the more is what it says worth beside the half space.
-                let weight = (FINE * strip.spacing / strip.half_width).min(1.0);
+                let weight = (FINE * strip.widest / strip.half_width).min(1.0);
                 let off = (nodal.value - strip.mises).abs() + BODIES * strip.mises;
                 let off = weight * off;
                 (Some(spread.max(off)), None)

@@ -68,7 +68,7 @@ pub struct Node {
     pub switches: u8,
     /// By how many powers of ten ε_t has been raised, because λ came nearer too slowly, or because sets have settled.
     pub raised: u8,
-    /// By how many powers of ten ε has been raised for the same reason.
+    /// By how many powers of ten ε has been raised, because contact closed too slowly.
     pub firmer: u8,
     /// What λ was off when it was taken last, as a length.
     pub missed: f64,

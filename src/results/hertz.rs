@@ -6,14 +6,14 @@
 
 use super::State;
 use super::bore::circle_centre;
-use super::contact_lines::{ContactLine, across, contact_lines};
+use super::contact_lines::{ContactLine, StripRow, across, contact_lines};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
 use super::line_load::Slices;
 use crate::analytic::hertz::LineContact;
-use crate::geometry::dot;
+use crate::geometry::{dot, norm, sub};
 use crate::mesh::shape::fit;
-use crate::mesh::{Mesh, Surface};
+use crate::mesh::{Face, Mesh, Surface};
 use crate::scene::{ContactPair, Partner, Scene};
 
 /// The line of a pair that carries most per length, and what Hertz says of it.
@@ -61,10 +61,7 @@ impl HeaviestLine {
         let apart = distance_to_the_next(line, &lines, mirrored);
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
-        let radius = radius(scene, contact, axis, row.at);
-        let compliance = scene.compliance(contact).ok();
-        let hertz = radius.zip(compliance);
-        let hertz = hertz.and_then(|(r, c)| LineContact::new(line_load, r, c).ok());
+        let hertz = line_contact(scene, contact, (axis, row), line_load);
         let kink = kink(line, scene.mirrors.contains(&axis));
         let departs = hertz.and_then(|hertz| {
             if apart < MERGED * 2.0 * hertz.half_width {
@@ -175,26 +172,58 @@ fn flows_below(
     })
 }
 
-/// Relative radius of curvature of the two sides across `axis`, at the coordinate `at` along it.
-fn radius(scene: &Scene, pair: &ContactPair, axis: usize, at: f64) -> Option<f64> {
+/// Hertz's contact of a pair along `axis` under the load per length `load`, with the curvature that its surfaces have
+/// at a row; `None` where that is not known, or they do not curve apart.
+pub fn line_contact(
+    scene: &Scene,
+    pair: &ContactPair,
+    (axis, row): (usize, &StripRow),
+    load: f64,
+) -> Option<LineContact> {
+    let radius = radius(scene, pair, axis, row)?;
+    LineContact::new(load, radius, scene.compliance(pair).ok()?).ok()
+}
+
+/// Relative radius of curvature of the two sides across `axis`, at a row of the strip.
+fn radius(scene: &Scene, pair: &ContactPair, axis: usize, row: &StripRow) -> Option<f64> {
     let curvature = |side: &Partner| match side {
         Partner::Plane { .. } => Some(0.0),
-        Partner::Surface(name) => curvature(&scene.mesh, scene.mesh.surface(name)?, axis, at),
+        Partner::Surface(name) => curvature(&scene.mesh, scene.mesh.surface(name)?, axis, row),
     };
     let sum = curvature(&pair.upper)? + curvature(&pair.lower)?;
     (sum > 0.0).then(|| 1.0 / sum)
 }
 
-/// Curvature of a surface across `axis`, convex positive: of the shape that its nodes lie on, or of the
-/// circle through its row of nodes next to the coordinate `at`.
-fn curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option<f64> {
+/// Curvature of a surface across `axis`, convex positive: of the shape that its nodes lie on, of that of its
+/// nodes about the strip, as on one face of a V, or of the circle through its row of nodes next to the row.
+fn curvature(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Option<f64> {
     const PARALLEL: f64 = 0.99;
     let mut along = [0.0; 3];
     *along.get_mut(axis)? = 1.0;
-    let shape = fit(mesh, surface);
-    shape
-        .curvature(along, PARALLEL)
-        .or_else(|| row_curvature(mesh, surface, axis, at))
+    let of = |surface: &Surface| fit(mesh, surface).curvature(along, PARALLEL);
+    of(surface)
+        .or_else(|| of(&about(mesh, surface, axis, row)))
+        .or_else(|| row_curvature(mesh, surface, axis, row.at))
+}
+
+/// The faces of a surface that come as near to the line through the middle of a row along `axis` as three of its
+/// half-widths.
+fn about(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Surface {
+    let reach = 3.0 * row.half_width.max(row.middle_spacing());
+    let from_line = |corner: [f64; 3]| {
+        let mut arm = sub(corner, row.centre);
+        arm[axis] = 0.0;
+        norm(arm)
+    };
+    let near = |face: &&Face| {
+        face.corners(mesh)
+            .into_iter()
+            .any(|c| from_line(c) <= reach)
+    };
+    Surface {
+        name: surface.name.clone(),
+        faces: surface.faces.iter().filter(near).copied().collect(),
+    }
 }
 
 fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option<f64> {

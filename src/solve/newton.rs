@@ -130,10 +130,12 @@ struct Progress {
 impl Progress {
     /// Do corrections become smaller so steadily that it would be a waste to stop?
     fn goes_on(&self) -> bool {
-        const LESS: f64 = 0.3;
+        // Shears that are taken as multipliers raise corrections for some iterations: a wave of them is looked over.
+        const WAVE: usize = 8;
+        const LESS: f64 = 0.1;
         let most = |energies: &[f64]| energies.iter().copied().fold(0.0, f64::max);
-        let lately = self.energies.last_chunk::<6>();
-        lately.is_some_and(|six| most(&six[3..]) < LESS * most(&six[..3]))
+        let lately = self.energies.last_chunk::<{ 2 * WAVE }>();
+        lately.is_some_and(|both| most(&both[WAVE..]) < LESS * most(&both[..WAVE]))
     }
 }
 
@@ -391,7 +393,7 @@ fn update_contact(
     const FREE_ITERATIONS: usize = 12;
     const FREE_SWITCHES: u8 = 2;
     // Below this share of the largest force a friction bound or shear counts as unchanged.
-    const SAME: f64 = 1e-7;
+    const SAME: f64 = 2e-8;
     let forces =
         (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
     let largest = forces.fold(0.0, f64::max);
@@ -419,7 +421,8 @@ fn update_contact(
         let moved = next.closed && (law.bound(traction) - node.bound).abs() > same;
         let switches = match (node.closed, next.closed) {
             (true, true) => {
-                next.sticks != node.sticks && law.beyond(traction, relative, bounds[index]) > same
+                next.sticks != node.sticks
+                    && law.beyond(traction, relative, bounds[index]).abs() > same
             }
             (false, false) => false,
             _ => law.presses(node, traction, relative).abs() > least,

@@ -91,7 +91,8 @@ pub fn measure(
     let name = format!("{}/{preset}-{steel}", bearing.name);
     let solved = solution::solve(&case, (keep, &name), true, observer)?;
     let record = |reading: &Reading| {
-        let truth = truth(reading, elastic, stored, scatter);
+        let of = |reading: &Reading| truth(reading, elastic, stored, scatter);
+        let truth = of(reading).or_else(|| by_load(reading, &solved.readings, of));
         Record {
             bearing: bearing.name.clone(),
             preset: preset.to_owned(),
@@ -125,6 +126,25 @@ fn truth(
         "mises_away" => of(what).or_else(|| of("peak_mises")),
         _ => of(what),
     }
+}
+
+/// The true value of Hertz's pressure, which goes with the root of the line load.
+fn by_load(
+    reading: &Reading,
+    readings: &[Reading],
+    truth: impl Fn(&Reading) -> Option<Truth>,
+) -> Option<Truth> {
+    let at = |r: &&Reading| r.what == "line_load" && r.place == reading.place;
+    let load = readings
+        .iter()
+        .filter(|_| reading.what == "hertz_pressure")
+        .find(at)?;
+    let of_load = truth(load)?;
+    let value = reading.value * (of_load.value / load.value).sqrt();
+    Some(Truth {
+        value,
+        uncertainty: 0.5 * value * of_load.uncertainty / of_load.value,
+    })
 }
 
 fn strip(solved: &Solved, place: &str) -> Option<Strip> {

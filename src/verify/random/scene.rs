@@ -252,7 +252,7 @@ fn turn(parts: &[Part], steels: &[Steel], interfaces: &[Interface]) -> f64 {
     for ((pair, steels), at) in parts.windows(2).zip(steels.windows(2)).zip(interfaces) {
         for i in 0..2 {
             let half = at.half[i];
-            let bears = (3.0 * (half - at.off[i])).clamp(NOTHING, 2.0 * half);
+            let bears = (3.0 * (half - at.off[i])).min(2.0 * half).max(NOTHING);
             let uneven = (3.0 * at.off[i] / half).min(1.0);
             let edge = uneven * 2.0 * at.pressed / (bears * 2.0 * at.half[1 - i]);
             for (part, steel) in pair.iter().zip(steels) {

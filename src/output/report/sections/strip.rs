@@ -2,15 +2,15 @@
 
 use crate::analytic::hertz::LineContact;
 use crate::geometry::AXES;
-use crate::mesh::shape::fit;
 use crate::output::report::Inputs;
 use crate::output::report::drawing::axes::Axis;
 use crate::output::report::drawing::chart::{Chart, Mark, Series, extent, from_zero};
 use crate::output::text::significant;
 use crate::results::contact_lines::contact_lines;
+use crate::results::hertz::line_contact;
 use crate::results::line_load::Slices;
 use crate::results::strip_profile::{StripProfile, strip_profile};
-use crate::scene::{Partner, Scene};
+use crate::scene::Scene;
 use maud::{Markup, html};
 
 /// A line of contact, what was computed across it, and Hertz's contact under the same load per
@@ -23,7 +23,7 @@ pub struct Line {
     pub across: f64,
     pub half_width: f64,
     pub profile: StripProfile,
-    /// None where the surfaces are not a cylinder on a cylinder or a plane.
+    /// `None` where the curvature of a surface is not known, or the two do not curve apart.
     pub hertz: Option<LineContact>,
     /// The bodies on the carrier's side and on the other, where there are such.
     pub bodies: [Option<usize>; 2],
@@ -59,7 +59,7 @@ pub fn lines(inputs: &Inputs) -> Vec<Line> {
                 axis,
                 across: line.across,
                 half_width: line.heaviest.half_width,
-                hertz: hertz(scene, pair, axis, profile.line_load),
+                hertz: line_contact(scene, contact, (axis, &line.heaviest), profile.line_load),
                 profile,
                 bodies: bodies(scene, pair),
             });
@@ -71,22 +71,6 @@ pub fn lines(inputs: &Inputs) -> Vec<Line> {
 fn bodies(scene: &Scene, pair: usize) -> [Option<usize>; 2] {
     let partners = scene.contacts[pair].carrier_first();
     partners.map(|partner| partner.body(&scene.mesh))
-}
-
-/// Hertz's line contact under the load per length `load`; `None` where the surfaces are others.
-fn hertz(scene: &Scene, pair: usize, axis: usize, load: f64) -> Option<LineContact> {
-    let mut along = [0.0; 3];
-    along[axis] = 1.0;
-    let contact = &scene.contacts[pair];
-    let mut curvature = 0.0;
-    for partner in contact.carrier_first() {
-        let Partner::Surface(name) = partner else {
-            continue;
-        };
-        let shape = fit(&scene.mesh, scene.mesh.surface(name)?);
-        curvature += shape.curvature(along, 1.0 - 1e-6)?;
-    }
-    LineContact::new(load, 1.0 / curvature, scene.compliance(contact).ok()?).ok()
 }
 
 /// A diagram a line.

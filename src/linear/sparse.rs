@@ -17,10 +17,14 @@ pub struct Pattern {
     pub columns: Vec<u32>,
     /// Row of each entry, ascending within a column, diagonal first.
     pub rows: Vec<u32>,
+    /// Rows below a vertex that it is coupled with, as stretches without a gap: condensed bodies leave long ones.
+    stretches: Vec<Range<u32>>,
+    /// Start of each vertex's stretches.
+    stretch_start: Vec<u32>,
 }
 
 /// A symmetric matrix on a pattern.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct SymmetricMatrix {
     /// Entries of the lower triangle, as the pattern's `rows`.
     pub values: Vec<f64>,
@@ -47,9 +51,30 @@ impl Pattern {
             adjacency: flat,
             columns: vec![0],
             rows: Vec::new(),
+            stretches: Vec::new(),
+            stretch_start: vec![0],
         };
         pattern.fill_columns();
+        pattern.fill_stretches();
         pattern
+    }
+
+    fn fill_stretches(&mut self) {
+        for vertex in 0..self.vertex_start.len().saturating_sub(1) {
+            let begun = self.stretches.len();
+            let below = self
+                .neighbours(vertex)
+                .partition_point(|n| (*n as usize) < vertex);
+            let after = self.adjacency_start[vertex] as usize + below;
+            for &other in &self.adjacency[after..self.adjacency_start[vertex + 1] as usize] {
+                let rows = self.vertex_start[other as usize]..self.vertex_start[other as usize + 1];
+                match self.stretches[begun..].last_mut() {
+                    Some(last) if last.end == rows.start => last.end = rows.end,
+                    _ => self.stretches.push(rows),
+                }
+            }
+            self.stretch_start.push(self.stretches.len() as u32);
+        }
     }
 
     fn fill_columns(&mut self) {
@@ -150,20 +175,22 @@ impl Pattern {
         /// come out the same on any number of threads.
         const SHARE: usize = 1 << 20;
         let shares = self.rows.len().div_ceil(SHARE).clamp(1, 4);
+        let vertices = self.vertex_start.len() - 1;
         let bounds: Vec<usize> = (0..=shares)
             .map(|k| {
                 let entry = (self.rows.len() * k / shares) as u32;
-                self.columns[..self.len()].partition_point(|c| *c < entry)
+                let begins = |start: &u32| self.columns[*start as usize] < entry;
+                self.vertex_start[..vertices].partition_point(begins)
             })
             .collect();
         if shares == 1 {
             y.fill(0.0);
-            return self.multiply_columns(matrix, 0..self.len(), x, y);
+            return self.multiply_vertices(matrix, 0..vertices, x, y);
         }
         let parts: Vec<Vec<f64>> = (bounds.par_windows(2))
             .map(|ends| {
                 let mut part = vec![0.0; y.len()];
-                self.multiply_columns(matrix, ends[0]..ends[1], x, &mut part);
+                self.multiply_vertices(matrix, ends[0]..ends[1], x, &mut part);
                 part
             })
             .collect();
@@ -172,27 +199,36 @@ impl Pattern {
         });
     }
 
-    /// Adds the product with the columns and their mirror images.
-    fn multiply_columns(
+    /// Adds the product with the columns of `vertices` and their mirror images.
+    fn multiply_vertices(
         &self,
         matrix: &SymmetricMatrix,
-        columns: Range<usize>,
+        vertices: Range<usize>,
         x: &[f64],
         y: &mut [f64],
     ) {
-        for column in columns {
-            let range = self.columns[column] as usize..self.columns[column + 1] as usize;
-            let (rows, values) = (&self.rows[range.clone()], &matrix.values[range]);
-            let Some((diagonal, values)) = values.split_first() else {
-                continue;
-            };
-            let xc = x[column];
-            let mut sum = diagonal * xc;
-            for (row, value) in rows[1..].iter().zip(values) {
-                y[*row as usize] += value * xc;
-                sum += value * x[*row as usize];
+        for vertex in vertices {
+            let own = self.vertex_start[vertex] as usize..self.vertex_start[vertex + 1] as usize;
+            let stretches =
+                self.stretch_start[vertex] as usize..self.stretch_start[vertex + 1] as usize;
+            for column in own.clone() {
+                let range = self.columns[column] as usize..self.columns[column + 1] as usize;
+                let mut values = &matrix.values[range];
+                let mut next = |count: usize| {
+                    let (first, rest) = values.split_at(count);
+                    values = rest;
+                    first
+                };
+                let xc = x[column];
+                let mut sum = next(1)[0] * xc;
+                let within = column + 1..own.end;
+                sum += add_mirrored(next(within.len()), xc, &x[within.clone()], &mut y[within]);
+                for stretch in &self.stretches[stretches.clone()] {
+                    let rows = stretch.start as usize..stretch.end as usize;
+                    sum += add_mirrored(next(rows.len()), xc, &x[rows.clone()], &mut y[rows]);
+                }
+                y[column] += sum;
             }
-            y[column] += sum;
         }
     }
 
@@ -203,6 +239,27 @@ impl Pattern {
             .map(|start| matrix.values[*start as usize])
             .collect()
     }
+}
+
+/// Adds the product of entries below each other with `xc` to `y`; returns that of their mirror images with `x`.
+fn add_mirrored(values: &[f64], xc: f64, x: &[f64], y: &mut [f64]) -> f64 {
+    const LANES: usize = 8;
+    let (chunks, tail) = values.as_chunks::<LANES>();
+    let (x_chunks, x_tail) = x.as_chunks::<LANES>();
+    let (y_chunks, y_tail) = y.as_chunks_mut::<LANES>();
+    let mut sums = [0.0; LANES];
+    for ((values, x), y) in chunks.iter().zip(x_chunks).zip(y_chunks) {
+        for lane in 0..LANES {
+            y[lane] += values[lane] * xc;
+            sums[lane] += values[lane] * x[lane];
+        }
+    }
+    let mut sum: f64 = sums.iter().sum();
+    for ((value, x), y) in tail.iter().zip(x_tail).zip(y_tail) {
+        *y += value * xc;
+        sum += value * x;
+    }
+    sum
 }
 
 /// Neighbour lists of the graph whose cliques are given.

@@ -21,6 +21,7 @@ use crate::fem::dofs::FIXED;
 use crate::linear::cholesky::FactorError;
 use crate::linear::krylov::{self, dot, norm};
 use crate::linear::preconditioner::Prepared;
+use crate::linear::sparse::SymmetricMatrix;
 use serde::{Deserialize, Serialize};
 
 /// Where the load history stands and what the unknowns are there.
@@ -71,6 +72,8 @@ pub struct LinearSolver {
     factor: Option<Prepared>,
     /// Number of flowing points that the factor was made for.
     flowing: usize,
+    /// The last tangent, for its memory.
+    matrix: SymmetricMatrix,
     /// Contact that has changed since.
     update: Update,
     /// Corrections for which an aged factor is not tried, after it was not good enough.
@@ -155,9 +158,24 @@ impl LinearSolver {
         (tolerance, anchor): (f64, Option<&Anchor>),
         counters: &mut Counters,
     ) -> Result<Correction, FactorError> {
-        let timers = &mut counters.timers;
-        let mut matrix = timers.time(Phase::Assemble, || model.tangent(evaluation));
+        let last = std::mem::take(&mut self.matrix);
+        let assemble = || model.tangent(evaluation, last);
+        let mut matrix = counters.timers.time(Phase::Assemble, assemble);
         anchor.inspect(|anchor| anchor.stiffen(model, &mut matrix));
+        let correction = self.correct(model, evaluation, (&mut matrix, tolerance), counters);
+        self.matrix = matrix;
+        correction
+    }
+
+    /// The same with the tangent `matrix`.
+    fn correct(
+        &mut self,
+        model: &Model,
+        evaluation: &Evaluation,
+        (matrix, tolerance): (&mut SymmetricMatrix, f64),
+        counters: &mut Counters,
+    ) -> Result<Correction, FactorError> {
+        let timers = &mut counters.timers;
         counters.linear_solves += 1;
         counters.element_tangents += (evaluation.plastic.iter().filter(|a| a.flows())).count();
         let mut out = Correction {
@@ -179,7 +197,7 @@ impl LinearSolver {
             })
         });
         if let Some(factor) = aged {
-            let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
+            let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
             let precondition = |x: &mut [f64]| {
                 (model.preconditioner).apply(&model.pattern, factor, multiply, x);
                 update.correct(model, x);
@@ -202,18 +220,18 @@ impl LinearSolver {
             self.distrust = PAUSE;
         }
         self.distrust = self.distrust.saturating_sub(1);
-        let diagonal = model.pattern.diagonal(&matrix);
+        let diagonal = model.pattern.diagonal(matrix);
         for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
             matrix.values[*start as usize] = d * (1.0 + SHIFT);
         }
         let old = self.factor.take();
         let factor = timers.time(Phase::Factorise, || {
-            model.preconditioner.factorise(&model.pattern, &matrix, old)
+            model.preconditioner.factorise(&model.pattern, matrix, old)
         })?;
         for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
             matrix.values[*start as usize] = *d;
         }
-        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(&matrix, x, y);
+        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
         let precondition = |x: &mut [f64]| {
             model
                 .preconditioner

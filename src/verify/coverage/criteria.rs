@@ -93,19 +93,24 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
             };
             r.preset == "auto" && kind && (r.elastic || !elastic) && r.reading.bar.is_some()
         };
-        let errors: Vec<f64> = (records.iter().filter(of))
-            .filter_map(Record::error)
-            .collect();
         for (share, name, limit) in [
             (0.5, "in the middle", middle),
             (0.9, "nine of ten", most_of),
         ] {
-            let found = quantile(errors.clone(), share);
-            let criterion = |limit| most(format!("auto: error of {what}, {name}"), limit, found);
-            list.extend(limit.map(criterion));
+            let Some(limit) = limit else { continue };
+            let errors = records.iter().filter(of).filter_map(|r| error(r, limit));
+            let found = quantile(errors.collect(), share);
+            list.push(most(format!("auto: error of {what}, {name}"), limit, found));
         }
     }
     list
+}
+
+/// Where the true value is known to a third of `limit`, as a bar is judged: below that nothing can be measured.
+fn error(record: &Record, limit: f64) -> Option<f64> {
+    let truth = record.truth?;
+    let known = truth.uncertainty <= limit / 3.0 * truth.value.abs();
+    record.error().filter(|_| known)
 }
 
 fn least(what: impl Into<String>, wanted: f64, found: Option<f64>) -> Criterion {

@@ -410,6 +410,30 @@ fn the_answer_does_not_depend_on_what_was_prepared() {
     }
 }
 
+/// Displaced rollers rest on one face of a V, whose two faces are one surface: its curvature there is that of a plane.
+#[test]
+fn a_roller_on_one_face_of_a_v_presses_like_hertz() {
+    use brinell::results::edges::LoadedEdges;
+    use brinell::results::hertz::HeaviestLine;
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2");
+    let mut case = case::read(&folder.join("initial-offset-1.25.toml")).unwrap();
+    case.set_preset("report-like").unwrap();
+    case.controls.plasticity = false;
+    let mesh = job::find_mesh(&case, None, &mut |_| {}).unwrap();
+    let mut scene = case.scene(mesh).unwrap();
+    let state = brinell::solve::solve(&mut scene, &mut Silent).unwrap().last;
+    let edges = LoadedEdges::find(&scene, &state);
+    for (pair, contact) in scene.contacts.iter().enumerate() {
+        let line = HeaviestLine::find(&scene, &state, pair, &edges).unwrap();
+        let hertz = line.contact.expect(&contact.name);
+        assert!(
+            (hertz.radius - 1.5).abs() < 1e-6,
+            "{}: {hertz:?}",
+            contact.name
+        );
+    }
+}
+
 /// Stacks of tilted blocks whose meshes do not match: the other side covers slivers of some facets, next to nothing
 /// of others. They are pressed by 40 MPa and more, pushed sideways, and flow.
 #[test]

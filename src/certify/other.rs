@@ -37,8 +37,9 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Claim> {
     bores.iter().filter_map(claim).collect()
 }
 
-/// Share of a horizontal force that depends on the mesh. Shears settle as contact grows, node by node.
-const SHEAR: f64 = 0.05;
+/// Share of a horizontal force that depends on the mesh. Shears settle as contact grows, node by node. The largest of 156
+/// errors of bearings (docs/coverage.md).
+const SHEAR: f64 = 0.025;
 
 /// The force of an interface across the load, where there is one.
 pub(super) fn horizontal_force(scene: &Scene, interface: &Interface) -> Option<Claim> {

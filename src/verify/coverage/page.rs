@@ -114,18 +114,24 @@ pub fn page(records: &[Record], sets: &[Set], unsolved: &[String], unknown: &[St
     format!(
         "# Do the bars hold?\n\n\
          Written by `brinell verify --suite coverage --write`; do not edit. Every bearing of the sets\n\
-         {} is solved on each mesh as a user's case is, with elastic steel and as it is, and every\n\
+         {} is solved on each mesh as a user's case is, with elastic steel{}, and every\n\
          claim of its certificate is set beside the true value: two fine meshes, their difference\n\
          extrapolated by half, uncertain by that difference or by what the figure scatters in the\n\
          middle of all bearings, whichever is more ([`cases/coverage`](../cases/coverage)). A claim\n\
          *holds* where |value - true value| is at most bar plus uncertainty; it is *undecidable* where the\n\
          uncertainty exceeds a third of the bar, *unresolved* where it says so itself. Shares that hold\n\
          are of those that can be decided. Errors and bars are relative, in the middle of the group.\n\
+         Errors of `auto` that a limit is set for are counted where the true value is known to a third of the limit.\n\
          {missing}{failed}\n\
          ## What is asked\n\n| | | wanted | found |\n|---|---|---|---|\n{}\n\n\
          ## By mesh\n\n{}\n## By figure\n\n{}\n## By figure and mesh\n\n{}\n## By bearing\n\n{}\n\
          ## The worst\n\n{}",
         sets.join(", "),
+        if records.iter().all(|r| r.elastic) {
+            ""
+        } else {
+            " and as it is"
+        },
         demands.join("\n"),
         table("mesh", records, |r| r.preset.clone()),
         table("figure", records, |r| r.reading.what.clone()),

@@ -5,8 +5,8 @@ use crate::certify::{self, Claim};
 use crate::converge::cost::Meter;
 use crate::job::{self, JobError, Options, Outcome};
 use crate::output::Summary;
-use crate::results::contact_lines::contact_lines;
-use crate::results::line_load::Slices;
+use crate::results::edges::LoadedEdges;
+use crate::results::hertz::{Departure, HeaviestLine};
 use crate::solve::Observer;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -35,8 +35,8 @@ pub struct Strip {
     /// Largest load per length, and how far that is from the end of the line.
     pub line_load: f64,
     pub from_end: f64,
-    /// Lines of the interface.
-    pub lines: usize,
+    /// Does it carry most at a loaded edge, or merge with the line beside it? Then no load per length is Hertz's.
+    pub no_hertz: bool,
 }
 
 /// What came of a solution.
@@ -144,11 +144,11 @@ fn reading(claim: &Claim) -> Option<Reading> {
 fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
     let (scene, state) = (&outcome.scene, outcome.state());
     let pairs = outcome.summary.interfaces.0.iter().enumerate();
+    let edges = LoadedEdges::find(scene, state);
     let strip = |pair: usize| {
-        let axis = Slices::equal(scene, pair, 1)?.axis;
-        let lines = contact_lines(scene, state, pair, axis);
-        let loaded = lines.iter().filter_map(|line| Some((line.peak()?, line)));
-        let ((load, at), line) = loaded.max_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
+        let heaviest = HeaviestLine::find(scene, state, pair, &edges)?;
+        let (axis, line) = (heaviest.axis, &heaviest.line);
+        let at = line.heaviest.at;
         let mirrored = scene.mirrors.contains(&axis);
         let to = |end: Option<&f64>| end.map_or(f64::INFINITY, |end| (end - at).abs());
         let (first, last) = (to(line.at.first()), to(line.at.last()));
@@ -156,14 +156,17 @@ fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
             half_width: line.heaviest.half_width,
             middle: line.heaviest.middle_spacing(),
             edge: line.heaviest.edge_spacing(),
-            line_load: load,
+            line_load: heaviest.line_load,
             // At a mirror plane the line goes on.
             from_end: if mirrored {
                 first.max(last)
             } else {
                 first.min(last)
             },
-            lines: lines.iter().map(|line| line.images).sum(),
+            no_hertz: matches!(
+                heaviest.departs,
+                Some(Departure::LoadedEdge | Departure::Width)
+            ),
         })
     };
     pairs

@@ -111,8 +111,9 @@ pub(super) struct Strip {
     pub centre: [f64; 3],
     pub axis: usize,
     pub half_width: f64,
-    /// Distance of the nodes in its middle; the larger of that and the one at its edge.
+    /// Distance of the nodes in its middle.
     pub spacing: f64,
+    /// The larger of that and the one at its edge.
     pub widest: f64,
     /// Largest Mises stress below it in a half space.
     pub mises: f64,

@@ -175,7 +175,7 @@ impl Pattern {
         /// come out the same on any number of threads.
         const SHARE: usize = 1 << 20;
         let shares = self.rows.len().div_ceil(SHARE).clamp(1, 4);
-        let vertices = self.vertex_start.len() - 1;
+        let vertices = self.stretch_start.len() - 1;
         let bounds: Vec<usize> = (0..=shares)
             .map(|k| {
                 let entry = (self.rows.len() * k / shares) as u32;

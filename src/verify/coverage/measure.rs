@@ -134,11 +134,11 @@ fn by_load(
     readings: &[Reading],
     truth: impl Fn(&Reading) -> Option<Truth>,
 ) -> Option<Truth> {
+    if reading.what != "hertz_pressure" {
+        return None;
+    }
     let at = |r: &&Reading| r.what == "line_load" && r.place == reading.place;
-    let load = readings
-        .iter()
-        .filter(|_| reading.what == "hertz_pressure")
-        .find(at)?;
+    let load = readings.iter().find(at)?;
     let of_load = truth(load)?;
     let value = reading.value * (of_load.value / load.value).sqrt();
     Some(Truth {

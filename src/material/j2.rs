@@ -40,7 +40,7 @@ pub fn update(steel: &Steel, elastic: &Elastic, strain: &[f64; 6], old: &Plastic
     let trial_strain = std::array::from_fn(|i| strain[i] - old.strain[i]);
     let trial = elastic.stress(&trial_strain);
     let q = mises(&trial);
-    let yield_now = steel.yield_stress + steel.hardening_modulus * old.peeq;
+    let yield_now = steel.flow_stress(old.peeq);
     if q <= yield_now {
         return Update {
             stress: trial,

@@ -35,6 +35,11 @@ impl Steel {
         self.yield_stress.is_infinite()
     }
 
+    /// Mises stress at which it flows, at the equivalent plastic strain `peeq`.
+    pub fn flow_stress(&self, peeq: f64) -> f64 {
+        self.yield_stress + self.hardening_modulus * peeq
+    }
+
     /// Shear and bulk modulus.
     pub fn moduli(&self) -> Elastic {
         let (e, nu) = (self.youngs_modulus, self.poissons_ratio);

@@ -7,7 +7,7 @@
 //! out is a first guess. No spring acts in the balance that is then found from it.
 
 use super::counters::Counters;
-use super::evaluate::History;
+use super::history::History;
 use super::model::Model;
 use super::newton::{Failure, LinearSolver, Point, Stopped, balance};
 use super::observer::Observer;

@@ -1,61 +1,13 @@
 //! Residual and tangent at a displacement.
 
+use super::history::History;
 use super::model::Model;
-use super::newton::Point;
-use crate::contact::law::{Answer, Node, Status};
+use crate::contact::law::{Answer, Node};
 use crate::fem::bbar::ElementVector;
 use crate::fem::element::Answer as ElementAnswer;
 use crate::linear::sparse::SymmetricMatrix;
 use crate::material::j2::{self, PlasticPoint};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
-
-/// Plastic history of an element's integration points; `None` while it never yielded.
-pub type PlasticElement = Option<Box<[PlasticPoint; 8]>>;
-
-/// What is carried from increment to increment.
-#[derive(Clone)]
-pub struct History {
-    /// Plastic state by element of [`Model::yielding`].
-    pub plastic: Vec<PlasticElement>,
-    /// Relative tangential displacement of each contact row at the last increment.
-    pub slip_origin: Vec<[f64; 2]>,
-    /// Accumulated slip length of each row.
-    pub slip: Vec<f64>,
-}
-
-impl History {
-    /// Goes on to an increment that is in balance.
-    pub fn advance(&mut self, point: &mut Point, evaluation: &Evaluation) {
-        for answer in &evaluation.plastic {
-            self.plastic[answer.index] = Some(answer.points.clone());
-        }
-        let rows = evaluation.contact.iter().zip(&evaluation.relative);
-        for (index, (answer, d)) in rows.enumerate() {
-            if answer.status == Status::Slip {
-                self.slip[index] += d[1].hypot(d[2]);
-            }
-            for i in 0..2 {
-                self.slip_origin[index][i] += d[1 + i];
-            }
-        }
-        for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
-            node.multiplier = answer.traction;
-            node.origin = [0.0; 2];
-        }
-    }
-
-    /// Carries the plastic state from the elements that were watched to those that will be.
-    pub fn watch(&mut self, old: &[u32], new: &[u32]) {
-        self.plastic = watch(std::mem::take(&mut self.plastic), old, new);
-    }
-}
-
-/// Histories of the elements `new`, from those of the elements `old`.
-pub fn watch(histories: Vec<PlasticElement>, old: &[u32], new: &[u32]) -> Vec<PlasticElement> {
-    let mut known: BTreeMap<&u32, PlasticElement> = old.iter().zip(histories).collect();
-    new.iter().map(|e| known.remove(e).flatten()).collect()
-}
 
 /// An element that yields, or has yielded before.
 pub struct PlasticAnswer {

@@ -6,11 +6,13 @@
 //! if the surfaces overlap anywhere that no row acts, if contact has closed all that was kept of a
 //! pair, or if an element that was taken for elastic yields, the model is prepared anew.
 
+use super::history::{History, Settled};
 use super::model::{Model, can_yield};
 use super::newton::Point;
 use super::rows::ContactRow;
 use super::start;
 use crate::contact::facing::Sight;
+use crate::material::j2::PlasticPoint;
 use crate::material::mises;
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -76,9 +78,17 @@ impl Expected {
 }
 
 impl Unforeseen {
-    /// Looks at all of the solution `x` of `model`, and ahead to loads larger by the factor `next`.
-    pub fn new(model: &Model, sights: &[Vec<Sight>], x: &Point, next: f64) -> Self {
-        let u = model.displacement(&x.x, x.step, x.time);
+    /// Looks at all of the solution `x` of `model`. Where the flow to come is not known it looks ahead to loads
+    /// larger by the factor `next`.
+    pub fn new(
+        model: &Model,
+        history: &History,
+        sights: &[Vec<Sight>],
+        x: &Point,
+        next: Option<f64>,
+    ) -> Self {
+        let settled = &history.settled;
+        let u = model.displacement(x, settled);
         let least = least_gaps(model.rows.iter());
         let beyond = |r: &&ContactRow| r.relative(&u)[0] > r.row.gap;
         let closing = model.spare.iter().filter(beyond);
@@ -89,7 +99,7 @@ impl Unforeseen {
             .chain(overlap.left_out)
             .chain(narrow)
             .reduce(f64::max);
-        let (flow, yields) = unexpected_flow(model, x, &u, next);
+        let (flow, yields) = unexpected_flow(model, settled, (x, &u), next);
         Self {
             approach: overlap.not_integrated,
             contact,
@@ -108,8 +118,9 @@ impl Unforeseen {
         self.approach.is_none() && self.contact.is_none()
     }
 
-    /// The contact of another look, too.
+    /// The contact that another look missed, too.
     pub fn add_contact(&mut self, other: Self) {
+        self.missed = true;
         let most = |a: Option<f64>, b| a.into_iter().chain(b).reduce(f64::max);
         self.approach = most(self.approach, other.approach);
         self.contact = most(self.contact, other.contact);
@@ -186,41 +197,48 @@ fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
 }
 
 /// Elements to keep from now on, and whether one of them yields already.
-fn unexpected_flow(model: &Model, x: &Point, u: &[[f64; 3]], next: f64) -> (Vec<u32>, bool) {
+fn unexpected_flow(
+    model: &Model,
+    settled: &Settled,
+    (x, u): (&Point, &[[f64; 3]]),
+    next: Option<f64>,
+) -> (Vec<u32>, bool) {
     // Below a contact the stress grows with the root of the load, in bending with the load, and
     // where it flows neighbours take over some; beside a contact that widens it grows from nothing,
     // hence one layer of elements more. Elements too many cost less than condensing again.
     const EARLY: f64 = 0.85;
     const GROWTH: f64 = 0.75;
-    let shares = shares_of_yield(model, u);
+    let shares = shares_of_yield(model, settled, u);
     let most = largest(&shares);
-    let to_come = load_to_come(model, x);
+    let (next, share) = match next {
+        Some(next) => {
+            let to_come = load_to_come(model, x);
+            (next.min(to_come), EARLY / to_come.powf(GROWTH))
+        }
+        None => (1.0, 1.0),
+    };
     // As long as nothing will flow before the next look, all is well.
-    if most * next.min(to_come).powf(GROWTH) <= 1.0 {
+    if most * next.powf(GROWTH) <= 1.0 {
         return (Vec::new(), false);
     }
-    let elements = above(&shares, EARLY / to_come.powf(GROWTH));
+    let elements = above(&shares, share);
     (and_beside(model, &shares, &elements), most > 1.0)
 }
 
 /// Elements that will flow, from the `shares` of the elastic solution at full load. The more the stress exceeds
 /// yield the more the neighbours take over, and the more contact widens.
-pub fn flow_to_come(model: &Model, shares: &[(u32, f64)]) -> Vec<u32> {
-    const TAKEN_OVER: f64 = 0.35;
+pub fn flow_to_come(shares: &[(u32, f64)]) -> Vec<u32> {
+    // Bearings with 1.2 to 2.7 times the yield stress: none or two elements of 100 to 2700 flow beyond these, which
+    // are up to twice as many.
+    const TAKEN_OVER: f64 = 0.45;
     const LEAST: f64 = 0.6;
-    const WIDENS: f64 = 1.4;
-    let most = largest(shares);
-    let share = 1.0 - TAKEN_OVER * (most - 1.0);
-    let elements = above(shares, share.clamp(LEAST, 1.0));
-    match most > WIDENS {
-        true => and_beside(model, shares, &elements),
-        false => elements,
-    }
+    let share = 1.0 - TAKEN_OVER * (largest(shares) - 1.0);
+    above(shares, share.clamp(LEAST, 1.0))
 }
 
-/// The largest Mises stress over the yield stress of every element that could yield and is not watched,
-/// elastic.
-pub fn shares_of_yield(model: &Model, u: &[[f64; 3]]) -> Vec<(u32, f64)> {
+/// The largest Mises stress over the flow stress of every element that could yield and is not watched,
+/// as long as it does not flow.
+pub fn shares_of_yield(model: &Model, settled: &Settled, u: &[[f64; 3]]) -> Vec<(u32, f64)> {
     let scene = model.scene;
     (0..scene.mesh.hexes.len() as u32)
         .into_par_iter()
@@ -228,12 +246,15 @@ pub fn shares_of_yield(model: &Model, u: &[[f64; 3]]) -> Vec<(u32, f64)> {
         .map(|e| {
             let body = scene.mesh.body_of(e as usize);
             let local = scene.mesh.hexes[e as usize].map(|n| u[n as usize]);
-            let virgin = Default::default();
+            let points = settled.points(e);
             let stress = model
                 .element(e)
-                .stress(&model.elastic[body], &local, &virgin);
-            let worst = stress.iter().map(mises).fold(0.0, f64::max);
-            (e, worst / scene.materials[body].yield_stress)
+                .stress(&model.elastic[body], &local, &points);
+            let steel = &scene.materials[body];
+            let share = |(stress, point): (&_, &PlasticPoint)| {
+                mises(stress) / steel.flow_stress(point.peeq)
+            };
+            (e, stress.iter().zip(&points).map(share).fold(0.0, f64::max))
         })
         .collect()
 }

@@ -18,6 +18,7 @@ mod error;
 mod evaluate;
 mod forecast;
 mod foresight;
+mod history;
 mod holding;
 mod line_search;
 mod model;

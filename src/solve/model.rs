@@ -4,6 +4,8 @@ use super::bodies::{self, Bodies, Plan};
 use super::cost;
 use super::error::SolveError;
 use super::foresight::Expected;
+use super::history::Settled;
+use super::newton::Point;
 use super::rows::{ContactRow, law};
 use super::size::Size;
 use crate::fem::dofs::{DofMap, FIXED, Source};
@@ -189,7 +191,7 @@ impl<'a> Model<'a> {
         norms.fold(0.0, f64::max)
     }
 
-    /// Forces on all unknowns, inner ones eliminated.
+    /// Forces of the loads on all unknowns, inner ones eliminated.
     fn forces(&self, step: usize, time: f64) -> Vec<f64> {
         let mut out = vec![0.0; self.all.len()];
         for (name, vector) in &self.loads {
@@ -210,10 +212,12 @@ impl<'a> Model<'a> {
         before + time * (after - before)
     }
 
-    /// Applied forces on the kept equations at `time` within step `step`, the elastic reaction to
-    /// prescribed displacements included.
-    pub fn external(&self, step: usize, time: f64) -> Vec<f64> {
-        self.bodies.restrict(&self.forces(step, time))
+    /// Applied forces on the kept equations at a point, the elastic reaction to
+    /// prescribed displacements and what the plastic strain of `settled` elements does included.
+    pub fn external(&self, point: &Point, settled: &Settled) -> Vec<f64> {
+        let mut all = self.forces(point.step, point.time);
+        settled.act_on(&mut all);
+        self.bodies.restrict(&all)
     }
 
     /// Displacements for the solution `x` at `time` within step `step`, of nodes with kept
@@ -223,10 +227,11 @@ impl<'a> Model<'a> {
     }
 
     /// The same of all nodes.
-    pub fn displacement(&self, x: &[f64], step: usize, time: f64) -> Vec<[f64; 3]> {
-        let mut all = self.forces(step, time);
-        self.bodies.recover(x, &mut all);
-        self.nodal(&self.all, &all, step, time)
+    pub fn displacement(&self, point: &Point, settled: &Settled) -> Vec<[f64; 3]> {
+        let mut all = self.forces(point.step, point.time);
+        settled.act_on(&mut all);
+        self.bodies.recover(&point.x, &mut all);
+        self.nodal(&self.all, &all, point.step, point.time)
     }
 
     fn nodal(&self, dofs: &DofMap, x: &[f64], step: usize, time: f64) -> Vec<[f64; 3]> {

@@ -9,7 +9,8 @@
 use super::anchor::Anchor;
 use super::bounds::Bounds;
 use super::counters::Counters;
-use super::evaluate::{Evaluation, History, Trial};
+use super::evaluate::{Evaluation, Trial};
+use super::history::History;
 use super::line_search;
 use super::model::Model;
 use super::observer::{Iteration, Observer};
@@ -281,7 +282,7 @@ pub fn balance(
     counters: &mut Counters,
 ) -> Result<Evaluation, Stopped> {
     let controls = &model.scene.controls;
-    let external = model.external(point.step, point.time);
+    let external = model.external(point, &history.settled);
     let reference = model.reference.max(f64::MIN_POSITIVE);
     let limit = 10.0 * start::extent(model.scene);
     let mut last = Iteration {

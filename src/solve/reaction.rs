@@ -1,6 +1,6 @@
 //! The force that a plane exerts whose motion is prescribed.
 
-use super::evaluate::PlasticElement;
+use super::history::Plastic;
 use super::model::Model;
 
 impl Model<'_> {
@@ -10,7 +10,7 @@ impl Model<'_> {
     /// Tractions and contact on the same nodes are not counted: they do not go through the plane.
     pub fn reaction(
         &self,
-        plastic: &[PlasticElement],
+        plastic: &Plastic,
         u: &[[f64; 3]],
         surface: &str,
         axes: [bool; 3],
@@ -34,10 +34,8 @@ impl Model<'_> {
             let elastic = &self.elastic[mesh.body_of(e as usize)];
             let shape = self.element(e);
             let mut force = shape.elastic_force(elastic, &nodes.map(|n| u[n as usize]));
-            if let Ok(index) = self.yielding.binary_search(&e)
-                && let Some(points) = &plastic[index]
-            {
-                let relief = shape.relief(elastic, points);
+            if let Ok(at) = plastic.binary_search_by_key(&e, |(e, _)| *e) {
+                let relief = shape.relief(elastic, &plastic[at].1);
                 for (f, r) in force
                     .as_flattened_mut()
                     .iter_mut()

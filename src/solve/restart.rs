@@ -2,13 +2,12 @@
 
 use super::counters::Counters;
 use super::driver::KeptCompanion;
-use super::evaluate::{History, PlasticElement};
 use super::foresight::Expected;
+use super::history::{History, Plastic};
 use super::model::Model;
 use super::newton::Point;
 use super::state;
 use crate::contact::law::Node;
-use crate::material::j2::PlasticPoint;
 use crate::results::State;
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -48,9 +47,6 @@ pub(super) struct Plan {
     pub step: usize,
     pub ends: Vec<f64>,
 }
-
-/// Plastic elements, ascending, with their integration points.
-pub(super) type Plastic = Vec<(u32, [PlasticPoint; 8])>;
 
 /// A state without its stresses and plastic strains, and what these follow from.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -202,11 +198,12 @@ impl Restart {
                 }
             })
             .collect();
-        let history = History {
-            plastic: histories_of(model, &self.last.plastic),
+        let mut history = History {
             slip_origin: touching.iter().map(|t| t.slip_origin).collect(),
             slip: touching.iter().map(|t| t.slip).collect(),
+            ..History::virgin(model)
         };
+        history.place_plastic(model, self.last.plastic.clone());
         let point = Point {
             step: self.last.state.step,
             time: self.last.state.time,
@@ -221,18 +218,4 @@ impl Restart {
     pub fn after(&self) -> (usize, f64) {
         (self.last.state.step, self.last.state.time)
     }
-}
-
-/// Those of the watched elements, whose `histories` these are, that have yielded.
-pub(super) fn plastic_of(model: &Model, histories: &[PlasticElement]) -> Plastic {
-    let elements = model.yielding.iter().zip(histories);
-    let plastic = elements.filter_map(|(e, points)| Some((*e, **points.as_ref()?)));
-    plastic.collect()
-}
-
-/// Histories of the watched elements, from those that have yielded.
-pub(super) fn histories_of(model: &Model, plastic: &Plastic) -> Vec<PlasticElement> {
-    let at = |element: &u32| plastic.binary_search_by_key(element, |(e, _)| *e);
-    let points = |element| at(element).ok().map(|at| Box::new(plastic[at].1));
-    model.yielding.iter().map(points).collect()
 }

@@ -1,10 +1,10 @@
 //! An accepted solution in the terms of the scene.
 
 use super::consistent;
-use super::evaluate::{Evaluation, History};
+use super::evaluate::Evaluation;
+use super::history::{History, Plastic};
 use super::model::Model;
 use super::newton::Point;
-use super::restart::{Plastic, plastic_of};
 use crate::contact::facing::Sight;
 use crate::contact::mortar::Row;
 use crate::material::j2::PlasticPoint;
@@ -19,13 +19,14 @@ pub fn state(
     point: &Point,
     (evaluation, sights): (&Evaluation, &[Vec<Sight>]),
 ) -> State {
-    let displacement = model.displacement(&point.x, point.step, point.time);
-    let (stress, peeq) = stresses(model, &plastic_of(model, &history.plastic), &displacement);
+    let displacement = model.displacement(point, &history.settled);
+    let plastic = history.all_plastic(model);
+    let (stress, peeq) = stresses(model, &plastic, &displacement);
     State {
         step: point.step,
         time: point.time,
         contacts: contact_fields(model, history, (evaluation, sights), &displacement),
-        planes: plane_fields(model, history, point, &displacement),
+        planes: plane_fields(model, &plastic, point, &displacement),
         displacement,
         stress,
         peeq,
@@ -182,7 +183,7 @@ fn acts_at(points: &[[f64; 3]], row: &Row, nodes: &[u32]) -> [[f64; 3]; 2] {
 
 fn plane_fields(
     model: &Model,
-    history: &History,
+    plastic: &Plastic,
     point: &Point,
     u: &[[f64; 3]],
 ) -> Vec<PlaneField> {
@@ -197,7 +198,7 @@ fn plane_fields(
             let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
             let factor = model.factor(&plane.name, point.step, point.time);
             let held = plane.motion.map(|m| matches!(m, PlaneMotion::Held(_)));
-            let reaction = model.reaction(&history.plastic, u, &plane.surface, held);
+            let reaction = model.reaction(plastic, u, &plane.surface, held);
             let force = std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
                 (PlaneMotion::Driven(load), Some(_)) => factor * load,
                 _ => reaction[axis],

@@ -4,8 +4,8 @@ use super::Run;
 use super::companion::Companion;
 use crate::geometry::Vec3;
 use crate::solve::error::SolveError;
-use crate::solve::evaluate::History;
 use crate::solve::foresight::Unforeseen;
+use crate::solve::history::{History, Plastic, Settled};
 use crate::solve::model::Model;
 use crate::solve::newton::{LinearSolver, Point};
 use crate::solve::rows::{ContactRow, contact_rows};
@@ -15,9 +15,17 @@ use std::collections::BTreeMap;
 impl Run<'_, '_> {
     /// What happens where the model was not prepared for it, now or in the next increment.
     pub(super) fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
-        let (model, sights) = (&self.model, &self.sights);
-        let look = || Unforeseen::new(model, sights, trial, 1.0 + next);
+        let (model, history) = (&self.model, &self.history);
+        let next = (!self.flow_is_known(trial.step)).then_some(1.0 + next);
+        let look = || Unforeseen::new(model, history, &self.sights, trial, next);
         self.counters.timers.time(Phase::Recover, look)
+    }
+
+    /// Nothing but what flows now has to be learned where the elastic end of `step` was seen, and where loads are
+    /// taken off.
+    pub(super) fn flow_is_known(&self, step: usize) -> bool {
+        let seen = self.beside.elastic.as_ref();
+        seen.is_some_and(|end| end.state.step == step) || self.unloads(step)
     }
 
     /// Prepares the model anew; the next increment starts from `guess`.
@@ -48,12 +56,22 @@ impl Run<'_, '_> {
 
     /// An element that flows only has to be looked at, where its nodes were not condensed.
     fn check_more_elements(&mut self) {
-        let old = self.model.yielding.clone();
+        let plastic = self.history.all_plastic(&self.model);
+        let beside = (self.companion.as_ref()).map(|c| c.history.all_plastic(&self.model));
         self.model.watch(&self.expected.flow);
-        self.history.watch(&old, &self.model.yielding);
-        let new = &self.model.yielding;
-        self.companion.iter_mut().for_each(|c| c.watch(&old, new));
+        self.history.place_plastic(&self.model, plastic);
+        if let (Some(companion), Some(plastic)) = (&mut self.companion, beside) {
+            companion.history.place_plastic(&self.model, plastic);
+        }
         self.counters.watched_elements = self.model.yielding.len();
+    }
+
+    /// What has flowed is taken for elastic again, as long as it does not: while loads are taken off hardly anything
+    /// flows, and elastic bodies are condensed.
+    pub(super) fn settle(&mut self) -> Result<(), SolveError> {
+        self.expected.flow.clear();
+        self.expected.divided = false;
+        self.rebuild(false, None)
     }
 
     /// Prepares the model for what is expected now, and carries the state over.
@@ -63,19 +81,22 @@ impl Run<'_, '_> {
         guess: Option<&Point>,
     ) -> Result<(), SolveError> {
         let key = |r: &ContactRow| (r.pair, r.row.node);
-        let all = |model: &Model, p: &Point| model.displacement(&p.x, p.step, p.time);
-        let accepted = all(&self.model, &self.point);
-        let guess = guess.map(|p| (p.clone(), all(&self.model, p)));
-        let of = |p: Point| (all(&self.model, &p), p);
+        let settled = &self.history.settled;
+        let all = |p: &Point, settled: &Settled| self.model.displacement(p, settled);
+        let accepted = all(&self.point, settled);
+        let guess = guess.map(|p| (p.clone(), all(p, settled)));
+        let of = |p: Point| (all(&p, settled), p);
         let end = self.end.take().map(of);
+        let plastic = self.history.all_plastic(&self.model);
         let companion = self.companion.take().map(|c| {
             let passed: Vec<_> = c.passed.into_iter().map(of).collect();
-            (of(c.point), c.history, passed)
+            let place = (all(&c.point, &c.history.settled), c.point);
+            let plastic = c.history.all_plastic(&self.model);
+            (place, (c.history, plastic), passed)
         });
         let rows = self.model.rows.iter().enumerate();
         let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
 
-        self.expected.divided = self.model.is_divided();
         // Two models at once would be twice the memory.
         self.solver = LinearSolver::default();
         self.model.release();
@@ -108,27 +129,28 @@ impl Run<'_, '_> {
             ..*point
         };
         let carried = |(u, p): (Vec<Vec3>, Point)| point(&p, &u);
-        let history = |history: &mut History, u: &[Vec3]| {
+        let history = |history: &mut History, plastic: Plastic, u: &[Vec3]| {
             let rows = model.rows.iter().zip(&map);
             let fresh = |r: &ContactRow| [1, 2].map(|i| r.relative(u)[i]);
             history.slip_origin = rows
                 .map(|(r, i)| i.map_or_else(|| fresh(r), |i| history.slip_origin[i]))
                 .collect();
             history.slip = carry(&map, &history.slip);
-            history.watch(&self.model.yielding, &model.yielding);
+            history.place_plastic(&model, plastic);
         };
         self.point = point(&self.point, &accepted);
         self.guess = guess.map(|(p, u)| point(&p, &u));
         self.end = end.map(carried);
-        self.companion = companion.map(|((u, p), mut h, passed)| {
-            history(&mut h, &u);
+        self.companion = companion.map(|((u, p), (mut h, plastic), passed)| {
+            history(&mut h, plastic, &u);
             Companion {
                 point: point(&p, &u),
                 history: h,
                 passed: passed.into_iter().map(carried).collect(),
             }
         });
-        history(&mut self.history, &accepted);
+        history(&mut self.history, plastic, &accepted);
+        self.expected.divided = model.is_divided();
         self.counters.measure(&model);
         self.model = model;
         Ok(())

@@ -7,10 +7,10 @@
 //! that a few iterations do.
 
 use super::Run;
-use crate::solve::evaluate::History;
+use crate::solve::history::{History, Plastic};
 use crate::solve::model::Model;
 use crate::solve::newton::{self, Failure, Point, Stopped};
-use crate::solve::restart::{Kept, Plastic, histories_of, plastic_of};
+use crate::solve::restart::Kept;
 use crate::solve::state;
 use serde::{Deserialize, Serialize};
 use std::mem::take;
@@ -44,15 +44,10 @@ impl Companion {
         }
     }
 
-    /// Carries the plastic state from the elements that were watched to those that will be.
-    pub fn watch(&mut self, old: &[u32], new: &[u32]) {
-        self.history.watch(old, new);
-    }
-
     pub fn keep(&self, model: &Model) -> KeptCompanion {
         KeptCompanion {
             point: self.point.clone(),
-            plastic: plastic_of(model, &self.history.plastic),
+            plastic: self.history.all_plastic(model),
             slip_origin: self.history.slip_origin.clone(),
             slip: self.history.slip.clone(),
             passed: self.passed.clone(),
@@ -68,14 +63,18 @@ impl KeptCompanion {
         let fits = points.all(|p| p.x.len() == unknowns && p.nodes.len() == rows)
             && self.slip_origin.len() == rows
             && self.slip.len() == rows;
-        fits.then(|| Companion {
-            point: self.point.clone(),
-            history: History {
-                plastic: histories_of(model, &self.plastic),
+        fits.then(|| {
+            let mut history = History {
                 slip_origin: self.slip_origin.clone(),
                 slip: self.slip.clone(),
-            },
-            passed: self.passed.clone(),
+                ..History::virgin(model)
+            };
+            history.place_plastic(model, self.plastic.clone());
+            Companion {
+                point: self.point.clone(),
+                history,
+                passed: self.passed.clone(),
+            }
         })
     }
 
@@ -90,7 +89,7 @@ impl KeptCompanion {
 impl Run<'_, '_> {
     /// Takes note of an accepted increment.
     pub(super) fn accompany(&mut self) {
-        let virgin = self.history.plastic.iter().all(Option::is_none);
+        let virgin = self.history.is_virgin();
         let Some(companion) = &mut self.companion else {
             return;
         };
@@ -146,7 +145,7 @@ impl Run<'_, '_> {
             let (model, history) = (&self.model, &companion.history);
             let with = (&evaluation, self.sights.as_slice());
             let state = state::state(model, history, &companion.point, with);
-            let plastic = plastic_of(model, &history.plastic);
+            let plastic = history.all_plastic(model);
             self.beside.doubled.push(Kept::new(&state, plastic));
         }
         self.companion = Some(companion);

@@ -5,9 +5,8 @@ use crate::results::turn::{TOO_FAR, largest_turn};
 use crate::results::{Energy, State};
 use crate::solve::error::SolveError;
 use crate::solve::evaluate::Evaluation;
-use crate::solve::foresight::Expected;
 use crate::solve::newton::Point;
-use crate::solve::restart::{Kept, Restart, plastic_of};
+use crate::solve::restart::{Kept, Restart};
 use crate::solve::state;
 use crate::solve::timers::Phase;
 
@@ -82,7 +81,7 @@ impl Run<'_, '_> {
             .increment(&state)
             .map_err(SolveError::Observer)?;
         if last {
-            let plastic = plastic_of(&self.model, &self.history.plastic);
+            let plastic = self.history.all_plastic(&self.model);
             self.finished.push(Kept::new(&state, plastic));
             self.states.push(state.clone());
         }
@@ -96,18 +95,14 @@ impl Run<'_, '_> {
         let (expected, counters) = (&self.expected, &self.counters);
         let (companion, beside) = (self.companion.as_ref(), &self.beside);
         let make = || {
-            let last = Kept::new(last, plastic_of(model, &history.plastic));
-            let expected = Expected {
-                divided: model.is_divided(),
-                ..expected.clone()
-            };
+            let last = Kept::new(last, history.all_plastic(model));
             Restart::new(
                 model,
                 history,
                 point,
                 (finished, last),
                 (beside.clone(), companion.map(|c| c.keep(model))),
-                (expected, size),
+                (expected.clone(), size),
                 *counters,
             )
         };

@@ -11,8 +11,8 @@ use super::counters::Counters;
 use super::diagnosis::{At, describe, diagnose, no_balance};
 use super::effort::UNLOADING;
 use super::error::SolveError;
-use super::evaluate::History;
 use super::foresight::Expected;
+use super::history::History;
 use super::model::{Model, can_yield};
 use super::newton::{self, Failure, LinearSolver, Point, Stopped};
 use super::observer::Observer;
@@ -201,11 +201,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let rows = model.rows.len();
         let mut counters = Counters::default();
         counters.measure(&model);
-        let history = History {
-            plastic: vec![None; model.yielding.len()],
-            slip_origin: vec![[0.0; 2]; rows],
-            slip: vec![0.0; rows],
-        };
+        let history = History::virgin(&model);
         let point = Point {
             step: 0,
             time: 0.0,
@@ -215,7 +211,10 @@ impl<'a, 'o> Run<'a, 'o> {
         };
         let wanted = model.scene.controls.increment_error;
         Self {
-            expected,
+            expected: Expected {
+                divided: model.is_divided(),
+                ..expected
+            },
             companion: wanted.then(|| Companion::at(&point, &history)),
             beside: Beside::default(),
             history,
@@ -297,6 +296,12 @@ impl<'a, 'o> Run<'a, 'o> {
         }
     }
 
+    /// Do this step and all that follow take the loads off?
+    fn unloads(&self, step: usize) -> bool {
+        let full = self.model.scene.before_unloading();
+        full.is_some_and(|full| step > full)
+    }
+
     fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
         let mut time = match self.point.step == step && self.point.time < 1.0 {
             true => self.point.time,
@@ -307,11 +312,10 @@ impl<'a, 'o> Run<'a, 'o> {
             self.point.cautious = false;
             self.counters.effort.before_step = self.counters.iterations;
         }
-        let unloads = self
-            .model
-            .scene
-            .before_unloading()
-            .is_some_and(|full| step > full);
+        let unloads = self.unloads(step);
+        if unloads && time == 0.0 && !self.history.is_virgin() {
+            self.settle()?;
+        }
         if (step, time) == (0, 0.0) {
             self.come_to_rest(self.size.min(self.relief(step, time)))?;
         }

@@ -18,11 +18,8 @@ impl Run<'_, '_> {
     /// that will, and for the rest of the step none are guessed any more. Where the elastic model does not
     /// converge all stays as it was. Returns false where the observer cancelled.
     pub(super) fn look_ahead(&mut self, unforeseen: &mut Unforeseen, trial: &Point) -> bool {
-        let virgin = self.history.plastic.iter().all(Option::is_none);
-        let known = (self.beside.elastic.as_ref()).is_some_and(|e| e.state.step == trial.step);
-        if known && !unforeseen.missed {
-            unforeseen.flow.clear();
-        }
+        let virgin = self.history.is_virgin();
+        let known = self.flow_is_known(trial.step);
         if known || unforeseen.flow.is_empty() || !virgin {
             return true;
         }
@@ -52,12 +49,12 @@ impl Run<'_, '_> {
         if let Ok(evaluation) = &balanced {
             let model = &self.model;
             let [now, then] = [trial, &end].map(|p| {
-                let u = model.displacement(&p.x, p.step, p.time);
-                shares_of_yield(model, &u)
+                let settled = &self.history.settled;
+                shares_of_yield(model, settled, &model.displacement(p, settled))
             });
-            let contact = Unforeseen::new(model, &self.sights, &end, 1.0);
-            unforeseen.flow = flow_to_come(model, &then);
+            let contact = Unforeseen::new(model, &self.history, &self.sights, &end, None);
             if contact.is_flow_only() {
+                unforeseen.flow = flow_to_come(&then);
                 let corners = |element| model.scene.mesh.corners(element as usize);
                 let growth = now.iter().zip(&then).map(|((element, now), (_, then))| {
                     Growth::new(volume(&corners(*element)), (trial.time, *now), *then)
@@ -74,7 +71,8 @@ impl Run<'_, '_> {
                 self.beside.elastic = Some(Kept::new(&state, Vec::new()));
                 self.end = Some(end);
             } else {
-                // Of a strip that outgrows what was prepared for it nothing else is known.
+                // First for a strip that outgrows what was prepared for it: the next look knows what flows.
+                unforeseen.flow.clear();
                 unforeseen.add_contact(contact);
             }
         } else if unforeseen.missed {

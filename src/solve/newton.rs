@@ -124,6 +124,8 @@ const ANCHORED: usize = 8;
 struct Progress {
     /// Residual after λ of cautious nodes was taken.
     begun: Option<f64>,
+    /// Residual after each correction.
+    residuals: Vec<f64>,
     /// Energy of each correction.
     energies: Vec<f64>,
     bounds: Bounds,
@@ -132,14 +134,28 @@ struct Progress {
 }
 
 impl Progress {
+    /// For how many iterations shears that are taken as multipliers may raise corrections: a wave is looked over.
+    const WAVE: usize = 8;
+
+    /// Is there no balance in sight? Beyond the plastic limit iterations wander far from it; what will be in balance
+    /// is near after a wave or two.
+    fn is_lost(&self) -> bool {
+        const FAR: f64 = 1e-3;
+        const LESS: f64 = 0.5;
+        let least = |residuals: &[f64]| residuals.iter().copied().fold(f64::INFINITY, f64::min);
+        let lately = self.residuals.last_chunk::<{ 2 * Self::WAVE }>();
+        lately.is_some_and(|both| {
+            let [before, now] = [&both[..Self::WAVE], &both[Self::WAVE..]].map(least);
+            now > FAR && now > LESS * before
+        })
+    }
+
     /// Do corrections become smaller so steadily that it would be a waste to stop?
     fn goes_on(&self) -> bool {
-        // Shears that are taken as multipliers raise corrections for some iterations: a wave of them is looked over.
-        const WAVE: usize = 8;
         const LESS: f64 = 0.1;
         let most = |energies: &[f64]| energies.iter().copied().fold(0.0, f64::max);
-        let lately = self.energies.last_chunk::<{ 2 * WAVE }>();
-        lately.is_some_and(|both| most(&both[WAVE..]) < LESS * most(&both[..WAVE]))
+        let lately = self.energies.last_chunk::<{ 2 * Self::WAVE }>();
+        lately.is_some_and(|both| most(&both[Self::WAVE..]) < LESS * most(&both[..Self::WAVE]))
     }
 }
 
@@ -367,15 +383,23 @@ pub fn balance(
             progress.begun = None;
         }
         progress.energies.push(last.energy);
+        progress.residuals.push(last.residual);
         if observer.cancelled() {
             return Err(stop(Failure::Cancelled));
         }
         let patient = last.iteration < patience || progress.goes_on();
-        if !patient || last.iteration >= MOST * controls.iterations {
+        let lost = much_flows(model, &flowing) && progress.is_lost();
+        if lost || !patient || last.iteration >= MOST * controls.iterations {
             return Err(stop(slow(model, point, &evaluation, &last)));
         }
         evaluation = evaluate(point, &point.x, counters);
     }
+}
+
+/// Do so many elements flow that balance is lost to the plastic limit, if it is?
+pub fn much_flows(model: &Model, flowing: &[u32]) -> bool {
+    const LITTLE: f64 = 0.02;
+    flowing.len() as f64 > LITTLE * model.scene.mesh.hexes.len() as f64
 }
 
 /// Elements that flow.

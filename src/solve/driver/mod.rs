@@ -408,7 +408,8 @@ impl<'a, 'o> Run<'a, 'o> {
         target: f64,
     ) -> Result<bool, SolveError> {
         let (step, time) = (at.step, at.time);
-        let floats = !self.gives_way(stopped);
+        // Not to the plastic limit.
+        let floats = !newton::much_flows(&self.model, &stopped.flowing);
         let begins = (step, time) == (0, 0.0);
         if floats && !self.asked {
             self.asked = true;
@@ -447,12 +448,6 @@ impl<'a, 'o> Run<'a, 'o> {
             describe(&stopped.why)
         ));
         Ok(true)
-    }
-
-    /// Does so much flow that balance is lost to the plastic limit, and not to bodies that float?
-    fn gives_way(&self, stopped: &Stopped) -> bool {
-        const LITTLE: f64 = 0.02;
-        stopped.flowing.len() as f64 > LITTLE * self.model.scene.mesh.hexes.len() as f64
     }
 
     /// Finds a first guess at `target` with rigid bodies, where they find rest, and prepares all rows that press

@@ -138,11 +138,15 @@ impl Progress {
     const WAVE: usize = 8;
 
     /// Is there no balance in sight? Beyond the plastic limit iterations wander far from it; what will be in balance
-    /// is near after a wave or two.
+    /// is near after a wave or two, and never as far as a third of the load for a whole one.
     fn is_lost(&self) -> bool {
         const FAR: f64 = 1e-3;
+        const LOST: f64 = 0.3;
         const LESS: f64 = 0.5;
         let least = |residuals: &[f64]| residuals.iter().copied().fold(f64::INFINITY, f64::min);
+        if (self.residuals.last_chunk::<{ Self::WAVE }>()).is_some_and(|all| least(all) > LOST) {
+            return true;
+        }
         let lately = self.residuals.last_chunk::<{ 2 * Self::WAVE }>();
         lately.is_some_and(|both| {
             let [before, now] = [&both[..Self::WAVE], &both[Self::WAVE..]].map(least);

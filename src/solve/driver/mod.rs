@@ -431,7 +431,8 @@ impl<'a, 'o> Run<'a, 'o> {
             self.held_back = true;
             return Ok(self.hold_back(step, target));
         }
-        if !self.point.cautious {
+        // Caution with friction does not help where steel gives way.
+        if !self.point.cautious && (floats || smallest) {
             self.point.cautious = true;
             return Ok(true);
         }

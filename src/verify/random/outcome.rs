@@ -82,6 +82,9 @@ pub fn solved(known: &Known, failed: Option<String>, doubt: Option<String>) -> V
 pub fn refused(known: &Known, error: &dyn Diagnostic) -> Verdict {
     let code = error.code().map(|code| code.to_string());
     let is = |name: &str| code.as_ref().is_some_and(|code| code.ends_with(name));
+    if is("job::interrupted") {
+        return late();
+    }
     let stands = known.balance() == Balance::Sure;
     let falls = is("solve::no_balance") || is("solve::free_body");
     // Steel that flows without limit ends as one or the other.

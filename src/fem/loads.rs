@@ -1,7 +1,23 @@
-//! Nodal forces of surface tractions.
+//! Nodal forces: of surface tractions, and gathered from elements.
 
+use crate::geometry::Vec3;
 use crate::mesh::{Mesh, Surface};
 use crate::scene::TractionValue;
+
+/// Nodes of an element, and the force on each of them.
+pub type ElementForce = ([u32; 8], [Vec3; 8]);
+
+/// The sum of the forces of elements at each of `count` nodes.
+pub fn at_nodes(count: usize, elements: impl IntoIterator<Item = ElementForce>) -> Vec<Vec3> {
+    let mut sum = vec![[0.0; 3]; count];
+    for (nodes, forces) in elements {
+        for (node, force) in nodes.iter().zip(forces) {
+            let at = &mut sum[*node as usize];
+            at.iter_mut().zip(force).for_each(|(s, f)| *s += f);
+        }
+    }
+    sum
+}
 
 /// Adds the consistent nodal forces of a traction on `surface` to `force`.
 pub fn add_traction(

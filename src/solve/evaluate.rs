@@ -5,6 +5,7 @@ use super::model::Model;
 use crate::contact::law::{Answer, Node};
 use crate::fem::bbar::ElementVector;
 use crate::fem::element::Answer as ElementAnswer;
+use crate::fem::loads::at_nodes;
 use crate::linear::sparse::SymmetricMatrix;
 use crate::material::j2::{self, PlasticPoint};
 use rayon::prelude::*;
@@ -64,15 +65,9 @@ impl Model<'_> {
         self.pattern
             .multiply(&self.stiffness, trial.x, &mut internal);
         let plastic = self.plastic_answers(history, &u);
-        let mut nodal = vec![[0.0; 3]; u.len()];
-        for answer in &plastic {
-            let nodes = self.scene.mesh.hexes[self.yielding[answer.index] as usize];
-            for (node, relief) in nodes.iter().zip(&answer.relief) {
-                for axis in 0..3 {
-                    nodal[*node as usize][axis] += relief[axis];
-                }
-            }
-        }
+        let nodes = |index: usize| self.scene.mesh.hexes[self.yielding[index] as usize];
+        let relief = (plastic.iter()).map(|answer| (nodes(answer.index), answer.relief));
+        let mut nodal = at_nodes(u.len(), relief);
         let (contact, relative) = self.contact_answers(history, trial, &u);
         for ((row, answer), node) in self.rows.iter().zip(&contact).zip(trial.nodes) {
             if !node.closed {

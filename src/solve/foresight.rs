@@ -6,7 +6,7 @@
 //! if the surfaces overlap anywhere that no row acts, if contact has closed all that was kept of a
 //! pair, or if an element that was taken for elastic yields, the model is prepared anew.
 
-use super::history::{History, Settled};
+use super::history::{History, Settled, points};
 use super::model::{Model, can_yield};
 use super::newton::Point;
 use super::rows::ContactRow;
@@ -246,7 +246,7 @@ pub fn shares_of_yield(model: &Model, settled: &Settled, u: &[[f64; 3]]) -> Vec<
         .map(|e| {
             let body = scene.mesh.body_of(e as usize);
             let local = scene.mesh.hexes[e as usize].map(|n| u[n as usize]);
-            let points = settled.points(e);
+            let points = points(&settled.elements, e);
             let stress = model
                 .element(e)
                 .stress(&model.elastic[body], &local, &points);

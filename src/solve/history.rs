@@ -4,6 +4,7 @@ use super::evaluate::Evaluation;
 use super::model::Model;
 use super::newton::Point;
 use crate::contact::law::Status;
+use crate::fem::loads::at_nodes;
 use crate::material::j2::PlasticPoint;
 use rayon::prelude::*;
 
@@ -35,15 +36,37 @@ pub struct Settled {
     forces: Vec<f64>,
 }
 
+/// The integration points of an element; virgin ones where it is none of the `plastic` ones.
+pub fn points(plastic: &Plastic, element: u32) -> [PlasticPoint; 8] {
+    let at = plastic.binary_search_by_key(&element, |(e, _)| *e);
+    at.map_or_else(|_| Default::default(), |at| plastic[at].1)
+}
+
 impl History {
     /// Before anything has happened.
     pub fn virgin(model: &Model) -> Self {
-        Self {
-            plastic: vec![None; model.yielding.len()],
+        let rows = model.rows.len();
+        Self::new(
+            model,
+            Plastic::new(),
+            (vec![[0.0; 2]; rows], vec![0.0; rows]),
+        )
+    }
+
+    /// Of the elements that have flowed, and of the origin and length of slip of each contact row.
+    pub fn new(
+        model: &Model,
+        plastic: Plastic,
+        (slip_origin, slip): (Vec<[f64; 2]>, Vec<f64>),
+    ) -> Self {
+        let mut history = Self {
+            plastic: Vec::new(),
             settled: Settled::default(),
-            slip_origin: vec![[0.0; 2]; model.rows.len()],
-            slip: vec![0.0; model.rows.len()],
-        }
+            slip_origin,
+            slip,
+        };
+        history.place_plastic(model, plastic);
+        history
     }
 
     /// Has nothing flowed yet?
@@ -82,11 +105,10 @@ impl History {
 
     /// Takes over the elements that have flowed, for the elements that `model` watches.
     pub fn place_plastic(&mut self, model: &Model, all: Plastic) {
-        let watched = |e: &u32| model.yielding.binary_search(e);
         self.plastic = vec![None; model.yielding.len()];
         let mut settled = Plastic::new();
         for (element, points) in all {
-            match watched(&element) {
+            match model.yielding.binary_search(&element) {
                 Ok(at) => self.plastic[at] = Some(Box::new(points)),
                 Err(_) => settled.push((element, points)),
             }
@@ -107,22 +129,9 @@ impl Settled {
             (mesh.hexes[*element as usize], relief)
         };
         let forces: Vec<_> = elements.par_iter().map(of_element).collect();
-        let mut nodal = vec![[0.0; 3]; mesh.points.len()];
-        for (nodes, force) in forces {
-            for (node, force) in nodes.iter().zip(force) {
-                let at = &mut nodal[*node as usize];
-                at.iter_mut().zip(force).for_each(|(sum, f)| *sum += f);
-            }
-        }
-        let mut forces = model.all.gather(&nodal);
+        let mut forces = model.all.gather(&at_nodes(mesh.points.len(), forces));
         model.bodies.reduce(&mut forces);
         Self { elements, forces }
-    }
-
-    /// The integration points of an element; virgin ones where it is none of these.
-    pub fn points(&self, element: u32) -> [PlasticPoint; 8] {
-        let at = (self.elements).binary_search_by_key(&element, |(e, _)| *e);
-        at.map_or_else(|_| Default::default(), |at| self.elements[at].1)
     }
 
     /// Adds its forces to those on all unknowns, inner ones eliminated.

@@ -10,7 +10,8 @@ use super::rows::{ContactRow, law};
 use super::size::Size;
 use crate::fem::dofs::{DofMap, FIXED, Source};
 use crate::fem::element::Element;
-use crate::fem::loads;
+use crate::fem::loads::{self, at_nodes};
+use crate::geometry::scale;
 use crate::linear::cholesky::Symbolic;
 use crate::linear::krylov::norm;
 use crate::linear::memory::available;
@@ -290,20 +291,14 @@ impl<'a> Model<'a> {
             for p in self.all.prescribed.iter().filter(|p| p.source == source) {
                 u[p.node as usize][p.axis] = p.value;
             }
-            let mut force = vec![[0.0; 3]; mesh.points.len()];
-            for (element, nodes) in mesh.hexes.iter().enumerate() {
+            let elements = (0u32..).zip(&mesh.hexes).filter_map(|(element, nodes)| {
                 let local = nodes.map(|n| u[n as usize]);
-                if local.iter().flatten().all(|v| *v == 0.0) {
-                    continue;
-                }
-                let moduli = &self.elastic[mesh.body_of(element)];
-                let out = self.element(element as u32).elastic_force(moduli, &local);
-                for (node, f) in nodes.iter().zip(out) {
-                    for axis in 0..3 {
-                        force[*node as usize][axis] -= f[axis];
-                    }
-                }
-            }
+                let moves = local.iter().flatten().any(|v| *v != 0.0);
+                let moduli = &self.elastic[mesh.body_of(element as usize)];
+                let force = || self.element(element).elastic_force(moduli, &local);
+                moves.then(|| (*nodes, force().map(|f| scale(f, -1.0))))
+            });
+            let force = at_nodes(mesh.points.len(), elements);
             (self.source_name(source).to_owned(), self.all.gather(&force))
         });
         forces.collect()

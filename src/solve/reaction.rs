@@ -1,6 +1,6 @@
 //! The force that a plane exerts whose motion is prescribed.
 
-use super::history::Plastic;
+use super::history::{Plastic, points};
 use super::model::Model;
 
 impl Model<'_> {
@@ -34,16 +34,9 @@ impl Model<'_> {
             let elastic = &self.elastic[mesh.body_of(e as usize)];
             let shape = self.element(e);
             let mut force = shape.elastic_force(elastic, &nodes.map(|n| u[n as usize]));
-            if let Ok(at) = plastic.binary_search_by_key(&e, |(e, _)| *e) {
-                let relief = shape.relief(elastic, &plastic[at].1);
-                for (f, r) in force
-                    .as_flattened_mut()
-                    .iter_mut()
-                    .zip(relief.as_flattened())
-                {
-                    *f -= r;
-                }
-            }
+            let relief = shape.relief(elastic, &points(plastic, e));
+            let pairs = force.as_flattened_mut().iter_mut();
+            (pairs.zip(relief.as_flattened())).for_each(|(f, r)| *f -= r);
             for (node, force) in nodes.iter().zip(force) {
                 for axis in (0..3).filter(|a| axes[*a] && on[*node as usize]) {
                     sum[axis] += force[axis];

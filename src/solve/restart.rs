@@ -198,12 +198,8 @@ impl Restart {
                 }
             })
             .collect();
-        let mut history = History {
-            slip_origin: touching.iter().map(|t| t.slip_origin).collect(),
-            slip: touching.iter().map(|t| t.slip).collect(),
-            ..History::virgin(model)
-        };
-        history.place_plastic(model, self.last.plastic.clone());
+        let slip = touching.iter().map(|t| (t.slip_origin, t.slip)).unzip();
+        let history = History::new(model, self.last.plastic.clone(), slip);
         let point = Point {
             step: self.last.state.step,
             time: self.last.state.time,

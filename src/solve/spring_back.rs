@@ -4,6 +4,7 @@ use super::error::SolveError;
 use super::foresight::Expected;
 use super::model::Model;
 use super::newton::SHIFT;
+use crate::fem::loads::at_nodes;
 use crate::geometry::sub;
 use crate::linear::krylov;
 use crate::material::{Elastic, j2::PlasticPoint};
@@ -80,19 +81,13 @@ fn plastic_forces(model: &Model, state: &State, elements: &[u32]) -> (Vec<[f64; 
         let inner = shape.relief(elastic, &points);
         let pairs = force.as_flattened_mut().iter_mut();
         pairs.zip(inner.as_flattened()).for_each(|(f, i)| *f -= i);
-        (nodes, force, size)
+        ((nodes, force), size)
     };
-    let forces: Vec<_> = elements.par_iter().map(of_element).collect();
-    let mut sum = vec![[0.0; 3]; mesh.points.len()];
-    let mut size = 0.0;
-    for (nodes, force, of_element) in forces {
-        size += of_element;
-        for (node, force) in nodes.iter().zip(force) {
-            let at = &mut sum[*node as usize];
-            at.iter_mut().zip(force).for_each(|(s, f)| *s += f);
-        }
-    }
-    (sum, size.sqrt())
+    let (forces, sizes): (Vec<_>, Vec<f64>) = elements.par_iter().map(of_element).unzip();
+    (
+        at_nodes(mesh.points.len(), forces),
+        sizes.iter().sum::<f64>().sqrt(),
+    )
 }
 
 /// Hooke's law backwards: elastic strain (engineering shears) from stress.

@@ -2,7 +2,7 @@
 
 use super::consistent;
 use super::evaluate::Evaluation;
-use super::history::{History, Plastic};
+use super::history::{History, Plastic, points};
 use super::model::Model;
 use super::newton::Point;
 use crate::contact::facing::Sight;
@@ -58,8 +58,7 @@ pub fn stresses(
     }
     elements
         .map(|element| {
-            let at = plastic.binary_search_by_key(&(element as u32), |(e, _)| *e);
-            let points = at.map_or_else(|_| Default::default(), |at| plastic[at].1);
+            let points = points(plastic, element as u32);
             (stress_of(element, &points), points.map(|p| p.peeq))
         })
         .unzip()

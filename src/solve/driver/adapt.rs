@@ -56,12 +56,12 @@ impl Run<'_, '_> {
 
     /// An element that flows only has to be looked at, where its nodes were not condensed.
     fn check_more_elements(&mut self) {
-        let plastic = self.history.all_plastic(&self.model);
-        let beside = (self.companion.as_ref()).map(|c| c.history.all_plastic(&self.model));
+        let beside = self.companion.as_mut().map(|c| &mut c.history);
+        let histories: Vec<_> = [&mut self.history].into_iter().chain(beside).collect();
+        let plastic: Vec<_> = (histories.iter().map(|h| h.all_plastic(&self.model))).collect();
         self.model.watch(&self.expected.flow);
-        self.history.place_plastic(&self.model, plastic);
-        if let (Some(companion), Some(plastic)) = (&mut self.companion, beside) {
-            companion.history.place_plastic(&self.model, plastic);
+        for (history, plastic) in histories.into_iter().zip(plastic) {
+            history.place_plastic(&self.model, plastic);
         }
         self.counters.watched_elements = self.model.yielding.len();
     }

@@ -64,15 +64,10 @@ impl KeptCompanion {
             && self.slip_origin.len() == rows
             && self.slip.len() == rows;
         fits.then(|| {
-            let mut history = History {
-                slip_origin: self.slip_origin.clone(),
-                slip: self.slip.clone(),
-                ..History::virgin(model)
-            };
-            history.place_plastic(model, self.plastic.clone());
+            let slip = (self.slip_origin.clone(), self.slip.clone());
             Companion {
                 point: self.point.clone(),
-                history,
+                history: History::new(model, self.plastic.clone(), slip),
                 passed: self.passed.clone(),
             }
         })

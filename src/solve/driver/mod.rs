@@ -408,7 +408,7 @@ impl<'a, 'o> Run<'a, 'o> {
         target: f64,
     ) -> Result<bool, SolveError> {
         let (step, time) = (at.step, at.time);
-        // Not to the plastic limit.
+        // Where little flows it is not the plastic limit that takes balance away: a body may be free.
         let floats = !newton::much_flows(&self.model, &stopped.flowing);
         let begins = (step, time) == (0, 0.0);
         if floats && !self.asked {

@@ -48,12 +48,11 @@ impl Run<'_, '_> {
         end.cautious = trial.cautious;
         if let Ok(evaluation) = &balanced {
             let model = &self.model;
-            let [now, then] = [trial, &end].map(|p| {
-                let settled = &self.history.settled;
-                shares_of_yield(model, settled, &model.displacement(p, settled))
-            });
             let contact = Unforeseen::new(model, &self.history, &self.sights, &end, None);
             if contact.is_flow_only() {
+                let settled = &self.history.settled;
+                let shares = |p| shares_of_yield(model, settled, &model.displacement(p, settled));
+                let [now, then] = [trial, &end].map(shares);
                 unforeseen.flow = flow_to_come(&then);
                 let corners = |element| model.scene.mesh.corners(element as usize);
                 let growth = now.iter().zip(&then).map(|((element, now), (_, then))| {

@@ -26,7 +26,7 @@ pub struct Condensation {
 /// A matrix with its inner unknowns eliminated.
 pub struct Substructure {
     condensation: Condensation,
-    values: Pages,
+    values: Pages<f64>,
 }
 
 impl Condensation {
@@ -93,7 +93,13 @@ impl Condensation {
             *diagonal *= 2.0;
         }
         let mut values = Pages::new(self.inner.len_val()).map_err(|_| FactorError::Memory)?;
-        numeric(&self.inner, &OnceLock::new(), pattern, &matrix, &mut values)?;
+        numeric(
+            &self.inner,
+            &OnceLock::new(),
+            pattern,
+            &matrix.values,
+            &mut values,
+        )?;
         let whole = Substructure {
             condensation: self,
             values,
@@ -252,7 +258,7 @@ mod tests {
         let f: Vec<f64> = (0..80).map(|i| f64::from(i).sin()).collect();
         let mut exact = f.clone();
         let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..40)]).unwrap();
-        let factor = symbolic.factorise(&pattern, &matrix, None).unwrap();
+        let factor = symbolic.factorise::<f64>(&pattern, &matrix, None).unwrap();
         symbolic.solve(&factor, &mut exact);
 
         let mut kept = vec![false; 40];

@@ -21,7 +21,7 @@ use crate::contact::law::{MOST_RAISED, Node, Status};
 use crate::fem::dofs::FIXED;
 use crate::linear::cholesky::FactorError;
 use crate::linear::krylov::{self, dot, norm};
-use crate::linear::preconditioner::Prepared;
+use crate::linear::preconditioner::{Precision, Prepared};
 use crate::linear::sparse::SymmetricMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -79,6 +79,8 @@ pub struct LinearSolver {
     update: Update,
     /// Corrections for which an aged factor is not tried, after it was not good enough.
     distrust: usize,
+    /// Of the factor: double once single has not been enough.
+    precision: Precision,
 }
 
 /// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
@@ -97,6 +99,9 @@ const PAUSE: usize = 3;
 
 /// Error of a correction, in the energy norm, that is left to the next iteration.
 const INEXACT: f64 = 1e-2;
+
+/// Directions with a fresh factor that tell that single precision is not enough for it.
+const POOR: usize = 8;
 
 /// Directions with a fresh factor.
 const DIRECTIONS: usize = 150;
@@ -247,7 +252,7 @@ impl LinearSolver {
         }
         let old = self.factor.take();
         let factor = timers.time(Phase::Factorise, || {
-            model.preconditioner.factorise(&model.pattern, matrix, old)
+            (model.preconditioner).factorise(&model.pattern, matrix, self.precision, old)
         })?;
         for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
             matrix.values[*start as usize] = *d;
@@ -270,6 +275,9 @@ impl LinearSolver {
             ),
             false => krylov::solve(multiply, precondition, &residual, tolerance, DIRECTIONS),
         });
+        if outcome.iterations > POOR {
+            self.precision = Precision::Double;
+        }
         out.dx.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
         out.directions += outcome.iterations;
         out.refactored = true;

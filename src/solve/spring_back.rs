@@ -7,6 +7,7 @@ use super::newton::SHIFT;
 use crate::fem::loads::at_nodes;
 use crate::geometry::sub;
 use crate::linear::krylov;
+use crate::linear::preconditioner::Precision;
 use crate::material::{Elastic, j2::PlasticPoint};
 use crate::results::State;
 use crate::scene::Scene;
@@ -111,7 +112,9 @@ fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, Solve
     for start in &pattern.columns[..forces.len()] {
         shifted.values[*start as usize] *= 1.0 + SHIFT;
     }
-    let factor = model.preconditioner.factorise(pattern, &shifted, None)?;
+    let factor = model
+        .preconditioner
+        .factorise(pattern, &shifted, Precision::default(), None)?;
     let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(matrix, x, y);
     let precondition = |x: &mut [f64]| (model.preconditioner).apply(pattern, &factor, multiply, x);
     let known = rounding / krylov::norm(forces).max(f64::MIN_POSITIVE);

@@ -16,6 +16,7 @@ use crate::contact::law::Answer;
 use crate::fem::dofs::FIXED;
 use faer::prelude::Solve;
 use faer::{Mat, linalg::solvers::PartialPivLu};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Tangent of a row by its local components, times its area.
@@ -41,6 +42,9 @@ struct Correction {
 const NEW: f64 = 1.0 / 12.0;
 /// The most that are kept. More than the factor has entries they may not take either.
 const MOST: usize = 900;
+
+/// Unknowns that are worth a thread.
+const SHARE: usize = 1 << 12;
 
 fn tangent(row: &ContactRow, answer: &Answer) -> Tangent {
     answer.tangent.map(|line| line.map(|v| v * row.row.area))
@@ -135,12 +139,15 @@ impl Update {
             }
         }
         let forces = now.system.solve(&pulled);
-        for (a, row) in now.rows.iter().enumerate() {
-            for (k, column) in self.columns[row].iter().enumerate() {
-                let force = forces[(3 * a + k, 0)];
-                x.iter_mut().zip(column).for_each(|(x, z)| *x -= force * z);
+        let columns = now.rows.iter().flat_map(|row| &self.columns[row]);
+        let columns: Vec<_> = columns.zip(forces.col_as_slice(0)).collect();
+        (x.par_chunks_mut(SHARE).enumerate()).for_each(|(k, x)| {
+            let from = k * SHARE;
+            for (column, force) in &columns {
+                let share = &column[from..from + x.len()];
+                x.iter_mut().zip(share).for_each(|(x, z)| *x -= *force * z);
             }
-        }
+        });
     }
 }
 

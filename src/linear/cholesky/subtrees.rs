@@ -5,8 +5,9 @@
 //! them is split. Left-looking, supernode by supernode (Ng and Peyton 1993), into faer's storage.
 
 use super::entries::Entries;
+use super::number::Number;
 use super::tree::Tree;
-use crate::linear::sparse::{Pattern, SymmetricMatrix};
+use crate::linear::sparse::Pattern;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor as dense;
 use faer::linalg::matmul::matmul;
@@ -27,12 +28,12 @@ pub struct Plan {
 }
 
 /// A factorisation under way.
-struct Work<'a> {
+struct Work<'a, T> {
     symbolic: &'a SymbolicSupernodalCholesky<u32>,
     tree: &'a Tree,
     entries: &'a Entries,
     /// Of the matrix.
-    values: &'a [f64],
+    values: &'a [T],
 }
 
 /// A pivot that is not positive, in the order of the factor.
@@ -51,33 +52,33 @@ impl Plan {
         }
     }
 
-    /// Factors `matrix` into `values`.
+    /// Factors the matrix of these `entries` into `values`.
     ///
     /// # Errors
     /// A [`Pivot`] that is not positive.
-    pub fn factorise(
+    pub fn factorise<T: Number>(
         &self,
         symbolic: &SymbolicSupernodalCholesky<u32>,
-        matrix: &SymmetricMatrix,
-        values: &mut [f64],
+        entries: &[T],
+        values: &mut [T],
     ) -> Result<(), Pivot> {
         let work = Work {
             symbolic,
             tree: &self.tree,
             entries: &self.entries,
-            values: &matrix.values,
+            values: entries,
         };
         work.factorise(values, rayon::current_num_threads())
     }
 }
 
-impl<'a> Work<'a> {
+impl<'a, T: Number> Work<'a, T> {
     /// Rows below the columns of a supernode.
     fn rows(&self, s: usize) -> &'a [u32] {
         self.symbolic.supernode(s).pattern()
     }
 
-    fn factorise(&self, values: &mut [f64], threads: usize) -> Result<(), Pivot> {
+    fn factorise(&self, values: &mut [T], threads: usize) -> Result<(), Pivot> {
         let (subtrees, top) = self.tree.split(threads);
         let mut parts = Vec::new();
         let (mut rest, mut at) = (&mut *values, 0);
@@ -118,8 +119,8 @@ impl<'a> Work<'a> {
     fn subtree(
         &self,
         supernodes: Range<usize>,
-        values: &mut [f64],
-        scratch: &mut Scratch,
+        values: &mut [T],
+        scratch: &mut Scratch<T>,
     ) -> Result<(), Pivot> {
         let base = self.tree.value[supernodes.start];
         for s in supernodes {
@@ -137,8 +138,8 @@ impl<'a> Work<'a> {
     fn above(
         &self,
         s: usize,
-        values: &mut [f64],
-        scratch: &mut Scratch,
+        values: &mut [T],
+        scratch: &mut Scratch<T>,
         threads: usize,
     ) -> Result<(), Pivot> {
         // Columns that are worth a task.
@@ -171,7 +172,7 @@ impl<'a> Work<'a> {
     }
 
     /// The matrix's entries in a supernode; `local` then holds the position of each of its rows.
-    fn scatter<'v>(&self, s: usize, values: &'v mut [f64], local: &mut [u32]) -> MatMut<'v, f64> {
+    fn scatter<'v>(&self, s: usize, values: &'v mut [T], local: &mut [u32]) -> MatMut<'v, T> {
         let (begin, end) = (self.tree.begin[s], self.tree.begin[s + 1]);
         let rows = self.rows(s);
         let height = end - begin + rows.len();
@@ -181,7 +182,7 @@ impl<'a> Work<'a> {
         {
             local[row as usize] = i as u32;
         }
-        values.fill(0.0);
+        values.fill(T::rounded(0.0));
         for (column, own) in (begin..end).zip(values.chunks_exact_mut(height)) {
             let range = self.entries.columns[column]..self.entries.columns[column + 1];
             for (row, place) in self.entries.rows[range.clone()]
@@ -199,13 +200,13 @@ impl<'a> Work<'a> {
     #[allow(clippy::too_many_arguments)]
     fn update(
         &self,
-        below: &[f64],
+        below: &[T],
         base: usize,
-        mut block: MatMut<f64>,
+        mut block: MatMut<T>,
         s: usize,
         at: usize,
         local: &[u32],
-        product: &mut Vec<f64>,
+        product: &mut Vec<T>,
     ) {
         let begin = self.tree.begin[s];
         let (low, high) = (begin + at, begin + at + block.ncols());
@@ -222,7 +223,7 @@ impl<'a> Work<'a> {
             let (count, height) = (b - a, rows.len() - a);
             let here = source.subrows(width + a, count);
             if product.len() < height * count {
-                product.resize(height * count, 0.0);
+                product.resize(height * count, T::rounded(0.0));
             }
             let out = &mut product[..height * count];
             let (upper, lower) =
@@ -235,7 +236,7 @@ impl<'a> Work<'a> {
                 BlockStructure::Rectangular,
                 here.transpose(),
                 BlockStructure::Rectangular,
-                1.0,
+                T::rounded(1.0),
                 Par::Seq,
             );
             let under = source.subrows(width + b, rows.len() - b);
@@ -244,7 +245,7 @@ impl<'a> Work<'a> {
                 Accum::Replace,
                 under,
                 here.transpose(),
-                1.0,
+                T::rounded(1.0),
                 Par::Seq,
             );
             for (j, from) in product[..height * count].chunks_exact(height).enumerate() {
@@ -254,17 +255,17 @@ impl<'a> Work<'a> {
                 };
                 let column = column.as_slice_mut();
                 for (row, value) in rows[a + j..].iter().zip(&from[j..]) {
-                    column[local[*row as usize] as usize] -= value;
+                    column[local[*row as usize] as usize] -= *value;
                 }
             }
         }
     }
 
     /// Factors the columns of a supernode, once all updates are in.
-    fn finish(&self, block: MatMut<f64>, s: usize, par: Par) -> Result<(), Pivot> {
+    fn finish(&self, block: MatMut<T>, s: usize, par: Par) -> Result<(), Pivot> {
         let columns = block.ncols();
         let (mut top, below) = block.split_at_row_mut(columns);
-        let need = dense::cholesky_in_place_scratch::<f64>(columns, par, Default::default());
+        let need = dense::cholesky_in_place_scratch::<T>(columns, par, Default::default());
         let mut memory = MemBuffer::new(need);
         dense::cholesky_in_place(
             top.rb_mut(),
@@ -275,7 +276,7 @@ impl<'a> Work<'a> {
         )
         .map_err(|dense::LltError::NonPositivePivot { index }| Pivot(self.tree.begin[s] + index))?;
         let top = top.rb();
-        let solve = |part: MatMut<f64>| {
+        let solve = |part: MatMut<T>| {
             solve_lower_triangular_in_place(top, part.transpose_mut(), Par::Seq);
         };
         match par {
@@ -291,13 +292,13 @@ impl<'a> Work<'a> {
 }
 
 /// What a thread works with.
-struct Scratch {
+struct Scratch<T> {
     /// Position of each row in the supernode at hand.
     local: Vec<u32>,
-    product: Vec<f64>,
+    product: Vec<T>,
 }
 
-impl Scratch {
+impl<T> Scratch<T> {
     fn new(equations: usize) -> Self {
         Self {
             local: vec![0; equations],

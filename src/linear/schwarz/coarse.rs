@@ -36,7 +36,7 @@ pub struct Coarse {
 pub struct CoarseFactor {
     /// Of each piece, its couplings with itself and lower pieces.
     couplings: Vec<Vec<(u32, Box<Coupling>)>>,
-    factor: Factor,
+    factor: Factor<f64>,
 }
 
 impl Coarse {

@@ -8,8 +8,9 @@
 
 use super::counters::Counters;
 use super::history::History;
+use super::linear_solver::LinearSolver;
 use super::model::Model;
-use super::newton::{Failure, LinearSolver, Point, Stopped, balance};
+use super::newton::{Failure, Point, Stopped, balance};
 use super::observer::Observer;
 use crate::linear::sparse::SymmetricMatrix;
 
@@ -71,6 +72,6 @@ pub fn approach(
             Err(_) => break,
         }
     }
-    *solver = LinearSolver::default();
+    solver.forget();
     Ok(())
 }

@@ -78,14 +78,13 @@ impl Expected {
 }
 
 impl Unforeseen {
-    /// Looks at all of the solution `x` of `model`. Where the flow to come is not known it looks ahead to loads
-    /// larger by the factor `next`.
+    /// Looks at all of the solution `x` of `model`, and `ahead`.
     pub fn new(
         model: &Model,
         history: &History,
         sights: &[Vec<Sight>],
         x: &Point,
-        next: Option<f64>,
+        ahead: Ahead,
     ) -> Self {
         let settled = &history.settled;
         let u = model.displacement(x, settled);
@@ -99,7 +98,7 @@ impl Unforeseen {
             .chain(overlap.left_out)
             .chain(narrow)
             .reduce(f64::max);
-        let (flow, yields) = unexpected_flow(model, settled, (x, &u), next);
+        let (flow, yields) = unexpected_flow(model, settled, (x, &u), ahead);
         Self {
             approach: overlap.not_integrated,
             contact,
@@ -145,10 +144,20 @@ impl Overlap {
         let mut overlapped: BTreeMap<(usize, u32), f64> = BTreeMap::new();
         for (pair, sights) in sights.iter().enumerate() {
             let found = sights.par_iter().filter(|s| s.gap_at(u) < 0.0);
-            for sight in found.collect::<Vec<_>>() {
-                for node in sight.carrier.0 {
+            let found: Vec<_> = found.map(|s| s.carrier.0).collect();
+            if found.is_empty() {
+                continue;
+            }
+            // All nodes of a facet have rows once all of it is integrated.
+            let mut widest: BTreeMap<[u32; 4], f64> = BTreeMap::new();
+            for sight in sights.iter().filter(|s| s.gap.is_finite()) {
+                let gap = widest.entry(sight.carrier.0).or_default();
+                *gap = gap.max(sight.gap);
+            }
+            for facet in found {
+                for node in facet {
                     let gap = overlapped.entry((pair, node)).or_default();
-                    *gap = gap.max(sight.gap);
+                    *gap = gap.max(widest.get(&facet).copied().unwrap_or_default());
                 }
             }
         }
@@ -196,12 +205,23 @@ fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
     least
 }
 
+/// What is known of the flow to come.
+#[derive(Debug, Clone, Copy)]
+pub enum Ahead {
+    /// Nothing: the next increment takes loads larger by this factor.
+    To(f64),
+    /// The elements that will flow were foreseen. Where one was not, others like it are not far.
+    Known,
+    /// Loads are taken off: nothing but what flows now has to be learned.
+    Less,
+}
+
 /// Elements to keep from now on, and whether one of them yields already.
 fn unexpected_flow(
     model: &Model,
     settled: &Settled,
     (x, u): (&Point, &[[f64; 3]]),
-    next: Option<f64>,
+    ahead: Ahead,
 ) -> (Vec<u32>, bool) {
     // Below a contact the stress grows with the root of the load, in bending with the load, and
     // where it flows neighbours take over some; beside a contact that widens it grows from nothing,
@@ -210,12 +230,13 @@ fn unexpected_flow(
     const GROWTH: f64 = 0.75;
     let shares = shares_of_yield(model, settled, u);
     let most = largest(&shares);
-    let (next, share) = match next {
-        Some(next) => {
+    let (next, share) = match ahead {
+        Ahead::To(next) => {
             let to_come = load_to_come(model, x);
             (next.min(to_come), EARLY / to_come.powf(GROWTH))
         }
-        None => (1.0, 1.0),
+        Ahead::Known => (1.0, EARLY),
+        Ahead::Less => (1.0, 1.0),
     };
     // As long as nothing will flow before the next look, all is well.
     if most * next.powf(GROWTH) <= 1.0 {

@@ -21,6 +21,7 @@ mod foresight;
 mod history;
 mod holding;
 mod line_search;
+mod linear_solver;
 mod model;
 mod newton;
 mod observer;

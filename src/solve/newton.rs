@@ -12,17 +12,15 @@ use super::counters::Counters;
 use super::evaluate::{Evaluation, Trial};
 use super::history::History;
 use super::line_search;
+use super::linear_solver::{Correction, LinearSolver, flowing};
 use super::model::Model;
 use super::observer::{Iteration, Observer};
 use super::start;
 use super::timers::Phase;
-use super::update::Update;
 use crate::contact::law::{MOST_RAISED, Node, Status};
 use crate::fem::dofs::FIXED;
 use crate::linear::cholesky::FactorError;
-use crate::linear::krylov::{self, dot, norm};
-use crate::linear::preconditioner::{Precision, Prepared};
-use crate::linear::sparse::SymmetricMatrix;
+use crate::linear::krylov::{dot, norm};
 use serde::{Deserialize, Serialize};
 
 /// Where the load history stands and what the unknowns are there.
@@ -67,45 +65,6 @@ pub struct Stopped {
     pub flowing: Vec<u32>,
 }
 
-/// The linear solver with the factor that it carries from iteration to iteration.
-#[derive(Default)]
-pub struct LinearSolver {
-    factor: Option<Prepared>,
-    /// Number of flowing points that the factor was made for.
-    flowing: usize,
-    /// The last tangent, for its memory.
-    matrix: SymmetricMatrix,
-    /// Contact that has changed since.
-    update: Update,
-    /// Corrections for which an aged factor is not tried, after it was not good enough.
-    distrust: usize,
-    /// Of the factor: double once single has not been enough.
-    precision: Precision,
-}
-
-/// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
-/// of a body that is free for a moment positive definite. The system that is solved does not
-/// contain it, so that no force ever passes through it.
-pub const SHIFT: f64 = 1e-10;
-
-/// An aged factor, brought up to date for contact, is tried while no more than this many integration points have begun
-/// or ceased to flow, for this many directions: about what a new factor costs.
-const CHANGES: usize = 48;
-const TRIES: usize = 12;
-
-/// Where that was in vain, so many corrections are found with new factors before it is tried again: nodes that slip
-/// change the matrix though their statuses stay.
-const PAUSE: usize = 3;
-
-/// Error of a correction, in the energy norm, that is left to the next iteration.
-const INEXACT: f64 = 1e-2;
-
-/// Directions with a fresh factor that tell that single precision is not enough for it.
-const POOR: usize = 8;
-
-/// Directions with a fresh factor.
-const DIRECTIONS: usize = 150;
-
 /// Where stick and slip have not settled after this many iterations, it is time for caution.
 const PATIENCE: usize = 25;
 
@@ -143,13 +102,14 @@ impl Progress {
     const WAVE: usize = 8;
 
     /// Is there no balance in sight? Beyond the plastic limit iterations wander far from it; what will be in balance
-    /// is near after a wave or two, and never as far as a third of the load for a whole one.
+    /// is near after a wave or two, and never as far as a third of the load for half of one.
     fn is_lost(&self) -> bool {
         const FAR: f64 = 1e-3;
         const LOST: f64 = 0.3;
         const LESS: f64 = 0.5;
+        const HALF: usize = Progress::WAVE / 2;
         let least = |residuals: &[f64]| residuals.iter().copied().fold(f64::INFINITY, f64::min);
-        if (self.residuals.last_chunk::<{ Self::WAVE }>()).is_some_and(|all| least(all) > LOST) {
+        if (self.residuals.last_chunk::<HALF>()).is_some_and(|all| least(all) > LOST) {
             return true;
         }
         let lately = self.residuals.last_chunk::<{ 2 * Self::WAVE }>();
@@ -166,137 +126,6 @@ impl Progress {
         let lately = self.energies.last_chunk::<{ 2 * Self::WAVE }>();
         lately.is_some_and(|both| most(&both[Self::WAVE..]) < LESS * most(&both[..Self::WAVE]))
     }
-}
-
-/// How a correction was found.
-struct Correction {
-    dx: Vec<f64>,
-    directions: usize,
-    refactored: bool,
-}
-
-impl LinearSolver {
-    /// Solves the tangent at `evaluation` for its residual.
-    fn solve(
-        &mut self,
-        model: &Model,
-        evaluation: &Evaluation,
-        (tolerance, anchor): (f64, Option<&Anchor>),
-        counters: &mut Counters,
-    ) -> Result<Correction, FactorError> {
-        let last = std::mem::take(&mut self.matrix);
-        let assemble = || model.tangent(evaluation, last);
-        let mut matrix = counters.timers.time(Phase::Assemble, assemble);
-        anchor.inspect(|anchor| anchor.stiffen(model, &mut matrix));
-        let correction = self.correct(model, evaluation, (&mut matrix, tolerance), counters);
-        self.matrix = matrix;
-        correction
-    }
-
-    /// The same with the tangent `matrix`.
-    fn correct(
-        &mut self,
-        model: &Model,
-        evaluation: &Evaluation,
-        (matrix, tolerance): (&mut SymmetricMatrix, f64),
-        counters: &mut Counters,
-    ) -> Result<Correction, FactorError> {
-        let timers = &mut counters.timers;
-        counters.linear_solves += 1;
-        counters.element_tangents += (evaluation.plastic.iter().filter(|a| a.flows())).count();
-        let mut out = Correction {
-            dx: vec![0.0; model.dofs.len()],
-            directions: 0,
-            refactored: false,
-        };
-        let mut residual = evaluation.residual.clone();
-        let mut tolerance = tolerance;
-        let little_flow = flowing(evaluation).abs_diff(self.flowing) <= CHANGES;
-        let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
-        // Renewing the parts that changed costs next to nothing.
-        let aged = self.factor.as_ref().filter(|_| trusted);
-        let update = &mut self.update;
-        let aged = aged.filter(|factor| {
-            let solve = |x: &mut [f64], count| model.preconditioner.solve_many(factor, x, count);
-            timers.time(Phase::LinearSolve, || {
-                update.prepare(model, evaluation, solve)
-            })
-        });
-        if let Some(factor) = aged {
-            let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
-            let precondition = |x: &mut [f64]| {
-                (model.preconditioner).apply(&model.pattern, factor, multiply, x);
-                update.correct(model, x);
-            };
-            let (dx, outcome) = timers.time(Phase::LinearSolve, || {
-                krylov::solve(multiply, precondition, &residual, tolerance, TRIES)
-            });
-            counters.krylov_directions += outcome.iterations;
-            out.directions = outcome.iterations;
-            if outcome.residual <= tolerance {
-                out.dx = dx;
-                return Ok(out);
-            }
-            // Keep what was gained; the rest takes a new factor.
-            let mut product = vec![0.0; dx.len()];
-            multiply(&dx, &mut product);
-            residual.iter_mut().zip(&product).for_each(|(r, p)| *r -= p);
-            tolerance /= outcome.residual;
-            out.dx = dx;
-            self.distrust = PAUSE;
-        }
-        self.distrust = self.distrust.saturating_sub(1);
-        let diagonal = model.pattern.diagonal(matrix);
-        for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
-            matrix.values[*start as usize] = d * (1.0 + SHIFT);
-        }
-        let old = self.factor.take();
-        let factor = timers.time(Phase::Factorise, || {
-            (model.preconditioner).factorise(&model.pattern, matrix, self.precision, old)
-        })?;
-        for (start, d) in model.pattern.columns.iter().zip(&diagonal) {
-            matrix.values[*start as usize] = *d;
-        }
-        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
-        let precondition = |x: &mut [f64]| {
-            model
-                .preconditioner
-                .apply(&model.pattern, &factor, multiply, x)
-        };
-        let (dx, outcome) = timers.time(Phase::LinearSolve, || match model.is_soft() {
-            // Every direction costs as much as the last: no more than the next iteration can use.
-            true => krylov::minimise(
-                multiply,
-                precondition,
-                &residual,
-                INEXACT,
-                tolerance,
-                DIRECTIONS,
-            ),
-            false => krylov::solve(multiply, precondition, &residual, tolerance, DIRECTIONS),
-        });
-        if outcome.iterations > POOR {
-            self.precision = Precision::Double;
-        }
-        out.dx.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
-        out.directions += outcome.iterations;
-        out.refactored = true;
-        counters.krylov_directions += outcome.iterations;
-        counters.factorisations += 1;
-        self.factor = Some(factor);
-        self.flowing = flowing(evaluation);
-        self.update = Update::new(model, evaluation);
-        Ok(out)
-    }
-}
-
-fn flowing(evaluation: &Evaluation) -> usize {
-    evaluation
-        .plastic
-        .iter()
-        .flat_map(|a| &a.flows)
-        .filter(|f| f.is_some())
-        .count()
 }
 
 /// Brings `point` into balance at its time, starting from its active set; with an `anchor`, into balance

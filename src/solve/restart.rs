@@ -48,6 +48,22 @@ pub(super) struct Plan {
     pub ends: Vec<f64>,
 }
 
+impl Plan {
+    /// Equal increments between two shares of `step`, none of them larger than `most`.
+    pub fn even(step: usize, [from, to]: [f64; 2], most: f64) -> Self {
+        let parts = ((to - from) / most - ROUNDING).ceil().max(1.0) as usize;
+        let part = (to - from) / parts as f64;
+        let inner = (1..parts).map(|k| from + k as f64 * part);
+        Self {
+            step,
+            ends: inner.chain([to]).collect(),
+        }
+    }
+}
+
+/// Shares of a step that differ by less are the same.
+const ROUNDING: f64 = 1e-6;
+
 /// A state without its stresses and plastic strains, and what these follow from.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Kept {

@@ -2,8 +2,8 @@
 
 use super::error::SolveError;
 use super::foresight::Expected;
+use super::linear_solver::SHIFT;
 use super::model::Model;
-use super::newton::SHIFT;
 use crate::fem::loads::at_nodes;
 use crate::geometry::sub;
 use crate::linear::krylov;

@@ -4,10 +4,11 @@ use super::Run;
 use super::companion::Companion;
 use crate::geometry::Vec3;
 use crate::solve::error::SolveError;
-use crate::solve::foresight::Unforeseen;
+use crate::solve::foresight::{Ahead, Unforeseen};
 use crate::solve::history::{History, Plastic, Settled};
+use crate::solve::linear_solver::LinearSolver;
 use crate::solve::model::Model;
-use crate::solve::newton::{LinearSolver, Point};
+use crate::solve::newton::Point;
 use crate::solve::rows::{ContactRow, contact_rows};
 use crate::solve::timers::Phase;
 use std::collections::BTreeMap;
@@ -16,16 +17,19 @@ impl Run<'_, '_> {
     /// What happens where the model was not prepared for it, now or in the next increment.
     pub(super) fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
         let (model, history) = (&self.model, &self.history);
-        let next = (!self.flow_is_known(trial.step)).then_some(1.0 + next);
-        let look = || Unforeseen::new(model, history, &self.sights, trial, next);
+        let ahead = self.ahead(trial.step, next);
+        let look = || Unforeseen::new(model, history, &self.sights, trial, ahead);
         self.counters.timers.time(Phase::Recover, look)
     }
 
-    /// Nothing but what flows now has to be learned where the elastic end of `step` was seen, and where loads are
-    /// taken off.
-    pub(super) fn flow_is_known(&self, step: usize) -> bool {
+    /// What is known in `step` of the flow to come, where loads grow by the share `next` in the next increment.
+    pub(super) fn ahead(&self, step: usize, next: f64) -> Ahead {
         let seen = self.beside.elastic.as_ref();
-        seen.is_some_and(|end| end.state.step == step) || self.unloads(step)
+        match seen.is_some_and(|end| end.state.step == step) {
+            _ if self.unloads(step) => Ahead::Less,
+            true => Ahead::Known,
+            false => Ahead::To(1.0 + next),
+        }
     }
 
     /// Prepares the model anew; the next increment starts from `guess`.

@@ -13,10 +13,11 @@ use super::effort::UNLOADING;
 use super::error::SolveError;
 use super::foresight::Expected;
 use super::history::History;
+use super::linear_solver::LinearSolver;
 use super::model::{Model, can_yield};
-use super::newton::{self, Failure, LinearSolver, Point, Stopped};
+use super::newton::{self, Failure, Point, Stopped};
 use super::observer::Observer;
-use super::restart::{Beside, Kept, Restart};
+use super::restart::{Beside, Kept, Plan, Restart};
 use super::rigid;
 use super::rows::{contact_rows, sights};
 use super::start::{self, Closing};
@@ -33,8 +34,10 @@ pub use companion::KeptCompanion;
 const GROWTH: f64 = 1.5;
 const LARGEST: f64 = 3.0;
 
-/// Share of a step to which the plastic limit is sought: meshes know it no better.
+/// Share of a step to which the plastic limit is sought: meshes know it no better. Where more increments than these
+/// would be left it is not sought that far.
 const LIMIT_KNOWN: f64 = 5e-3;
+const MOST_LEFT: f64 = 20.0;
 
 /// What a solved scene leaves behind.
 #[derive(Debug, Clone)]
@@ -424,7 +427,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let least = if floats {
             least
         } else {
-            least.max(LIMIT_KNOWN)
+            least.max(LIMIT_KNOWN).max((1.0 - time) / MOST_LEFT)
         };
         let smallest = 0.5 * self.size < least;
         if floats && !self.held_back && (begins || (smallest && self.point.cautious)) {
@@ -441,8 +444,12 @@ impl<'a, 'o> Run<'a, 'o> {
         }
         self.size *= 0.5;
         self.cut = true;
+        if !floats {
+            // What was too much for the steel once will not become less.
+            self.beside.plan = Some(Plan::even(step, [time, 1.0], self.size));
+        }
         self.counters.cut_backs += 1;
-        self.solver = LinearSolver::default();
+        self.solver.forget();
         self.observer.message(&format!(
             "cut back to {:.3} % of the step: {}",
             100.0 * (time + self.size),

@@ -7,7 +7,7 @@
 use super::plan::{self, Growth};
 use super::{GROWTH, LARGEST, Run};
 use crate::mesh::hexahedron::volume;
-use crate::solve::foresight::{Unforeseen, flow_to_come, shares_of_yield};
+use crate::solve::foresight::{Ahead, Unforeseen, flow_to_come, shares_of_yield};
 use crate::solve::newton::{self, Failure, Point, Stopped};
 use crate::solve::restart::{Kept, Plan};
 use crate::solve::state;
@@ -19,8 +19,8 @@ impl Run<'_, '_> {
     /// converge all stays as it was. Returns false where the observer cancelled.
     pub(super) fn look_ahead(&mut self, unforeseen: &mut Unforeseen, trial: &Point) -> bool {
         let virgin = self.history.is_virgin();
-        let known = self.flow_is_known(trial.step);
-        if known || unforeseen.flow.is_empty() || !virgin {
+        let unknown = matches!(self.ahead(trial.step, 0.0), Ahead::To(_));
+        if !unknown || unforeseen.flow.is_empty() || !virgin {
             return true;
         }
         // Elements of small bodies are watched from the start: here they are elastic like all others.
@@ -48,7 +48,7 @@ impl Run<'_, '_> {
         end.cautious = trial.cautious;
         if let Ok(evaluation) = &balanced {
             let model = &self.model;
-            let contact = Unforeseen::new(model, &self.history, &self.sights, &end, None);
+            let contact = Unforeseen::new(model, &self.history, &self.sights, &end, Ahead::Less);
             if contact.is_flow_only() {
                 let settled = &self.history.settled;
                 let shares = |p| shares_of_yield(model, settled, &model.displacement(p, settled));
@@ -76,11 +76,8 @@ impl Run<'_, '_> {
             }
         } else if unforeseen.missed {
             // Nothing is known of the flow to come: one increment of it would say nothing of its own error.
-            let stands = self.stands(trial.step);
-            self.beside.plan = Some(Plan {
-                step: trial.step,
-                ends: vec![0.5 * (stands + trial.time), trial.time],
-            });
+            let (from, to) = (self.stands(trial.step), trial.time);
+            self.beside.plan = Some(Plan::even(trial.step, [from, to], 0.5 * (to - from)));
         }
         swap(&mut self.history.plastic, &mut plastic);
         self.model.yielding = watched;

@@ -277,7 +277,7 @@ fn update_contact(
     const FREE_ITERATIONS: usize = 12;
     const FREE_SWITCHES: u8 = 2;
     // Below this share of the largest force a friction bound or shear counts as unchanged.
-    const SAME: f64 = 2e-8;
+    const SAME: f64 = 5e-9;
     let forces =
         (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
     let largest = forces.fold(0.0, f64::max);

@@ -104,13 +104,15 @@ pub fn bearing(seed: u64, number: usize) -> (Drawn, Known) {
             other.unwrap_or_default()
         ),
     };
-    let weak = soft.is_some_and(|part| part.ends_with("roller"));
-    let weakest = if weak { 0.5 * strength } else { strength };
+    let of = |weak| if weak { 0.5 * strength } else { strength };
+    let rollers = of(soft.is_some_and(|part| part.ends_with("roller")));
+    let plastic = ring(&bearing, rollers + STRAIN * hardening);
+    let load = load / units.forces;
     let known = Known {
         limits: limits(&bearing),
-        plastic: ring(&bearing, weakest + STRAIN * hardening),
-        load: load / units.forces,
-        turn: turn(&bearing, load / units.forces),
+        plastic,
+        load,
+        turn: turn(&bearing, load, plastic / length, of(soft.is_some())),
     };
     (bearing, known)
 }
@@ -189,19 +191,32 @@ impl Drawn {
     }
 }
 
-/// About by how much a plate turns where the force passes a hollow roller near its end, in radians. Pressure grows
-/// from nothing to twice its mean over three times the distance of the force from the end; the ring there becomes
-/// flatter by 0.1488 q r³ / (E I) (Young and Budynas, Roark's Formulas for Stress and Strain, table 9.2, case 1).
-fn turn(bearing: &Drawn, load: f64) -> f64 {
-    let Some(wall) = bearing.wall.filter(|_| bearing.offset > 0.0) else {
+/// About by how much a plate turns where the force passes near the end of a roller whose rings carry `ring` a length and
+/// where the softer part yields at `strength`, in radians. Pressure grows from nothing to twice its mean over three
+/// times the distance of the force from the end.
+///
+/// A hollow roller becomes flatter there by 0.1488 q r³ / (E I) (Young and Budynas, Roark's Formulas for Stress and
+/// Strain, table 9.2, case 1), and without limit where its rings collapse. Steel that flows below a line bears three
+/// times its yield stress (Johnson, Contact Mechanics, section 6.3): over the width q / 3 Y the roller dents by the
+/// height of that arc.
+fn turn(bearing: &Drawn, load: f64, ring: f64, strength: f64) -> f64 {
+    if bearing.offset == 0.0 {
         return 0.0;
-    };
+    }
     let lean = tan(0.5 * bearing.degrees.to_radians());
     let left = bearing.half() - bearing.offset - lean * bearing.height();
     let bears = 3.0 * left.max(ALONG * bearing.diameter / 3.0);
-    let mean = 0.5 * (bearing.diameter - wall);
-    let bending = bearing.modulus / (1.0 - bearing.poisson * bearing.poisson) * wall.powi(3) / 12.0;
-    0.1488 * 2.0 * load / bears * mean.powi(3) / bending / bears
+    if load > ring * bears {
+        return f64::INFINITY;
+    }
+    let most = 2.0 * load / bears;
+    let flatter = bearing.wall.map_or(0.0, |wall| {
+        let mean = 0.5 * (bearing.diameter - wall);
+        let plane = bearing.modulus / (1.0 - bearing.poisson * bearing.poisson);
+        0.1488 * most * mean.powi(3) / (plane * wall.powi(3) / 12.0)
+    });
+    let dent = (0.5 * most / (3.0 * strength)).powi(2) / bearing.diameter;
+    (flatter + dent) / bears
 }
 
 /// Shear over pressure of the force along (x, y, 1) on the face whose normal is along (a, b, 1).

@@ -121,7 +121,7 @@ fn factorisation(bencher: Bencher, cells: usize) {
     let matrix = stiffness(&mesh, &pattern);
     let all = [Block::Sparse(0..mesh.points.len() as u32)];
     let symbolic = Symbolic::new(&pattern, &all).expect("memory");
-    bencher.bench(|| symbolic.factorise(&pattern, &matrix, None));
+    bencher.bench(|| symbolic.factorise::<f32>(&pattern, &matrix, None));
 }
 
 /// The same cube seen from its upper face.

@@ -163,7 +163,7 @@ fn block(cells: Cells, arguments: &Arguments, peaks: &[[f64; 2]; 2]) -> Result<S
     Ok(text)
 }
 
-/// The cost in double precision, as the program does it. The last factor is put to the test.
+/// The cost in double precision, as the program does it where single is not enough. The last factor is put to the test.
 fn double(
     pattern: &Pattern,
     matrix: &SymmetricMatrix,
@@ -172,7 +172,7 @@ fn double(
 ) -> Result<[Cost; 2], Failure> {
     let mut factor = None;
     let costs = turns(samples, |_| {
-        factor = Some(symbolic.factorise(pattern, matrix, factor.take())?);
+        factor = Some(symbolic.factorise::<f64>(pattern, matrix, factor.take())?);
         Ok(())
     })?;
     let wanted: Vec<f64> = (0..pattern.len()).map(|k| (k as f64).sin()).collect();

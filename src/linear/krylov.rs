@@ -16,8 +16,7 @@ pub struct Outcome {
 
 /// Solves A x = b. `multiply(x, y)` sets y = A x; `precondition(x)` replaces x by M⁻¹x.
 ///
-/// Stops at `tolerance` (relative to |b|), after `limit` directions, or once it can be foreseen that these are not
-/// enough; returns the best x.
+/// Stops at `tolerance` (relative to |b|) or after `limit` directions; returns the best x.
 pub fn solve(
     mut multiply: impl FnMut(&[f64], &mut [f64]),
     mut precondition: impl FnMut(&mut [f64]),
@@ -59,21 +58,8 @@ pub fn solve(
         add_scaled(&mut residual, -step, &q);
         outcome.residual = norm(&residual) / scale;
         directions.push((p, q));
-        if is_hopeless(&outcome, tolerance, limit) {
-            break;
-        }
     }
     (x, outcome)
-}
-
-/// Would far more than `limit` directions be needed at the mean rate of those that there were?
-fn is_hopeless(outcome: &Outcome, tolerance: f64, limit: usize) -> bool {
-    /// Directions that tell the rate, and the gain of those to come over it: convergence quickens.
-    const TELLING: usize = 3;
-    const QUICKER: f64 = 1.5;
-    let needed = outcome.iterations as f64 * tolerance.ln() / outcome.residual.ln();
-    let few = QUICKER * limit as f64;
-    outcome.iterations >= TELLING && (outcome.residual >= 1.0 || needed > few)
 }
 
 /// Solves A x = b for positive definite A by conjugate directions with any preconditioner.

@@ -78,7 +78,7 @@ impl LinearSolver {
         anchor.inspect(|anchor| anchor.stiffen(model, &mut matrix));
         let correction = self.correct(model, evaluation, (&mut matrix, tolerance), counters);
         self.matrix = matrix;
-        correction
+        correction.inspect(|found| counters.krylov_directions += found.directions)
     }
 
     /// The same with the tangent `matrix`.
@@ -133,7 +133,6 @@ impl LinearSolver {
             }
             self.factor = Some(factor);
         }
-        counters.krylov_directions += sought.found.directions;
         self.flowing = flowing(evaluation);
         self.update = Update::new(model, evaluation);
         Ok(sought.found)
@@ -170,9 +169,7 @@ impl LinearSolver {
         let solve = || krylov::solve(multiply, precondition, residual, tolerance, TRIES);
         let (dx, outcome) = timers.time(Phase::LinearSolve, solve);
         let enough = sought.take(&dx, &outcome, multiply);
-        if enough {
-            counters.krylov_directions += sought.found.directions;
-        } else {
+        if !enough {
             self.distrust = PAUSE;
         }
         enough

@@ -251,7 +251,7 @@ fn not_positive(order: &[u32], index: usize) -> FactorError {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// Laplacian of a chain plus one: solved against its own product.
@@ -273,8 +273,8 @@ mod tests {
         assert!(b.iter().zip(&x).all(|(b, x)| (b - x).abs() < 1e-12));
     }
 
-    /// A plate of springs between neighbours, held everywhere a little: a factor of many supernodes.
-    fn plate(n: u32) -> (Pattern, SymmetricMatrix) {
+    /// A plate of springs between neighbours, `spring` being the entries of each: a factor of many supernodes.
+    pub fn plate(n: u32, spring: impl Fn(usize, usize) -> f64) -> (Pattern, SymmetricMatrix) {
         let at = |i: u32, j: u32| i + n * j;
         let right = (0..n).flat_map(|j| (0..n - 1).map(move |i| [at(i, j), at(i + 1, j)]));
         let up = (0..n - 1).flat_map(|j| (0..n).map(move |i| [at(i, j), at(i, j + 1)]));
@@ -284,13 +284,18 @@ mod tests {
         let mut m = pattern.zeros();
         for [a, b] in springs {
             let equations: Vec<u32> = (3 * a..3 * a + 3).chain(3 * b..3 * b + 3).collect();
-            pattern.add_block(&mut m, &equations, |i, j| match (i == j, i % 3 == j % 3) {
-                (true, _) => 2.0,
-                (false, true) => -1.0,
-                _ => 0.1,
-            });
+            pattern.add_block(&mut m, &equations, &spring);
         }
         (pattern, m)
+    }
+
+    /// Held everywhere a little.
+    fn held(i: usize, j: usize) -> f64 {
+        match (i == j, i % 3 == j % 3) {
+            (true, _) => 2.0,
+            (false, true) => -1.0,
+            _ => 0.1,
+        }
     }
 
     fn threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
@@ -303,7 +308,7 @@ mod tests {
 
     #[test]
     fn threads_do_not_change_the_factor() {
-        let (pattern, m) = plate(60);
+        let (pattern, m) = plate(60, held);
         let n = pattern.len();
         let x: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
         let mut b = vec![0.0; n];
@@ -325,7 +330,7 @@ mod tests {
 
     #[test]
     fn single_precision_solves_to_its_own_rounding() {
-        let (pattern, mut m) = plate(60);
+        let (pattern, mut m) = plate(60, held);
         // Far beyond what single precision can tell from nothing.
         m.values.iter_mut().for_each(|v| *v *= 1e60);
         let x: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
@@ -341,7 +346,7 @@ mod tests {
 
     #[test]
     fn a_pivot_that_is_not_positive_is_named_on_any_number_of_threads() {
-        let (pattern, mut m) = plate(60);
+        let (pattern, mut m) = plate(60, held);
         m.values[pattern.columns[5000] as usize] = -1.0;
         let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
         for count in [1, 2] {

@@ -16,7 +16,7 @@
 //! | hollow roller squeezed between plates | [`ring`], [`curved_beam`] |
 //! | steel curve, yielding tube, limit load | [`steel`], [`tube`], [`tube_mises`], [`limit`] |
 //! | sphere pressed beyond yield | [`flattening`] |
-//! | crown of a roller | [`crown`] |
+//! | crown of a roller, edge of a punch | [`crown`], [`rounded_punch`] |
 //! | patch tests, cantilever, Cook's membrane | [`patch`] |
 //! | all of it for one roller | [`handbook`] |
 //!
@@ -39,6 +39,7 @@ pub mod limit;
 pub mod patch;
 pub mod ring;
 pub mod rolling;
+pub mod rounded_punch;
 pub mod sizing;
 pub mod steel;
 pub mod stress;

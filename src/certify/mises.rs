@@ -10,8 +10,8 @@ use crate::scene::{ContactPair, Partner, Scene};
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
                        mesh; look at the elastic peak and the plastic strain";
 
-const SINGULAR: &str = "at a loaded edge: singular in elasticity, grows with every refinement until \
-                        the steel yields";
+const SINGULAR: &str = "at a loaded edge, or where a fillet is not resolved: grows with every refinement until the \
+                        steel yields";
 
 const UNCERTAIN_FLOW: &str =
     "the elastic peak is as uncertain as its excess over yield: it may be zero";

@@ -248,14 +248,13 @@ pub fn certify(evidence: &Evidence) -> Vec<Claim> {
     let flowing = mises::claims(peaks, evidence.elastic, &Strip::all(scene, evidence.lines));
     claims.extend(other::bores(evidence.bores));
     for (pair, interface) in interfaces.iter().enumerate() {
-        let at = interface.max_pressure_at;
         let contact = Contact {
             scene,
             state,
             pair,
             interface,
             line: evidence.lines.get(pair).and_then(Option::as_ref),
-            at_edge: at.is_some_and(|at| evidence.edges.are_near(&at)),
+            edges: evidence.edges,
         };
         claims.extend(contact.claims());
         claims.extend(other::horizontal_force(scene, interface));

@@ -8,7 +8,7 @@
 use super::{Claim, Errors, Quantity, claim_of};
 use crate::geometry::{norm, sub};
 use crate::results::contact_lines::StripRow;
-use crate::results::edges::carrier;
+use crate::results::edges::{LoadedEdges, carrier};
 use crate::results::hertz::{Departure, HeaviestLine};
 use crate::results::interface::Interface;
 use crate::results::load::copies;
@@ -21,6 +21,8 @@ const COARSE: &str = "the nodes are too far apart for the strip or patch of cont
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
 const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
                       apart, or a shape that is no line";
+const FILLET: &str = "the facets are too long for a fillet under load: where it begins the pressure may have a higher \
+                      and narrow peak";
 const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
 
@@ -67,8 +69,7 @@ pub(super) struct Contact<'a> {
     pub pair: usize,
     pub interface: &'a Interface,
     pub line: Option<&'a HeaviestLine>,
-    /// Is the largest pressure at a loaded edge?
-    pub at_edge: bool,
+    pub edges: &'a LoadedEdges,
 }
 
 impl Contact<'_> {
@@ -123,11 +124,14 @@ impl Contact<'_> {
         let value = self.interface.max_pressure;
         let claim = |error, why| self.claim(Quantity::PeakPressure, value, error, why);
         let falls = fall(self.scene, field, self.pair);
-        if self.at_edge && falls > EVEN {
-            return claim(None, EDGE);
-        }
-        if self.shapelessness(field) > SHAPELESS {
-            return claim(None, SHAPE);
+        let unseen = self.edges.unseen_pressure(self.pair);
+        let at_edge = (self.interface.max_pressure_at).is_some_and(|at| self.edges.are_near(&at));
+        match at_edge && falls > EVEN {
+            _ if unseen > value => return claim(None, FILLET),
+            true if unseen > 0.0 => return claim(None, FILLET),
+            true => return claim(None, EDGE),
+            false if self.shapelessness(field) > SHAPELESS => return claim(None, SHAPE),
+            false => {}
         }
         let fall = || FALL * falls;
         let error = self

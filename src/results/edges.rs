@@ -6,17 +6,20 @@
 
 use std::collections::BTreeMap;
 
-use super::State;
 use super::hex::distance;
+use super::{State, fillet};
 use crate::mesh::{Mesh, Surface};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 
-/// The loaded edges of a state.
+/// The loaded edges of a state. A fillet that the mesh does not resolve is one, too.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LoadedEdges {
     /// Nodes on boundaries of contact surfaces that are in contact, and how far the stress of the edge
     /// reaches: a fiftieth of the contact surface, some half-widths, and no less than the face there is long.
     nodes: Vec<([f64; 3], f64)>,
+    /// Of each contact pair the largest pressure that may be at a fillet and that the mesh does not show;
+    /// zero where there is none.
+    unseen: Vec<f64>,
 }
 
 /// Of the size of a contact surface.
@@ -32,50 +35,87 @@ impl LoadedEdges {
     /// Finds the loaded edges of every contact pair; edges on mirror planes, and on flat ends that
     /// are held as by a mirror, are none.
     pub fn find(scene: &Scene, state: &State) -> Self {
-        let mut edges = Self::default();
+        let mut edges = Self {
+            unseen: vec![0.0; state.contacts.len()],
+            ..Self::default()
+        };
         for (pair, field) in state.contacts.iter().enumerate() {
             let Some(surface) = carrier(scene, pair) else {
                 continue;
             };
-            let active: Vec<u32> = (field.nodes.iter().enumerate())
-                .filter(|(i, _)| field.is_active(*i))
-                .map(|(_, node)| *node)
-                .collect();
-            if active.is_empty() {
+            if !(0..field.nodes.len()).any(|i| field.is_active(i)) {
                 continue;
             }
-            edges.add(scene, surface, |side| {
-                side.iter().any(|n| active.binary_search(n).is_ok())
+            let of = |node: &u32| {
+                let at = field.nodes.binary_search(node).ok()?;
+                field.is_active(at).then(|| field.pressure[at])
+            };
+            edges.add(scene, (pair, surface), |nodes| {
+                largest(nodes.iter().filter_map(of))
             });
-            // Where the other surface ends, the carrier may go on.
+            // Where the other surface ends or begins to curve, the carrier may go on.
             let [_, other] = scene.contacts[pair].carrier_first();
             if let Some(other) = other.surface(&scene.mesh) {
-                let pressed = Pressed::new(scene, surface, &active);
-                edges.add(scene, other, |side| {
-                    pressed.reaches(&side.map(|n| scene.mesh.points[n as usize]))
-                });
+                let pressed = Pressed::new(scene, surface, of);
+                edges.add(scene, (pair, other), |nodes| pressed.at(&scene.mesh, nodes));
             }
         }
         edges
     }
 
-    /// Adds the sides of faces on the boundary of a surface that are under pressure.
-    fn add(&mut self, scene: &Scene, surface: &Surface, loaded: impl Fn(&[u32; 2]) -> bool) {
+    /// Adds the sides of faces under pressure that are on the boundary of a surface, or where a fillet begins
+    /// that is not resolved.
+    fn add(
+        &mut self,
+        scene: &Scene,
+        (pair, surface): (usize, &Surface),
+        pressure: impl Fn(&[u32]) -> Option<f64>,
+    ) {
         let mesh = &scene.mesh;
+        let compliance = scene.compliance(&scene.contacts[pair]).unwrap_or(0.0);
         let boundary = boundary_nodes(scene, surface);
         let on_boundary = |node: &u32| boundary.binary_search(node).is_ok();
+        let fillets = fillet::beginnings(mesh, surface);
         for face in &surface.faces {
             for k in 0..4 {
                 let side = [face.nodes[k], face.nodes[(k + 1) % 4]];
-                if !side.iter().all(on_boundary) || !loaded(&side) {
+                let fillet = fillets.iter().find(|f| f.is_at(side));
+                // At the last node that presses a part of the pressure is lost.
+                let unseen = fillet.and_then(|f| f.unseen(pressure(&face.nodes)?, compliance));
+                let is_loaded = || side.iter().all(on_boundary) && pressure(&side).is_some();
+                if unseen.is_none() && !is_loaded() {
                     continue;
                 }
+                self.unseen[pair] = self.unseen[pair].max(unseen.unwrap_or(0.0));
                 let corners = face.corners(mesh);
                 let reach = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
                 self.nodes
                     .extend(side.map(|n| (mesh.points[n as usize], reach)));
             }
         }
+    }
+
+    /// The largest pressure that a fillet may cause in a contact pair and that the mesh does not show; zero where
+    /// there is none.
+    pub fn unseen_pressure(&self, pair: usize) -> f64 {
+        self.unseen.get(pair).copied().unwrap_or(0.0)
+    }
+
+    /// The Mises stress below such pressures in the body with that index: more than below a strip, less than
+    /// below a sphere (Johnson, Contact Mechanics, sections 3.4 and 4.2).
+    pub fn unseen_mises(&self, scene: &Scene, body: usize) -> f64 {
+        const BELOW: f64 = 0.6;
+        let on_body = |pair: &ContactPair| {
+            let sides = [&pair.upper, &pair.lower];
+            sides
+                .iter()
+                .any(|side| side.body(&scene.mesh) == Some(body))
+        };
+        let pairs = scene.contacts.iter().enumerate();
+        let pressures = pairs
+            .filter(|(_, pair)| on_body(pair))
+            .map(|(pair, _)| self.unseen_pressure(pair));
+        BELOW * pressures.fold(0.0, f64::max)
     }
 
     /// Does no contact surface end while it carries pressure?
@@ -91,51 +131,62 @@ impl LoadedEdges {
     }
 }
 
-/// Boxes about the carrier's nodes in contact, each as large as half of the faces around it.
-struct Pressed(Vec<([f64; 3], f64)>);
+/// Boxes about the carrier's nodes in contact, each as large as half of the faces around it, and their pressures.
+struct Pressed(Vec<([f64; 3], f64, f64)>);
 
 impl Pressed {
-    fn new(scene: &Scene, surface: &Surface, active: &[u32]) -> Self {
-        let mut sizes: BTreeMap<u32, f64> = BTreeMap::new();
+    fn new(scene: &Scene, surface: &Surface, pressure: impl Fn(&u32) -> Option<f64>) -> Self {
+        let mut boxes: BTreeMap<u32, (f64, f64)> = BTreeMap::new();
         for face in &surface.faces {
             let corners = face.corners(&scene.mesh);
             let size = 0.5 * distance(corners[0], corners[2]);
-            for node in face
-                .nodes
-                .iter()
-                .filter(|n| active.binary_search(n).is_ok())
-            {
-                let known = sizes.entry(*node).or_default();
-                *known = known.max(size);
+            for node in &face.nodes {
+                let Some(pressure) = pressure(node) else {
+                    continue;
+                };
+                let known = boxes.entry(*node).or_insert((0.0, pressure));
+                known.0 = known.0.max(size);
             }
         }
-        let boxes = sizes
-            .into_iter()
-            .map(|(n, size)| (scene.mesh.points[n as usize], size));
-        Self(boxes.collect())
+        let point = |node: u32| scene.mesh.points[node as usize];
+        let boxes = boxes.into_iter();
+        Self(
+            boxes
+                .map(|(node, (size, p))| (point(node), size, p))
+                .collect(),
+        )
     }
 
-    /// Does one of them reach the side of a face between these ends?
-    fn reaches(&self, ends: &[[f64; 3]; 2]) -> bool {
-        self.0.iter().any(|(at, size)| {
-            (0..3).all(|i| {
-                let [low, high] = [ends[0][i].min(ends[1][i]), ends[0][i].max(ends[1][i])];
-                at[i] + size >= low && at[i] - size <= high
-            })
-        })
+    /// The largest pressure of those that reach the box about a face, or a side of it.
+    fn at(&self, mesh: &Mesh, nodes: &[u32]) -> Option<f64> {
+        let (low, high) = bounds(mesh, nodes.iter().copied());
+        let reaches = |(at, size, _): &&([f64; 3], f64, f64)| {
+            (0..3).all(|i| at[i] + size >= low[i] && at[i] - size <= high[i])
+        };
+        largest(self.0.iter().filter(reaches).map(|(_, _, p)| *p))
     }
+}
+
+fn largest(values: impl Iterator<Item = f64>) -> Option<f64> {
+    values.reduce(f64::max)
 }
 
 /// Diagonal of the box about a surface.
 fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
+    let (low, high) = bounds(mesh, surface.faces.iter().flat_map(|face| face.nodes));
+    distance(low, high)
+}
+
+/// The corners of the box about some nodes.
+fn bounds(mesh: &Mesh, nodes: impl Iterator<Item = u32>) -> ([f64; 3], [f64; 3]) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for node in surface.faces.iter().flat_map(|face| face.nodes) {
+    for node in nodes {
         for (axis, x) in mesh.points[node as usize].iter().enumerate() {
             low[axis] = low[axis].min(*x);
             high[axis] = high[axis].max(*x);
         }
     }
-    distance(low, high)
+    (low, high)
 }
 
 /// Nodes on edges that only one face of the surface has, ascending; without mirror planes.

@@ -10,6 +10,7 @@ pub mod dent;
 pub mod depth;
 pub mod edges;
 pub mod ending;
+pub mod fillet;
 pub mod hertz;
 pub mod hex;
 pub mod interface;

@@ -39,7 +39,8 @@ pub struct BodyPeaks {
     pub integration_point: Option<Peak>,
     /// Mises stress of the nodal average.
     pub nodal: Option<Peak>,
-    /// Where the nodal peak lies beside a loaded edge: that and the centroid peak of what does not.
+    /// Where the nodal peak lies beside a loaded edge, or a larger one may be hidden there: that and the centroid
+    /// peak of what does not.
     pub away: Option<[Peak; 2]>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
@@ -71,8 +72,11 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
     let nodal = nodal_peaks(scene, recovered, |_| true);
     let far = |at: &[f64; 3]| !edges.are_near(at);
     // Few scenes have a peak at an edge, and then it is worth a second look.
-    let touched = |peak: &Option<Peak>| peak.is_some_and(|p| edges.are_near(&p.at));
-    let away = match nodal.iter().any(touched) {
+    let is_at_edge = |(body, peak): (usize, &Option<Peak>)| {
+        peak.is_some_and(|p| edges.are_near(&p.at) || edges.unseen_mises(scene, body) > p.value)
+    };
+    let at_edge: Vec<bool> = nodal.iter().enumerate().map(is_at_edge).collect();
+    let away = match at_edge.contains(&true) {
         true => nodal_peaks(scene, recovered, far),
         false => vec![None; nodal.len()],
     };
@@ -86,12 +90,13 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
             at: centre(&mesh.corners(element)),
         })
     };
-    let body_peaks = |((body, nodal), away): ((&Body, Option<Peak>), Option<Peak>)| {
+    let body_peaks = |(index, body): (usize, &Body)| {
+        let nodal = nodal[index];
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
         let centroid = centroid_peak(body, &|_| true);
-        let away = away
-            .filter(|_| touched(&nodal))
+        let away = away[index]
+            .filter(|_| at_edge[index])
             .and_then(|nodal| Some([nodal, centroid_peak(body, &far)?]));
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
             let values = state.stress[element].iter().map(mises).enumerate();
@@ -125,9 +130,7 @@ pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPea
             volume: copies * volume,
         }
     };
-    (mesh.bodies.iter().zip(nodal).zip(away))
-        .map(body_peaks)
-        .collect()
+    mesh.bodies.iter().enumerate().map(body_peaks).collect()
 }
 
 /// The nodal peak of every body, of the nodes that count.

@@ -88,7 +88,7 @@ fn sphere() -> Result<Vec<Claim>, VerifyError> {
     Ok(claims)
 }
 
-fn certified(run: &Run) -> Vec<certify::Claim> {
+pub(super) fn certified(run: &Run) -> Vec<certify::Claim> {
     let (scene, state) = (&run.scene, run.state());
     let recovered = recover(scene, state);
     let edges = LoadedEdges::find(scene, state);
@@ -112,7 +112,12 @@ fn certified(run: &Run) -> Vec<certify::Claim> {
 }
 
 /// How far off the estimates of a certificate are.
-fn judged(problem: &str, run: &Run, certificate: &[certify::Claim], known: &[Known]) -> Vec<Claim> {
+pub(super) fn judged(
+    problem: &str,
+    run: &Run,
+    certificate: &[certify::Claim],
+    known: &[Known],
+) -> Vec<Claim> {
     let judge = |(what, place, truth): &Known| {
         let claim = certify::claim(certificate, *what, place)?;
         let error = (claim.value - truth).abs();
@@ -125,7 +130,7 @@ fn judged(problem: &str, run: &Run, certificate: &[certify::Claim], known: &[Kno
             100.0 * estimate / truth.abs(),
         );
         let claim = Claim::small(text, short, 1.0)
-            .from("Hertz; limits of problem H; the series in h")
+            .from("closed forms; limits of problem H; the series in h")
             .because("a bar holds");
         Some(run.claim(claim))
     };

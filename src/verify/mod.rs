@@ -31,6 +31,7 @@ mod penalty;
 mod profile;
 mod punch;
 mod ring;
+mod rounded_punch;
 mod rubbing;
 mod sphere_plastic;
 mod tube;
@@ -56,7 +57,7 @@ pub struct Suite {
 }
 
 /// All families, simple ones first.
-pub const SUITES: [Suite; 18] = [
+pub const SUITES: [Suite; 19] = [
     suite("patch", patch::claims),
     suite("uniaxial", uniaxial::claims),
     suite("bending", bending::claims),
@@ -73,6 +74,7 @@ pub const SUITES: [Suite; 18] = [
     suite("cattaneo-mindlin", cattaneo_mindlin::claims),
     suite("full-sliding", full_sliding::claims),
     suite("certificate", certificate::claims),
+    suite("rounded-punch", rounded_punch::claims),
     suite("penalty", penalty::claims),
     suite("penalty-bearing", penalty::claims_of_bearing),
 ];

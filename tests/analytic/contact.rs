@@ -1,4 +1,4 @@
-//! Approach, crown, stick and slip, punch and sphere beyond yield.
+//! Approach, crown, stick and slip, punches and sphere beyond yield.
 
 use brinell::analytic::crown::lundberg_drop;
 use brinell::analytic::flattening::{self, exact_critical, jackson_green, kogut_etsion};
@@ -6,6 +6,7 @@ use brinell::analytic::friction::{CattaneoMindlin, MindlinSpheres};
 use brinell::analytic::hertz::{LineContact, PointContact};
 use brinell::analytic::limit::{Criterion, punch_pressure};
 use brinell::analytic::ring::{Load, Plane, Ring};
+use brinell::analytic::rounded_punch::RoundedPunch;
 use brinell::analytic::{Elastic, approach, contact_compliance};
 use proptest::prelude::*;
 
@@ -385,5 +386,35 @@ proptest! {
             let (q, slip) = (stick.traction(x(400 * i)).unwrap(), 0.2 * line.pressure(x(400 * i)).unwrap());
             prop_assert!(q <= slip * (1.0 + 1e-12) && q >= -1e-12, "{q} {slip}");
         }
+    }
+}
+
+proptest! {
+    /// The pressure carries the load; it goes to nothing at the ends of the contact.
+    #[test]
+    fn rounded_punches_carry_their_load(b in 0.1f64..10.0, share in 0.01f64..10.0, pressed in 1e-4f64..0.01) {
+        let punch = RoundedPunch::new(2.0 * b * pressed, b, share * b, 1.0).unwrap();
+        let a = punch.half_width;
+        // Midpoints in the angle, at which the root at the end is smooth.
+        const POINTS: usize = 20_000;
+        let angles = (0..POINTS).map(|k| std::f64::consts::PI * ((k as f64 + 0.5) / POINTS as f64 - 0.5));
+        let sum: f64 = angles.map(|angle| punch.pressure(a * angle.sin()) * angle.cos()).sum();
+        close("load", sum * a * std::f64::consts::PI / POINTS as f64, punch.load, 1e-4);
+        prop_assert!(punch.pressure(a) == 0.0 && punch.pressure(-1.1 * a) == 0.0);
+        prop_assert!(punch.peak_pressure().1 > punch.pressure(0.0));
+    }
+}
+
+/// Almost without a flat part it is Hertz's cylinder, almost without rounding a flat punch.
+#[test]
+fn rounded_punches_lie_between_cylinder_and_flat_punch() {
+    let hertz = LineContact::new(1.0, 10.0, 1e-3).unwrap();
+    let punch = RoundedPunch::new(1.0, 1e-5 * hertz.half_width, 10.0, 1e-3).unwrap();
+    close("half-width", punch.half_width, hertz.half_width, 1e-4);
+    close("p0", punch.pressure(0.0), hertz.peak_pressure, 1e-4);
+    let flat = RoundedPunch::new(1.0, 1.0, 1e-6, 1e-3).unwrap();
+    let sharp = |x: f64| 1.0 / (std::f64::consts::PI * (1.0 - x * x).sqrt());
+    for x in [0.0, 0.5, 0.9] {
+        close("pressure", flat.pressure(x), sharp(x), 1e-4);
     }
 }

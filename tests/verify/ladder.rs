@@ -78,3 +78,9 @@ fn sphere_plastic() {
 fn certificate() {
     explains(&holds("certificate"));
 }
+
+/// What a mesh does not show is not claimed.
+#[test]
+fn rounded_punch() {
+    explains(&holds("rounded-punch"));
+}

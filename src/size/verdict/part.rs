@@ -71,7 +71,7 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
     if judged.what == away {
         let edge = claim(&summary.certificate, peak, body).map(|claim| significant(claim.value, 2));
         check.remark = Some(format!(
-            "away from loaded edges; at one it is {} on this mesh, and has no bound",
+            "away from loaded edges; on this mesh it is {} at all, which grows with every refinement",
             edge.unwrap_or_default()
         ));
     }

@@ -1,6 +1,5 @@
 //! The two fine meshes of a bearing, from which its true values are extrapolated.
 
-use super::bearing::Set;
 use super::solution::Solved;
 use crate::case::bearing::{MeshRequest, Preset};
 use crate::case::{Case, CaseError, ErrorKind, Kind};
@@ -32,11 +31,10 @@ const DISPLACED: Fineness = Fineness {
     far: 0.06,
 };
 
-/// Element sizes of the two meshes, relative to that; finer last. The named bearings are known better:
-/// other pages measure errors by them. Flow takes ten increments and more, so that its meshes have to be
-/// coarser.
-const NAMED: [f64; 2] = [1.4, 1.0];
-const DRAWN: [f64; 2] = [1.96, 1.4];
+/// Element sizes of the two meshes, relative to that; finer last. Flow takes ten increments and more, so that
+/// its meshes have to be coarser.
+const ELASTIC: [f64; 2] = [1.4, 1.0];
+const FLOWING: [f64; 2] = [1.96, 1.4];
 
 /// How many of the widest half-widths the fine zone reaches to either side.
 const REACH: f64 = 1.4;
@@ -46,10 +44,10 @@ const REACH: f64 = 1.4;
 ///
 /// # Errors
 /// Where the case is no bearing, or a mesh cannot be made so fine.
-pub fn cases(set: Set, case: &Case, coarse: &Solved) -> Result<[(f64, Case); 2], CaseError> {
-    let [coarser, finer] = match set {
-        Set::Named if !case.controls.plasticity => NAMED,
-        _ => DRAWN,
+pub fn cases(case: &Case, coarse: &Solved) -> Result<[(f64, Case); 2], CaseError> {
+    let [coarser, finer] = match case.controls.plasticity {
+        true => FLOWING,
+        false => ELASTIC,
     };
     let case = |scale| Ok::<_, CaseError>((scale, scaled(case, coarse, scale)?));
     Ok([case(coarser)?, case(finer)?])

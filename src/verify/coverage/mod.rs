@@ -94,7 +94,7 @@ impl Suite<'_> {
                 continue;
             }
             let name = format!("{}, {}", bearing.name, steel(!plastic));
-            match reference::make((set, &bearing), !plastic, &self.keep, self.observer) {
+            match reference::make(&bearing, !plastic, &self.keep, self.observer) {
                 Ok(pair) => {
                     let [coarse, fine] = pair.cpu_s;
                     let unknowns = pair.unknowns;

@@ -218,7 +218,7 @@ fn rounded(value: f64) -> f64 {
 /// # Errors
 /// [`JobError`].
 pub fn make(
-    (set, bearing): (Set, &Bearing),
+    bearing: &Bearing,
     elastic: bool,
     keep: &Keep,
     observer: &mut dyn Observer,
@@ -234,7 +234,7 @@ pub fn make(
     let coarse = solution::solve(&coarse, (keep, &name("h025", true)), false, observer)?;
     let case = if elastic { &twin } else { &own };
     let mut solved = Vec::new();
-    for (scale, case) in fine::cases(set, case, &coarse)? {
+    for (scale, case) in fine::cases(case, &coarse)? {
         let name = name(&format!("fine-{scale}"), elastic);
         solved.push(solution::solve(&case, (keep, &name), false, observer)?);
     }

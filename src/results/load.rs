@@ -21,13 +21,6 @@ pub fn whole(scene: &Scene, modelled: [f64; 3]) -> [f64; 3] {
     force
 }
 
-/// Factor of the support, plane or traction called `name` at share `time` of step `step`.
-pub fn factor(scene: &Scene, name: &str, step: usize, time: f64) -> f64 {
-    let end_of = |i: usize| scene.steps.get(i).map_or(1.0, |s| s.factor_of(name));
-    let start = if step == 0 { 0.0 } else { end_of(step - 1) };
-    start + (end_of(step) - start) * time
-}
-
 /// A force that a scene prescribes, at factor one: of a driven plane or a traction.
 struct Load<'s> {
     name: &'s str,
@@ -134,7 +127,7 @@ pub fn upright(scene: &Scene) -> usize {
 /// The load that acts on the whole in `state`: the prescribed forces at that moment, and, along axes
 /// without any, the forces that moved planes exert.
 pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {
-    let prescribed = driven(scene, |name| factor(scene, name, state.step, state.time));
+    let prescribed = driven(scene, |name| scene.factor(name, state.step, state.time));
     let others = driven_axes(scene).map(|driven| !driven);
     let planes = scene.rigid_planes.iter().zip(&state.planes);
     let moved = planes.fold([0.0; 3], |sum, (plane, field)| {
@@ -223,7 +216,7 @@ pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
 /// Work of the forces that act in `state`, as they are now, on the travels of what they act on; of the
 /// whole. A traction acts by its resultant on the mean of its surface.
 fn work(scene: &Scene, state: &State) -> f64 {
-    let now = |name: &str| factor(scene, name, state.step, state.time);
+    let now = |name: &str| scene.factor(name, state.step, state.time);
     let others = driven_axes(scene).map(|driven| !driven);
     let loads = loads(scene);
     let (of_planes, of_tractions) = loads.split_at(scene.rigid_planes.len());
@@ -263,7 +256,7 @@ fn mean_travel(scene: &Scene, state: &State, traction: &Traction) -> [f64; 3] {
 /// it as weight.
 fn travel_of_tractions(scene: &Scene, state: &State, along: [f64; 3]) -> Option<f64> {
     let (mut work, mut load) = (0.0, 0.0);
-    let now = |name: &str| factor(scene, name, state.step, state.time);
+    let now = |name: &str| scene.factor(name, state.step, state.time);
     // With all of the load taken off, its surfaces count as under all of it.
     let none = scene.tractions.iter().all(|t| now(&t.name) == 0.0);
     for traction in &scene.tractions {

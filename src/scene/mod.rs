@@ -49,6 +49,15 @@ impl Scene {
         };
         contact_compliance(elastic(&pair.upper)?, elastic(&pair.lower)?)
     }
+
+    /// Factor of the support, plane or traction called `name` at share `time` of the step with that index. Before the
+    /// first step it is zero; beyond the last it stays.
+    pub fn factor(&self, name: &str, step: usize, time: f64) -> f64 {
+        let before = step.checked_sub(1).and_then(|i| self.steps.get(i));
+        let before = before.map_or(0.0, |step| step.factor_of(name));
+        let after = (self.steps.get(step)).map_or(before, |step| step.factor_of(name));
+        before + time * (after - before)
+    }
 }
 
 /// Two surfaces, or a surface and a rigid plane, that may touch.

@@ -70,7 +70,7 @@ const TURNS: f64 = 0.1;
 pub fn no_balance(model: &Model, (step, time): (usize, f64), done: f64) -> Option<SolveError> {
     let scene = model.scene;
     let rows = model.rows.iter().chain(&model.spare);
-    let found = imbalance(scene, rows, &|name| model.factor(name, step, time))?;
+    let found = imbalance(scene, rows, &|name| model.scene.factor(name, step, time))?;
     let motion = found.motion;
     let turns = norm(motion.turn) > TURNS * norm(motion.translation);
     let tips = turns && found.friction.is_none();

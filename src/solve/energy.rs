@@ -62,7 +62,7 @@ fn of_tractions(model: &Model, before: &State, after: &State) -> f64 {
     };
     let work = scene.tractions.iter().filter_map(|traction| {
         let surface = scene.mesh.surface(&traction.surface)?;
-        let factor = |state: &State, time| model.factor(&traction.name, state.step, time);
+        let factor = |state: &State, time| model.scene.factor(&traction.name, state.step, time);
         let mean = 0.5 * (factor(before, start) + factor(after, after.time));
         let mut force = vec![[0.0; 3]; scene.mesh.points.len()];
         loads::add_traction(&scene.mesh, surface, traction.value, mean, &mut force);

@@ -309,7 +309,7 @@ fn load_to_come(model: &Model, x: &Point) -> f64 {
         .chain(scene.rigid_planes.iter().map(|p| &p.name))
         .chain(scene.supports.iter().map(|s| &s.name));
     let ratios = names.map(|name| {
-        let now = model.factor(name, x.step, x.time).abs();
+        let now = model.scene.factor(name, x.step, x.time).abs();
         let later = scene.steps[x.step..].iter();
         let most = later.map(|s| s.factor_of(name).abs()).fold(0.0, f64::max);
         if now > 0.0 { most / now } else { 1.0 }

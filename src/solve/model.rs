@@ -20,7 +20,7 @@ use crate::linear::schwarz::{Place, Schwarz};
 use crate::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::material::Elastic;
 use crate::mesh::Mesh;
-use crate::scene::{PlaneMotion, Scene, SolverKind, Step};
+use crate::scene::{PlaneMotion, Scene, SolverKind};
 
 /// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
 pub struct Model<'a> {
@@ -196,21 +196,12 @@ impl<'a> Model<'a> {
     fn forces(&self, step: usize, time: f64) -> Vec<f64> {
         let mut out = vec![0.0; self.all.len()];
         for (name, vector) in &self.loads {
-            let factor = self.factor(name, step, time);
+            let factor = self.scene.factor(name, step, time);
             for (o, v) in out.iter_mut().zip(vector) {
                 *o += factor * v;
             }
         }
         out
-    }
-
-    /// Factor of the load `name` at `time` within step `index`.
-    pub fn factor(&self, name: &str, index: usize, time: f64) -> f64 {
-        let steps = &self.scene.steps;
-        let before = index.checked_sub(1).and_then(|i| steps.get(i));
-        let before = before.map_or(0.0, |step: &Step| step.factor_of(name));
-        let after = steps.get(index).map_or(before, |step| step.factor_of(name));
-        before + time * (after - before)
     }
 
     /// Applied forces on the kept equations at a point, the elastic reaction to
@@ -240,7 +231,7 @@ impl<'a> Model<'a> {
         dofs.scatter_add(x, 1.0, &mut nodal);
         for p in &dofs.prescribed {
             if p.value != 0.0 {
-                let factor = self.factor(self.source_name(p.source), step, time);
+                let factor = self.scene.factor(self.source_name(p.source), step, time);
                 nodal[p.node as usize][p.axis] = factor * p.value;
             }
         }

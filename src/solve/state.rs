@@ -195,7 +195,7 @@ fn plane_fields(
                 .surface(&plane.surface)
                 .and_then(|s| s.faces.first());
             let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
-            let factor = model.factor(&plane.name, point.step, point.time);
+            let factor = model.scene.factor(&plane.name, point.step, point.time);
             let held = plane.motion.map(|m| matches!(m, PlaneMotion::Held(_)));
             let reaction = model.reaction(plastic, u, &plane.surface, held);
             let force = std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {

@@ -3,7 +3,6 @@
 use crate::material::Elastic;
 use crate::results::State;
 use crate::results::hex::GaussRule;
-use crate::results::load::factor;
 use crate::results::quad::{area_vector, integrate};
 use crate::scene::{Scene, TractionValue};
 
@@ -43,7 +42,7 @@ fn work(scene: &Scene, state: &State) -> f64 {
         let Some(surface) = scene.mesh.surface(&traction.surface) else {
             continue;
         };
-        let scale = factor(scene, &traction.name, state.step, state.time);
+        let scale = scene.factor(&traction.name, state.step, state.time);
         for face in &surface.faces {
             let corners = face.corners(&scene.mesh);
             let whole = area_vector(&corners);

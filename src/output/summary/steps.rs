@@ -73,7 +73,7 @@ fn step(inputs: &SummaryInputs, state: &State, reported: bool) -> StepSummary {
         .chain(scene.rigid_planes.iter().map(|p| &p.name))
         .chain(scene.tractions.iter().map(|t| &t.name));
     let factor = |name: &String| {
-        let factor = load::factor(scene, name, state.step, state.time);
+        let factor = scene.factor(name, state.step, state.time);
         (name.clone(), factor)
     };
     let interfaces = interfaces(scene, state).into_iter().map(|i| {

@@ -275,7 +275,7 @@ impl<'a, 'o> Run<'a, 'o> {
             .chain(scene.rigid_planes.iter().map(|p| &p.name))
             .chain(scene.supports.iter().map(|s| &s.name));
         let mut shares = names.map(|name| {
-            let at = |step, time| self.model.factor(name, step, time).abs();
+            let at = |step, time| self.model.scene.factor(name, step, time).abs();
             (at(step, time), at(full, 1.0))
         });
         if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= LITTLE * then) {
@@ -464,7 +464,7 @@ impl<'a, 'o> Run<'a, 'o> {
         loop {
             let model = &self.model;
             let rows: Vec<_> = model.rows.iter().chain(&model.spare).collect();
-            let factor = |name: &str| model.factor(name, 0, target);
+            let factor = |name: &str| model.scene.factor(name, 0, target);
             let Some(mut rest) = rigid::at_rest(model.scene, &rows, &factor) else {
                 return Ok(());
             };
@@ -521,7 +521,7 @@ impl<'a, 'o> Run<'a, 'o> {
             .chain(scene.rigid_planes.iter().map(|p| &p.name))
             .chain(scene.supports.iter().map(|s| &s.name));
         let now_and_then = names.map(|name| {
-            let at = |time| self.model.factor(name, step, time).abs();
+            let at = |time| self.model.scene.factor(name, step, time).abs();
             (at(time), at(1.0))
         });
         now_and_then

@@ -59,6 +59,12 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
         let limit = if preset == "h025" { 0.4 } else { 0.1 };
         let text = |what: &str| format!("{preset}: {what}");
         list.push(most(text("are not resolved"), limit, tally.without_bar()));
+        let seen = Tally::of(records.iter().filter(of).filter(|r| has_nodes(r)));
+        list.push(most(
+            text("are not resolved, of strips with three nodes across and more"),
+            0.1,
+            seen.without_bar(),
+        ));
         list.push(most(
             text("bar over error, in the middle"),
             4.0,
@@ -111,6 +117,12 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
         }
     }
     list
+}
+
+/// Does the mesh have three nodes across the strip below which the figure is? A preset of one size has none
+/// across the strips of light loads, and nothing that it reads there is worth a bar.
+fn has_nodes(record: &Record) -> bool {
+    (record.strip).is_none_or(|strip| strip.half_width >= 1.5 * strip.middle)
 }
 
 /// Where the true value is known to a third of `limit`, as a bar is judged: below that nothing can be measured.

@@ -126,12 +126,15 @@ impl Contact<'_> {
         let falls = fall(self.scene, field, self.pair);
         let unseen = self.edges.unseen_pressure(self.pair);
         let at_edge = (self.interface.max_pressure_at).is_some_and(|at| self.edges.are_near(&at));
-        match at_edge && falls > EVEN {
-            _ if unseen > value => return claim(None, FILLET),
-            true if unseen > 0.0 => return claim(None, FILLET),
-            true => return claim(None, EDGE),
-            false if self.shapelessness(field) > SHAPELESS => return claim(None, SHAPE),
-            false => {}
+        let at_edge = at_edge && falls > EVEN;
+        let unresolved = match at_edge {
+            _ if unseen > value => Some(FILLET),
+            true if unseen > 0.0 => Some(FILLET),
+            true => Some(EDGE),
+            false => (self.shapelessness(field) > SHAPELESS).then_some(SHAPE),
+        };
+        if let Some(why) = unresolved {
+            return claim(None, why);
         }
         let fall = || FALL * falls;
         let error = self

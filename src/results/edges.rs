@@ -79,9 +79,10 @@ impl LoadedEdges {
         for face in &surface.faces {
             for k in 0..4 {
                 let side = [face.nodes[k], face.nodes[(k + 1) % 4]];
-                let fillet = fillets.iter().find(|f| f.is_at(side));
+                let bend = fillets.get(&fillet::ends(face.nodes, k));
                 // At the last node that presses a part of the pressure is lost.
-                let unseen = fillet.and_then(|f| f.unseen(pressure(&face.nodes)?, compliance));
+                let unseen =
+                    bend.and_then(|bend| fillet::unseen(*bend, pressure(&face.nodes)?, compliance));
                 let is_loaded = || side.iter().all(on_boundary) && pressure(&side).is_some();
                 if unseen.is_none() && !is_loaded() {
                     continue;

@@ -13,14 +13,6 @@ use crate::geometry::{cross, dot, norm, sub, unit};
 use crate::mesh::shape::{Shape, fit};
 use crate::mesh::{Mesh, Surface};
 
-/// An edge of faces across which a surface begins, or ends, to curve outwards.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Beginning {
-    pub nodes: [u32; 2],
-    /// Angle between the two facets.
-    pub bend: f64,
-}
-
 /// Curvature on one side of an edge, over that at the edge, up to which it jumps there. Along a fillet that
 /// facets follow it is one, next to its beginning a half.
 const JUMP: f64 = 0.25;
@@ -28,10 +20,11 @@ const JUMP: f64 = 0.25;
 /// Angle that rounded coordinates may turn a facet by.
 const ROUNDING: f64 = 1e-6;
 
-/// Those of `surface`; none on planes, cylinders and spheres.
-pub fn beginnings(mesh: &Mesh, surface: &Surface) -> Vec<Beginning> {
+/// Sides of faces, their ends ascending, at which a surface begins, or ends, to curve outwards, and the angles
+/// between the two facets there; none on planes, cylinders and spheres.
+pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
     if fit(mesh, surface) != Shape::Facets {
-        return Vec::new();
+        return BTreeMap::new();
     }
     let faces: Vec<_> = surface
         .faces
@@ -41,8 +34,10 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> Vec<Beginning> {
     let mut sharing: BTreeMap<[u32; 2], Vec<(usize, usize)>> = BTreeMap::new();
     for (index, face) in surface.faces.iter().enumerate() {
         for side in 0..4 {
-            let ends = ends(face.nodes, side);
-            sharing.entry(ends).or_default().push((index, side));
+            sharing
+                .entry(ends(face.nodes, side))
+                .or_default()
+                .push((index, side));
         }
     }
     // Angle of the two facets at an edge, outwards positive, and the distance of their middles.
@@ -67,16 +62,13 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> Vec<Beginning> {
             Some(bend / apart)
         });
         let least = beyond.fold(curvature, f64::min);
-        (least < JUMP * curvature).then_some(Beginning {
-            nodes: *nodes,
-            bend,
-        })
+        (least < JUMP * curvature).then_some((*nodes, bend))
     };
     sharing.iter().filter_map(beginning).collect()
 }
 
 /// The ends of a side of a face, ascending.
-fn ends(face: [u32; 4], side: usize) -> [u32; 2] {
+pub fn ends(face: [u32; 4], side: usize) -> [u32; 2] {
     let (a, b) = (face[side % 4], face[(side + 1) % 4]);
     [a.min(b), a.max(b)]
 }
@@ -85,24 +77,18 @@ fn middle(corners: &[[f64; 3]; 4]) -> [f64; 3] {
     [0, 1, 2].map(|i| corners.iter().map(|c| c[i]).sum::<f64>() / 4.0)
 }
 
-impl Beginning {
-    /// Is it the side of a face with these ends?
-    pub fn is_at(&self, side: [u32; 2]) -> bool {
-        self.nodes == [side[0].min(side[1]), side[0].max(side[1])]
-    }
-
-    /// The largest pressure that may be there where the mesh reads `pressure`; `None` where it is resolved.
-    ///
-    /// A pressure read over a facet grows towards the fillet as beside an edge, with a small power of the distance,
-    /// up to where the fillet bounds it. Measured on flat punches with fillets of 0.03 and 0.1 of their half-width
-    /// under 0.002 and 0.006 of E*, with facets of 0.7 to 100 times r p/E*.
-    pub fn unseen(&self, pressure: f64, compliance: f64) -> Option<f64> {
-        const POWER: f64 = 0.25;
-        /// What was measured is up to that much more.
-        const MORE: f64 = 1.15;
-        let coarse = 2.0 * self.bend / (pressure * compliance);
-        (pressure > 0.0 && coarse > 1.0).then(|| MORE * pressure * coarse.powf(POWER))
-    }
+/// The largest pressure that may be where a surface bends by `bend` and the mesh reads `pressure`; `None` where it is
+/// resolved.
+///
+/// A pressure read over a facet grows towards the fillet as beside an edge, with a small power of the distance,
+/// up to where the fillet bounds it. Measured on flat punches with fillets of 0.03 and 0.1 of their half-width
+/// under 0.002 and 0.006 of E*, with facets of 0.7 to 100 times r p/E*.
+pub fn unseen(bend: f64, pressure: f64, compliance: f64) -> Option<f64> {
+    const POWER: f64 = 0.25;
+    /// What was measured is up to that much more.
+    const MORE: f64 = 1.15;
+    let coarse = 2.0 * bend / (pressure * compliance);
+    (pressure > 0.0 && coarse > 1.0).then(|| MORE * pressure * coarse.powf(POWER))
 }
 
 #[cfg(test)]
@@ -117,8 +103,11 @@ mod tests {
         let block = block.mapped(|[x, y, z]| [x, y + raised(x) * (1.0 - y), z]);
         let mesh = block.build().unwrap();
         let found = beginnings(&mesh, mesh.surface("y_min").unwrap());
-        let place = |b: &Beginning| mesh.points[b.nodes[0] as usize][0];
-        found.iter().map(|b| (place(b), b.bend)).collect()
+        let place = |nodes: &[u32; 2]| mesh.points[nodes[0] as usize][0];
+        found
+            .iter()
+            .map(|(nodes, bend)| (place(nodes), *bend))
+            .collect()
     }
 
     #[test]
@@ -140,13 +129,9 @@ mod tests {
 
     #[test]
     fn a_facet_as_long_as_the_contact_on_the_fillet_shows_the_peak() {
-        let begins = |bend| Beginning {
-            nodes: [0, 1],
-            bend,
-        };
-        assert_eq!(begins(0.005).unseen(100.0, 1e-4), None);
-        let unseen = begins(0.08).unseen(100.0, 1e-4).unwrap();
-        assert!((unseen / 230.0 - 1.0).abs() < 1e-9, "{unseen}");
-        assert_eq!(begins(0.08).unseen(0.0, 1e-4), None);
+        assert_eq!(unseen(0.005, 100.0, 1e-4), None);
+        let hidden = unseen(0.08, 100.0, 1e-4).unwrap();
+        assert!((hidden / 230.0 - 1.0).abs() < 1e-9, "{hidden}");
+        assert_eq!(unseen(0.08, 0.0, 1e-4), None);
     }
 }

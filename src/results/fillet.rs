@@ -8,7 +8,6 @@
 
 use std::collections::BTreeMap;
 
-use super::quad::area_vector;
 use crate::geometry::{cross, dot, norm, sub, unit};
 use crate::mesh::shape::{Shape, fit};
 use crate::mesh::{Mesh, Surface};
@@ -26,11 +25,6 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
     if fit(mesh, surface) != Shape::Facets {
         return BTreeMap::new();
     }
-    let faces: Vec<_> = surface
-        .faces
-        .iter()
-        .map(|face| face.corners(mesh))
-        .collect();
     let mut sharing: BTreeMap<[u32; 2], Vec<(usize, usize)>> = BTreeMap::new();
     for (index, face) in surface.faces.iter().enumerate() {
         for side in 0..4 {
@@ -45,9 +39,11 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
         let [(a, _), (b, _)] = sharing.get(ends)?.as_slice() else {
             return None;
         };
-        let [m, n] = [a, b].map(|face| unit(area_vector(&faces[*face])));
+        let faces = [a, b].map(|face| &surface.faces[*face]);
+        let [m, n] = faces.map(|face| unit(face.area_vector(mesh)));
         let (m, n) = (m?, n?);
-        let apart = sub(middle(&faces[*b]), middle(&faces[*a]));
+        let [from, to] = faces.map(|face| face.centre(mesh));
+        let apart = sub(to, from);
         let angle = norm(cross(m, n)).atan2(dot(m, n));
         Some((angle.copysign(dot(sub(n, m), apart)), norm(apart)))
     };
@@ -71,10 +67,6 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
 pub fn ends(face: [u32; 4], side: usize) -> [u32; 2] {
     let (a, b) = (face[side % 4], face[(side + 1) % 4]);
     [a.min(b), a.max(b)]
-}
-
-fn middle(corners: &[[f64; 3]; 4]) -> [f64; 3] {
-    [0, 1, 2].map(|i| corners.iter().map(|c| c[i]).sum::<f64>() / 4.0)
 }
 
 /// The largest pressure that may be where a surface bends by `bend` and the mesh reads `pressure`; `None` where it is

@@ -1,21 +1,21 @@
 //! Time of the parts that a solution is made of: `cargo bench`.
 
-use brinell::contact::mortar::{self, Opposite, Pair};
-use brinell::fem::element::Element;
-use brinell::linear::cholesky::Symbolic;
-use brinell::linear::ordering::Block;
-use brinell::linear::sparse::{Pattern, SymmetricMatrix};
-use brinell::linear::substructure::Condensation;
-use brinell::material::Steel;
-use brinell::material::j2::{self, PlasticPoint};
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block as Brick, uniform};
-use brinell::mesh::family::problem_h::{Sizes, half};
-use brinell::mesh::msh;
-use brinell::output::fields;
-use brinell::results::State;
-use brinell::results::recovery::recover;
-use brinell::scene::{Controls, ElementKind, Scene};
+use brinell::answer::results::recovery::recover;
+use brinell::model::material::Steel;
+use brinell::model::material::j2::{self, PlasticPoint};
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block as Brick, uniform};
+use brinell::model::mesh::family::problem_h::{Sizes, half};
+use brinell::model::mesh::msh;
+use brinell::model::scene::{Controls, ElementKind, Scene};
+use brinell::model::state::State;
+use brinell::render::fields;
+use brinell::solver::contact::mortar::{self, Opposite, Pair};
+use brinell::solver::fem::element::Element;
+use brinell::solver::linear::cholesky::Symbolic;
+use brinell::solver::linear::ordering::Block;
+use brinell::solver::linear::sparse::{Pattern, SymmetricMatrix};
+use brinell::solver::linear::substructure::Condensation;
 use divan::{Bencher, black_box};
 
 fn main() {

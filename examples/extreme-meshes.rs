@@ -5,9 +5,9 @@
 //! Two blocks of side 1 stand on each other, the upper one finer, so that no node of one faces a
 //! node of the other; each file spoils them in another way.
 
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block, BlockError, uniform};
-use brinell::mesh::msh::write::msh41;
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block, BlockError, uniform};
+use brinell::model::mesh::msh::write::msh41;
 use std::error::Error;
 use std::path::Path;
 

@@ -8,8 +8,8 @@ use brinell::case::bearing::{
     BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, gmsh_parameters, write_template,
     write_with_fingerprint,
 };
-use brinell::job;
-use brinell::mesh::gmsh;
+use brinell::model::mesh::gmsh;
+use brinell::product::job;
 use miette::{IntoDiagnostic, Result};
 
 const OUT: &str = "meshes/section-2.6.2";

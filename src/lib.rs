@@ -1,16 +1,19 @@
 //! Brinell: contact stresses of roller bearings by finite elements.
 //!
-//! A case file and a gmsh mesh go in; a certified contact-stress answer comes out. Data flows
-//! one way, and each floor of the library imports only from the floors below it:
+//! A case file and a mesh go in; a contact-stress answer with its errors comes out. The rooms have ranks, and each
+//! imports only from those below it:
 //!
 //! ```text
-//!  case.toml --case--> Scene <--mesh-- part.msh <-- gmsh <-- meshes/*.geo
-//!                        |
-//!                      solve      increments > Newton > linear solve
-//!                        |
-//!                     Results --certify--> error bars, balance, complementarity
-//!                        |
-//!                      output --> table, summary.json, .vtu/.pvd
+//!  cli        arguments, progress, exit status
+//!  proof      what shows that answers are right: claims with sources, the published study
+//!  product    what users ask for: one case, a sweep, a size, a goal, a series of meshes
+//!  case       what users write: TOML, bearings, meshes by gmsh
+//!  render     what people and programs read: tables, JSON, a page, VTK files
+//!  answer     what a solved scene says: fields, measures of contact, and their errors
+//!  solver     sparse algebra, finite elements, contact, and the strategy that joins them
+//!  model      mesh, steels, scene, and the state that solves it
+//!  analytic   closed forms with their sources
+//!  ground     vectors, units, files, memory
 //! ```
 
 #![deny(
@@ -22,26 +25,12 @@
 )]
 
 pub mod analytic;
+pub mod answer;
 pub mod case;
-pub mod certify;
 pub mod cli;
-pub mod contact;
-pub mod converge;
-pub mod fem;
-pub mod geometry;
-mod hash;
-mod input;
-pub mod job;
-pub mod linear;
-pub mod material;
-pub mod mesh;
-pub mod output;
-pub mod results;
-pub mod scene;
-pub mod size;
-pub mod solve;
-pub mod study;
-pub mod sweep;
-pub mod target;
-pub mod units;
-pub mod verify;
+pub mod ground;
+pub mod model;
+pub mod product;
+pub mod proof;
+pub mod render;
+pub mod solver;

@@ -1,11 +1,11 @@
 //! What an answer is worth where contact grows beyond all that was prepared for it, where one side is
 //! much the stiffer, where a strip ends anywhere between two nodes, and where a shape is not resolved.
 
+use brinell::answer::certify::{Claim, Quantity, claim};
 use brinell::case;
-use brinell::certify::{Claim, Quantity, claim};
-use brinell::job::{self, Options};
-use brinell::output::Summary;
-use brinell::solve::Silent;
+use brinell::product::job::{self, Options};
+use brinell::render::Summary;
+use brinell::solver::solve::Silent;
 use std::f64::consts::PI;
 
 /// Solves the scene `text`, whose mesh files are fixtures, once.
@@ -391,7 +391,7 @@ fn the_answer_does_not_depend_on_what_was_prepared() {
         let forces = |reach: f64| {
             let mut scene = case.scene(mesh.clone()).unwrap();
             scene.controls.contact_reach = reach;
-            let solution = brinell::solve::solve(&mut scene, &mut Silent).unwrap();
+            let solution = brinell::solver::solve::solve(&mut scene, &mut Silent).unwrap();
             let travel = solution.last.planes.iter().flat_map(|p| p.travel);
             let pressure = solution
                 .last
@@ -413,15 +413,17 @@ fn the_answer_does_not_depend_on_what_was_prepared() {
 /// Displaced rollers rest on one face of a V, whose two faces are one surface: its curvature there is that of a plane.
 #[test]
 fn a_roller_on_one_face_of_a_v_presses_like_hertz() {
-    use brinell::results::edges::LoadedEdges;
-    use brinell::results::hertz::HeaviestLine;
+    use brinell::answer::results::edges::LoadedEdges;
+    use brinell::answer::results::hertz::HeaviestLine;
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2");
     let mut case = case::read(&folder.join("initial-offset-1.25.toml")).unwrap();
     case.set_preset("report-like").unwrap();
     case.controls.plasticity = false;
     let mesh = job::find_mesh(&case, None, &mut |_| {}).unwrap();
     let mut scene = case.scene(mesh).unwrap();
-    let state = brinell::solve::solve(&mut scene, &mut Silent).unwrap().last;
+    let state = brinell::solver::solve::solve(&mut scene, &mut Silent)
+        .unwrap()
+        .last;
     let edges = LoadedEdges::find(&scene, &state);
     for (pair, contact) in scene.contacts.iter().enumerate() {
         let line = HeaviestLine::find(&scene, &state, pair, &edges).unwrap();

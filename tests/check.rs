@@ -3,9 +3,9 @@
 
 use assert_cmd::assert::Assert;
 use assert_cmd::cargo::cargo_bin_cmd;
-use brinell::mesh::block::{Block, uniform};
-use brinell::mesh::msh::write::msh41;
-use brinell::mesh::{Body, Mesh};
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::mesh::msh::write::msh41;
+use brinell::model::mesh::{Body, Mesh};
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;

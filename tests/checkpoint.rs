@@ -1,8 +1,8 @@
 //! A checkpoint with a bit turned over, or cut short, is refused or the same: never another answer, never a panic.
 
 use brinell::case::{self, Case};
-use brinell::job::{self, CHECKPOINT_FILE, Checkpoint, JobError, Options, find_mesh};
-use brinell::solve::Silent;
+use brinell::product::job::{self, CHECKPOINT_FILE, Checkpoint, JobError, Options, find_mesh};
+use brinell::solver::solve::Silent;
 use std::path::Path;
 
 /// Numbers below `end`, the same on every run (Steele, Lea and Flood's SplitMix64).

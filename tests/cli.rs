@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 
 use assert_cmd::assert::{Assert, OutputAssertExt};
 use assert_cmd::cargo::cargo_bin_cmd;
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block, uniform};
-use brinell::mesh::msh::write::msh41;
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::mesh::msh::write::msh41;
 use serde_json::Value;
 use tempfile::TempDir;
 

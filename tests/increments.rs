@@ -1,10 +1,10 @@
 //! What the size of the increments does to an answer, and what is claimed that it does.
 
+use brinell::answer::certify::claim;
 use brinell::case;
-use brinell::certify::claim;
-use brinell::job::{self, Options};
-use brinell::output::Summary;
-use brinell::solve::Silent;
+use brinell::product::job::{self, Options};
+use brinell::render::Summary;
+use brinell::solver::solve::Silent;
 
 /// Blocks of two metals pressed beyond yield at an angle, rubbing where they touch: no contact is even.
 const BLOCKS: &str = r#"

@@ -1,6 +1,6 @@
 //! Runs on machines that have too little for them: refused in words before anything is wasted, never killed.
 
-use brinell::job::MESH_FILE;
+use brinell::product::job::MESH_FILE;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,7 +1,7 @@
 //! Titles, names and folders that would be orders to other programs: everywhere quoted, changed or refused, and never
 //! obeyed.
 
-use brinell::mesh::{Mesh, msh};
+use brinell::model::mesh::{Mesh, msh};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,12 +1,12 @@
 //! The way to an answer does not decide it.
 
+use brinell::answer::certify::claim;
 use brinell::case::{self, Case};
-use brinell::certify::claim;
-use brinell::job::{self, Options};
-use brinell::output::Summary;
-use brinell::results::State;
-use brinell::scene::{Scene, TractionValue};
-use brinell::solve::{Silent, solve};
+use brinell::model::scene::{Scene, TractionValue};
+use brinell::model::state::State;
+use brinell::product::job::{self, Options};
+use brinell::render::Summary;
+use brinell::solver::solve::{Silent, solve};
 use nalgebra::{Rotation3, Vector3};
 
 /// Three blocks whose meshes do not match, pressed beyond yield at an angle.

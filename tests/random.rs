@@ -1,6 +1,6 @@
 //! Cases that nobody has chosen: a sample of what `brinell verify --suite random` draws.
 
-use brinell::verify::random::{Kind, Outcome, run};
+use brinell::proof::verify::random::{Kind, Outcome, run};
 
 #[track_caller]
 fn check(kind: Kind, seed: u64, numbers: &[usize]) -> Vec<Outcome> {

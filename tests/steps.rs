@@ -1,10 +1,10 @@
 //! Several steps: of which moment the figures are, and where dents are read.
 
 use assert_cmd::cargo::cargo_bin_cmd;
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block, uniform};
-use brinell::mesh::family::problem_h::{HALF_WIDTH, RADIUS, Sizes, full_twins};
-use brinell::mesh::msh::write::msh41;
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::mesh::family::problem_h::{HALF_WIDTH, RADIUS, Sizes, full_twins};
+use brinell::model::mesh::msh::write::msh41;
 use serde_json::Value;
 
 /// Two blocks of 2 mm × 2 mm × 1 mm, one on the other: uniaxial stress. 40 N make 10 MPa.

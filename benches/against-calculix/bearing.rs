@@ -4,8 +4,8 @@ use crate::page::{Table, number, times};
 use crate::process::Cost;
 use crate::{Options, ccx, subject};
 use brinell::case::{self, Case, Kind};
-use brinell::job::make_mesh;
-use brinell::mesh::{Mesh, msh};
+use brinell::model::mesh::{Mesh, msh};
+use brinell::product::job::make_mesh;
 use std::path::{Path, PathBuf};
 
 const CASE: &str = "cases/section-2.6.2/initial-centre.toml";

@@ -110,7 +110,7 @@ impl Fields {
     /// Largest Mises stress at the nodes for which `wanted` holds.
     pub fn peak_mises(&self, wanted: impl Fn(usize) -> bool) -> f64 {
         let nodes = (0..self.stress.len()).filter(|n| wanted(*n));
-        let mises = nodes.map(|n| brinell::material::mises(&self.stress[n]));
+        let mises = nodes.map(|n| brinell::model::material::mises(&self.stress[n]));
         mises.fold(0.0, f64::max)
     }
 

@@ -2,15 +2,15 @@
 
 use crate::page::{Table, number};
 use crate::{Options, ccx, frd, reactions, subject};
+use brinell::answer::results::load;
+use brinell::answer::results::recovery::recover;
 use brinell::case;
-use brinell::contact::search::FacetTree;
-use brinell::geometry::{dot, norm, sub};
-use brinell::job::{self, Outcome};
-use brinell::material::mises;
-use brinell::results::load;
-use brinell::results::recovery::recover;
-use brinell::scene::{PlaneMotion, Scene};
-use brinell::solve::Silent;
+use brinell::ground::geometry::{dot, norm, sub};
+use brinell::model::material::mises;
+use brinell::model::scene::{PlaneMotion, Scene};
+use brinell::product::job::{self, Outcome};
+use brinell::solver::contact::search::FacetTree;
+use brinell::solver::solve::Silent;
 use std::path::{Path, PathBuf};
 
 /// A shipped case, compared on its own mesh, and what is asked of the answer.

@@ -30,7 +30,7 @@ impl Table {
 
 /// `value` with three significant digits, or four where it is a result.
 pub fn number(value: f64, digits: usize) -> String {
-    brinell::output::text::significant(value, digits)
+    brinell::render::text::significant(value, digits)
 }
 
 /// `value` over `reference`, less one, in per cent.

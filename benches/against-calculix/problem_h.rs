@@ -4,11 +4,11 @@ use crate::page::{Table, error, number, times};
 use crate::process::Cost;
 use crate::reading::{LIMITS, READINGS, Values, of_fields, within};
 use crate::{Options, ccx, subject};
-use brinell::mesh::Mesh;
-use brinell::mesh::msh::write::msh41;
-use brinell::scene::ElementKind;
-use brinell::solve::{Silent, solve};
-use brinell::verify::problem_h::{self, Sizes};
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::msh::write::msh41;
+use brinell::model::scene::ElementKind;
+use brinell::proof::verify::problem_h::{self, Sizes};
+use brinell::solver::solve::{Silent, solve};
 use std::path::{Path, PathBuf};
 
 /// All within these.
@@ -116,7 +116,7 @@ impl Candidate {
 
     /// The program as a process on the same mesh, from a file.
     fn timed(&self, folder: &Path, repeat: usize) -> Result<Row, String> {
-        let element = brinell::converge::study::element_name(self.element);
+        let element = brinell::product::converge::study::element_name(self.element);
         let mesh = problem_h::half(&self.sizes).map_err(|e| e.to_string())?;
         let case = write(folder, &mesh, true, &format!("element = \"{element}\""))?;
         let run = subject::run(&case, folder, &[], 1, repeat)?;

@@ -1,10 +1,10 @@
 //! What is read from a solution of problem H, and how right it is: one measure for all programs.
 
 use crate::frd::Fields;
-use brinell::fem::hex8::Geometry;
-use brinell::material::{Steel, mises};
-use brinell::mesh::Mesh;
-use brinell::verify::problem_h::{HALF_WIDTH, POISSON, PRESSURE, YOUNG};
+use brinell::model::material::{Steel, mises};
+use brinell::model::mesh::Mesh;
+use brinell::proof::verify::problem_h::{HALF_WIDTH, POISSON, PRESSURE, YOUNG};
+use brinell::solver::fem::hex8::Geometry;
 
 /// The two readings of the Mises stress.
 pub const READINGS: [&str; 2] = ["nodal", "centroid"];

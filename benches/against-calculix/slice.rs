@@ -3,8 +3,8 @@
 use crate::page::{Table, error, number, times};
 use crate::reading::{Basis, half_width, nodal};
 use crate::{Options, ccx, problem_h as plane, subject};
-use brinell::mesh::{Face, Mesh, Surface};
-use brinell::verify::problem_h::{self, HALF_WIDTH, Sizes};
+use brinell::model::mesh::{Face, Mesh, Surface};
+use brinell::proof::verify::problem_h::{self, HALF_WIDTH, Sizes};
 use std::path::Path;
 
 const LAYERS: usize = 40;

@@ -1,11 +1,11 @@
 //! Matrices like those of a bearing's bodies: blocks of hexahedra on springs, elastic.
 
-use brinell::fem::element::Element;
-use brinell::linear::sparse::{Pattern, SymmetricMatrix};
-use brinell::material::Steel;
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block, uniform};
-use brinell::scene::ElementKind;
+use brinell::model::material::Steel;
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::ElementKind;
+use brinell::solver::fem::element::Element;
+use brinell::solver::linear::sparse::{Pattern, SymmetricMatrix};
 
 const STEEL: Steel = Steel {
     youngs_modulus: 29500.0,

@@ -12,9 +12,9 @@ mod kit;
 mod single;
 
 use block::{Cells, Size};
-use brinell::linear::cholesky::Symbolic;
-use brinell::linear::ordering::{Block, blockwise};
-use brinell::linear::sparse::{Pattern, SymmetricMatrix};
+use brinell::solver::linear::cholesky::Symbolic;
+use brinell::solver::linear::ordering::{Block, blockwise};
+use brinell::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use clap::Parser;
 use cpu_time::ProcessTime;
 use faer::linalg::matmul::matmul;

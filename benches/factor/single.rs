@@ -1,7 +1,7 @@
 //! The same factorisation in single precision, by faer directly.
 
 use crate::kit::Failure;
-use brinell::linear::sparse::{Pattern, SymmetricMatrix};
+use brinell::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;

@@ -1,7 +1,7 @@
 //! Exponents: least squares on the logarithms, over the sizes from [`LEAST`] unknowns up.
 
 use crate::record::{Record, Run};
-use brinell::converge::rates;
+use brinell::product::converge::rates;
 use std::collections::BTreeSet;
 
 /// Smaller sizes are spent on start-up and on bodies a few elements thick.

@@ -4,8 +4,8 @@ use crate::fit::{self, Quantity};
 use crate::kit::{Failure, machine};
 use crate::record::Record;
 use crate::sizes::Model;
-use brinell::output::plot::{Figure, Line, Panel, Scale, write};
-use brinell::output::text::significant;
+use brinell::render::plot::{Figure, Line, Panel, Scale, write};
+use brinell::render::text::significant;
 use std::path::Path;
 
 /// Phases that are drawn, the longest ones.

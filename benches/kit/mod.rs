@@ -1,7 +1,7 @@
 //! What the long benchmarks share: the machine in words, and the page that their tables go to.
 
-pub use brinell::output::page::insert;
-use brinell::output::text::significant;
+pub use brinell::render::page::insert;
+use brinell::render::text::significant;
 
 pub type Failure = Box<dyn std::error::Error>;
 

@@ -2,9 +2,9 @@
 #![no_main]
 
 use brinell::case;
-use brinell::job::Checkpoint;
-use brinell::mesh::msh;
-use brinell::scene::Scene;
+use brinell::product::job::Checkpoint;
+use brinell::model::mesh::msh;
+use brinell::model::scene::Scene;
 use libfuzzer_sys::fuzz_target;
 use std::path::Path;
 use std::sync::OnceLock;

@@ -1,7 +1,7 @@
 //! Whatever the bytes of a mesh file are: a mesh that holds together, or an error.
 #![no_main]
 
-use brinell::mesh::msh;
+use brinell::model::mesh::msh;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

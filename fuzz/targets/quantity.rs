@@ -1,7 +1,7 @@
 //! Whatever the text of a quantity is: a finite number with a dimension, or an error.
 #![no_main]
 
-use brinell::units::{Quantity, UnitSystem};
+use brinell::ground::units::{Quantity, UnitSystem};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {

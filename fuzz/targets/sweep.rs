@@ -1,7 +1,7 @@
 //! Whatever the text of a sweep file is: rows in folders of their own, or an error that can be shown.
 #![no_main]
 
-use brinell::sweep::{self, Sweep};
+use brinell::product::sweep::{self, Sweep};
 use libfuzzer_sys::fuzz_target;
 use std::collections::HashSet;
 use std::path::Path;

@@ -10,7 +10,7 @@ use super::parse::Table;
 use super::source::Located;
 use super::steel::Steels;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
-use crate::units::Dimension;
+use crate::ground::units::Dimension;
 
 /// A bearing, in the units of its case.
 #[derive(Debug, Clone, PartialEq)]

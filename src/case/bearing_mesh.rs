@@ -3,7 +3,7 @@
 use super::bearing::{fingerprint, rescale, shape_roller_ends};
 use super::bearing_case::BearingCase;
 use super::error::{CaseError, ErrorKind};
-use crate::mesh::Mesh;
+use crate::model::mesh::Mesh;
 
 impl BearingCase {
     /// The fingerprint that a mesh of this bearing carries.

@@ -7,7 +7,7 @@ use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
 use super::load::{Loads, modelled_share};
 use super::model::Model;
 use super::source::{Located, Place, Source};
-use crate::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
+use crate::model::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
 
 /// The name of the rigid plane that carries the load.
 const LOADED: &str = "top";

@@ -7,8 +7,8 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::{Field, Table};
 use super::source::Located;
-use crate::scene::LITTLE;
-use crate::units::Dimension;
+use crate::ground::units::Dimension;
+use crate::model::scene::LITTLE;
 
 /// Share of the load that is left after unloading, where the case does not say.
 pub(super) const UNLOAD_TO: f64 = 1e-3;

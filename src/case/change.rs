@@ -5,7 +5,7 @@ use super::bearing_reader::UNLOAD_TO;
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};
-use crate::scene::{ElementKind, SolverKind};
+use crate::model::scene::{ElementKind, SolverKind};
 
 impl Case {
     /// Meshes the bearing by another preset than the file says. Numbers that the file sets in

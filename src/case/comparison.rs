@@ -8,7 +8,7 @@ use super::keys;
 use super::nearest::advice;
 use super::parse::Table;
 use super::source::Located;
-use crate::units::Dimension;
+use crate::ground::units::Dimension;
 
 /// Which of the three Mises values stands beside the printed one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Default)]

@@ -4,8 +4,8 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::{Field, Table};
 use super::source::Located;
-use crate::scene::{Partner, Side};
-use crate::units::Dimension;
+use crate::ground::units::Dimension;
+use crate::model::scene::{Partner, Side};
 
 /// A contact pair before it meets the mesh.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::Table;
 use super::source::Located;
-use crate::scene::{Controls, ElementKind, SolverKind};
+use crate::model::scene::{Controls, ElementKind, SolverKind};
 
 /// The controls of the case, with the defaults of [`Controls`].
 pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {

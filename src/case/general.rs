@@ -10,8 +10,8 @@ use super::model::Model;
 use super::parse::Table;
 use super::source::Located;
 use super::steel::Steels;
-use crate::mesh::Mesh;
-use crate::scene::Controls;
+use crate::model::mesh::Mesh;
+use crate::model::scene::Controls;
 
 /// A general scene before it meets its mesh.
 #[derive(Debug, Clone, PartialEq)]

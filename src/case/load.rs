@@ -5,9 +5,9 @@ use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::source::Located;
-use crate::geometry::AXES;
-use crate::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, TractionValue};
-use crate::units::Dimension;
+use crate::ground::geometry::AXES;
+use crate::ground::units::Dimension;
+use crate::model::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, TractionValue};
 
 /// What acts on the surfaces of a scene. Each entry is marked at its surface.
 #[derive(Debug, Clone, PartialEq, Default)]

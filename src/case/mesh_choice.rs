@@ -9,7 +9,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::Table;
 use super::source::Located;
-use crate::units::Dimension;
+use crate::ground::units::Dimension;
 
 /// The mesh of a general scene.
 #[derive(Debug, Clone, PartialEq)]

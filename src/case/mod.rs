@@ -46,9 +46,9 @@ pub use reference::Discrepancy;
 pub use source::{Located, Place, Source};
 pub use steel::{Steels, StrainIs};
 
-use crate::mesh::Mesh;
-use crate::scene::{Controls, Scene};
-use crate::units::UnitSystem;
+use crate::ground::units::UnitSystem;
+use crate::model::mesh::Mesh;
+use crate::model::scene::{Controls, Scene};
 use parse::{Context, Table, document};
 
 /// A validated case.
@@ -84,7 +84,7 @@ pub enum Kind {
 /// # Errors
 /// Where the file cannot be read, is not TOML, or says something impossible.
 pub fn read(path: &Path) -> Result<Case, CaseError> {
-    let text = crate::input::text(path).map_err(|error| {
+    let text = crate::ground::input::text(path).map_err(|error| {
         let message = format!("the case file {} cannot be read: {error}", path.display());
         CaseError::new(ErrorKind::Read, message)
     })?;

@@ -7,9 +7,9 @@ use super::load::Loads;
 use super::nearest::advice;
 use super::source::{Located, Place};
 use super::steel::Steels;
-use crate::material::Steel;
-use crate::mesh::Mesh;
-use crate::scene::{ContactPair, Controls, Partner, Scene};
+use crate::model::material::Steel;
+use crate::model::mesh::Mesh;
+use crate::model::scene::{ContactPair, Controls, Partner, Scene};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]

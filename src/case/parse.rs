@@ -9,7 +9,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys::Keys;
 use super::nearest::{advice, list};
 use super::source::{Located, Place, Source};
-use crate::units::UnitSystem;
+use crate::ground::units::UnitSystem;
 
 /// What every table of a file shares.
 #[derive(Clone, Copy)]

@@ -5,7 +5,7 @@ use toml::de::DeValue;
 use super::error::{CaseError, ErrorKind};
 use super::parse::Field;
 use super::source::Located;
-use crate::units::{Dimension, Quantity};
+use crate::ground::units::{Dimension, Quantity};
 
 impl Field<'_> {
     /// A quantity of `dimension` in the units of the file. A bare number is taken to be in those

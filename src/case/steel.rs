@@ -6,8 +6,8 @@ use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::source::{Located, Place};
-use crate::material::Steel;
-use crate::units::{Dimension, UnitSystem};
+use crate::ground::units::{Dimension, UnitSystem};
+use crate::model::material::Steel;
 
 /// Ways to give the hardening line, of which a steel has one.
 const HARDENINGS: &[&str] = &["hardening", "hardening_modulus", "tangent_modulus"];

@@ -1,8 +1,8 @@
 //! `brinell check`: a case and its mesh looked at, but not solved.
 
 use super::{CommandResult, Status, read_case, say};
-use crate::job::{self, JobError};
-use crate::output::check::{Check, render};
+use crate::product::job::{self, JobError};
+use crate::render::check::{Check, render};
 use clap::Args;
 use std::path::PathBuf;
 

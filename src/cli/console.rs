@@ -1,8 +1,8 @@
 //! What a running solution shows on the terminal: a line an iteration, a bar for the load.
 
 use super::{Status, say};
-use crate::results::State;
-use crate::solve::{Iteration, Observer};
+use crate::model::state::State;
+use crate::solver::solve::{Iteration, Observer};
 use indicatif::{ProgressBar, ProgressStyle};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;

@@ -3,10 +3,12 @@
 use super::console::Console;
 use super::{CommandResult, Status, failure, say};
 use crate::case::{self, Case, Kind};
-use crate::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
-use crate::converge::{self, ConvergeError, Series, Study, json, page, peers, plot, table};
-use crate::output::plot::write;
-use crate::scene::ElementKind;
+use crate::model::scene::ElementKind;
+use crate::product::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
+use crate::product::converge::{
+    self, ConvergeError, Series, Study, json, page, peers, plot, table,
+};
+use crate::render::plot::write;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 

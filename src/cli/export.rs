@@ -1,8 +1,8 @@
 //! `brinell export`: a case as a deck for CalculiX or Abaqus.
 
 use super::{CommandResult, Status, read_case, say};
-use crate::job::{self, JobError};
-use crate::output::inp::{ContactType, Settings};
+use crate::product::job::{self, JobError};
+use crate::render::inp::{ContactType, Settings};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -1,8 +1,8 @@
 //! `brinell init`: a commented case file to begin with.
 
 use super::{CommandResult, Status, say};
-use crate::output::OutputError;
-use crate::output::file::write_atomically;
+use crate::ground::file::FileError;
+use crate::ground::file::write_atomically;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -41,7 +41,7 @@ enum InitError {
         code(brinell::init::output),
         help("name another place, or make room and give write permission")
     )]
-    Output(#[from] OutputError),
+    Output(#[from] FileError),
 }
 
 impl Kind {

@@ -1,7 +1,7 @@
 //! `brinell mesh`: the mesh of a bearing case, by gmsh.
 
 use super::{CommandResult, Status, read_case, say};
-use crate::job::{self, JobError};
+use crate::product::job::{self, JobError};
 use clap::Args;
 use std::path::PathBuf;
 

@@ -18,8 +18,8 @@ pub mod sweep;
 pub mod verify;
 
 use crate::case::{self, Case};
-use crate::converge::ConvergeError;
-use crate::job::JobError;
+use crate::product::converge::ConvergeError;
+use crate::product::job::JobError;
 use clap::{FromArgMatches, Parser, Subcommand};
 use console::Console;
 pub use help::command;

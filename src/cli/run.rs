@@ -3,12 +3,12 @@
 use super::console::{Console, LEGEND};
 use super::{CommandResult, Status, failure, read_case, say};
 use crate::case::Case;
-use crate::converge::ConvergeError;
-use crate::job::{self, JobError, Options, Outcome};
-use crate::linear::memory;
-use crate::output::table;
-use crate::solve::{Counters, Phase};
-use crate::target::{self, Level, Limits, Target, Verdict};
+use crate::ground::memory;
+use crate::product::converge::ConvergeError;
+use crate::product::job::{self, JobError, Options, Outcome};
+use crate::product::target::{self, Level, Limits, Target, Verdict};
+use crate::render::table;
+use crate::solver::solve::{Counters, Phase};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

@@ -4,12 +4,12 @@ use super::console::{Console, LEGEND};
 use super::run::set_threads;
 use super::{CommandResult, Status, failure, say};
 use crate::case::bearing::{Preset, RollerEnd};
-use crate::converge::ConvergeError;
-use crate::size::{
+use crate::ground::units::{Dimension, UnitSystem};
+use crate::product::converge::ConvergeError;
+use crate::product::size::{
     Proposal, Request, Rule, Setting, SizeError, Verdict, Verification, quantity, render_verdict,
     table, units_of_load, verify, write,
 };
-use crate::units::{Dimension, UnitSystem};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 

@@ -2,7 +2,7 @@
 
 use super::console::Console;
 use super::{CommandResult, Status, failure, say};
-use crate::study::{self, MEMBERS, Meshes, NAME, PAGE};
+use crate::proof::study::{self, MEMBERS, Meshes, NAME, PAGE};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -68,7 +68,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
     }
     say(&format!("\nwritten to {}", out.display()));
     let page = Path::new(PAGE);
-    let bad = |error: crate::output::page::PageError| {
+    let bad = |error: crate::render::page::PageError| {
         (Status::BadInput, miette::Report::msg(error.to_string()))
     };
     if args.write {

@@ -4,8 +4,8 @@ mod one;
 mod progress;
 
 use super::{CommandResult, Status, say};
-use crate::linear::memory::available;
-use crate::sweep::{self, Budget, CSV, JSON_LINES, Place, Record, Sweep, SweepError};
+use crate::ground::memory::available;
+use crate::product::sweep::{self, Budget, CSV, JSON_LINES, Place, Record, Sweep, SweepError};
 use clap::{Args, ValueEnum};
 use progress::Progress;
 use std::path::{Path, PathBuf};

@@ -3,9 +3,11 @@
 use super::console::Console;
 use super::run::set_threads;
 use super::{CommandResult, Status, say};
-use crate::output::file::write_atomically;
-use crate::verify::coverage::{self, Answer, Keep, Set};
-use crate::verify::{Claim, Extent, VerifyError, extreme, matrix, random, stability, suites};
+use crate::ground::file::write_atomically;
+use crate::proof::verify::coverage::{self, Answer, Keep, Set};
+use crate::proof::verify::{
+    Claim, Extent, VerifyError, extreme, matrix, random, stability, suites,
+};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,8 @@
 
 use brinell::case::bearing::Strips;
 use brinell::case::{self, Case, Kind};
-use brinell::job::{self, Options, Outcome};
-use brinell::solve::Observer;
+use brinell::product::job::{self, Options, Outcome};
+use brinell::solver::solve::Observer;
 use std::path::Path;
 
 /// The initial design of the study, elastic, on a mesh made coarse for the sake of time: what is

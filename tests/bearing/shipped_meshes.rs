@@ -6,7 +6,7 @@ use brinell::case::Kind;
 use brinell::case::bearing::{
     BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, mesh_scale,
 };
-use brinell::mesh::msh;
+use brinell::model::mesh::msh;
 
 #[test]
 fn shipped_meshes_carry_the_fingerprints_of_their_bearings() {

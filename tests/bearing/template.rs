@@ -6,7 +6,7 @@ use brinell::case::bearing::{
     BearingGeometry, MeshRequest, Preset, Roller, RollerEnd, Strips, elements, gmsh_parameters,
     rescale, shape_roller_ends, write_template,
 };
-use brinell::mesh::{Mesh, gmsh, msh};
+use brinell::model::mesh::{Mesh, gmsh, msh};
 
 fn initial() -> BearingGeometry {
     BearingGeometry {

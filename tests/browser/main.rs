@@ -4,8 +4,8 @@
 mod chromium;
 
 use brinell::case::{self, Case};
-use brinell::job::{self, Options};
-use brinell::solve::Silent;
+use brinell::product::job::{self, Options};
+use brinell::solver::solve::Silent;
 use chromium::Chromium;
 use serde_json::json;
 use std::path::{Path, PathBuf};

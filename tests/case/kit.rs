@@ -1,7 +1,7 @@
 //! What the tests of case files share: texts, toy meshes, and rendered errors.
 
 use brinell::case::{Case, CaseError, parse};
-use brinell::mesh::{Body, Face, Mesh, Surface};
+use brinell::model::mesh::{Body, Face, Mesh, Surface};
 
 /// A bearing in which everything is said.
 pub const BEARING: &str = r#"title = "a bearing"
@@ -150,7 +150,7 @@ pub fn shipped(name: &str) -> Mesh {
         "{}/meshes/section-2.6.2/{name}.msh.gz",
         env!("CARGO_MANIFEST_DIR")
     );
-    brinell::mesh::msh::read(std::path::Path::new(&path)).expect(&path)
+    brinell::model::mesh::msh::read(std::path::Path::new(&path)).expect(&path)
 }
 
 /// The mesh of [`BEARING`].

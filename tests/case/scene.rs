@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
 use brinell::case::bearing::{RollerEnd, TEMPLATE_FILES};
 use brinell::case::{Case, Kind, MisesRead, interfaces, read};
-use brinell::scene::{Partner, PlaneMotion, Scene, Side, Step, TractionValue};
+use brinell::model::scene::{Partner, PlaneMotion, Scene, Side, Step, TractionValue};
 
 fn bearing(case: &Case) -> &brinell::case::BearingCase {
     match &case.kind {

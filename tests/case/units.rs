@@ -2,8 +2,8 @@
 
 use crate::kit::{BEARING, SCENE, blocks, centred, good, with};
 use brinell::case::parse;
-use brinell::scene::{PlaneMotion, Scene, TractionValue};
-use brinell::units::{Dimension, Quantity, UnitSystem};
+use brinell::ground::units::{Dimension, Quantity, UnitSystem};
+use brinell::model::scene::{PlaneMotion, Scene, TractionValue};
 use proptest::prelude::*;
 
 const DIMENSIONS: [Dimension; 9] = [

@@ -9,9 +9,9 @@
 
 use crate::kit::{self, held};
 use ElementKind::{Bbar, Enhanced, Full};
-use brinell::material::Steel;
-use brinell::mesh::block::{Block, uniform};
-use brinell::scene::{ElementKind, Traction, TractionValue};
+use brinell::model::material::Steel;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{ElementKind, Traction, TractionValue};
 
 /// Tip displacement under a unit load along the axis, in the plane of the depth, and out of it.
 const THEORY: [f64; 3] = [3.0e-5, 0.1081, 0.4321];

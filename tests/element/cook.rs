@@ -6,9 +6,9 @@
 
 use crate::kit::{self, close, held};
 use ElementKind::{Bbar, Enhanced};
-use brinell::material::Steel;
-use brinell::mesh::block::{Block, uniform};
-use brinell::scene::{ElementKind, Traction, TractionValue};
+use brinell::model::material::Steel;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{ElementKind, Traction, TractionValue};
 
 /// Upward displacement of the middle (48, 52) and the corner (48, 60) of the right edge.
 fn displacement(

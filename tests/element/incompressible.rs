@@ -2,10 +2,10 @@
 
 use crate::kit::{self, close, held};
 use ElementKind::{Bbar, Enhanced};
-use brinell::fem::hex8::Geometry;
-use brinell::material::Steel;
-use brinell::mesh::block::{Block, uniform};
-use brinell::scene::{ElementKind, PlaneMotion, RigidPlane};
+use brinell::model::material::Steel;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{ElementKind, PlaneMotion, RigidPlane};
+use brinell::solver::fem::hex8::Geometry;
 
 /// Mean axial stress of a quarter block, 1 × 1 × 1, bonded above and below to plates that approach
 /// by `squeeze`; two sides are symmetry planes, two are free. `waves` is the amplitude of the

@@ -1,10 +1,10 @@
 //! What the tests share: a scene without contact, its supports and loads.
 
-use brinell::material::Steel;
-use brinell::mesh::Mesh;
-use brinell::results::State;
-use brinell::scene::{Controls, ElementKind, Scene, Step, Support};
-use brinell::solve::{Silent, solve};
+use brinell::model::material::Steel;
+use brinell::model::mesh::Mesh;
+use brinell::model::scene::{Controls, ElementKind, Scene, Step, Support};
+use brinell::model::state::State;
+use brinell::solver::solve::{Silent, solve};
 
 pub const KINDS: [ElementKind; 3] = [ElementKind::Bbar, ElementKind::Full, ElementKind::Enhanced];
 

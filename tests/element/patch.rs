@@ -4,9 +4,9 @@
 //! Finite Elements in Analysis and Design 1 (1985) 3, section 5 and table 2.
 
 use crate::kit;
-use brinell::material::Steel;
-use brinell::mesh::{Body, Face, Mesh, Surface, surface::faces_of};
-use brinell::scene::{ElementKind, Scene, Support};
+use brinell::model::material::Steel;
+use brinell::model::mesh::{Body, Face, Mesh, Surface, surface::faces_of};
+use brinell::model::scene::{ElementKind, Scene, Support};
 
 const INNER: [[f64; 3]; 8] = [
     [0.249, 0.342, 0.192],

@@ -1,12 +1,12 @@
 //! One distorted element that flows: its tangent is the derivative of its force.
 
 use crate::kit::{KINDS, report_steel};
-use brinell::fem::bbar::ElementVector;
-use brinell::fem::element::Element;
-use brinell::fem::hex8::{CORNERS, Geometry};
-use brinell::material::Steel;
-use brinell::material::j2::PlasticPoint;
-use brinell::scene::ElementKind;
+use brinell::model::material::Steel;
+use brinell::model::material::j2::PlasticPoint;
+use brinell::model::scene::ElementKind;
+use brinell::solver::fem::bbar::ElementVector;
+use brinell::solver::fem::element::Element;
+use brinell::solver::fem::hex8::{CORNERS, Geometry};
 
 fn corners() -> [[f64; 3]; 8] {
     let mut c = CORNERS;

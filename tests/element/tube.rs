@@ -6,9 +6,9 @@
 //! 2Y/√3 ln b/a = 0.192091 GPa.
 
 use crate::kit::{self, held, step};
-use brinell::material::Steel;
-use brinell::mesh::block::{Block, cylindrical, uniform};
-use brinell::scene::{ElementKind, Traction, TractionValue};
+use brinell::model::material::Steel;
+use brinell::model::mesh::block::{Block, cylindrical, uniform};
+use brinell::model::scene::{ElementKind, Traction, TractionValue};
 
 /// Pressure in GPa, outer and inner radial displacement in mm.
 const EXACT: [(f64, f64, f64); 6] = [

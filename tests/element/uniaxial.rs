@@ -3,8 +3,8 @@
 //! Stresses computed from σ = Y + E_t (ε − Y/E) by a separate program.
 
 use crate::kit::{self, KINDS, close, held, report_steel, step};
-use brinell::mesh::block::{Block, uniform};
-use brinell::scene::{ElementKind, PlaneMotion, RigidPlane, Scene};
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{ElementKind, PlaneMotion, RigidPlane, Scene};
 
 /// Total strain and stress in ksi.
 const CURVE: [(f64, f64); 7] = [

@@ -3,7 +3,7 @@
 //! Source: two cubes side by side, written out by hand in MSH 2.2 and 4.1; every test spoils
 //! one thing in one of them.
 
-use brinell::mesh::msh::{MeshError, parse};
+use brinell::model::mesh::msh::{MeshError, parse};
 use miette::Diagnostic;
 
 /// Nodes 1 to 12 at x = 0, 1, 2 (fastest), y = 0, 1, z = 0, 1; two hexahedra; the base.
@@ -124,7 +124,7 @@ fn the_files_are_right_before_they_are_spoiled() {
 
 #[test]
 fn a_missing_file() {
-    let error = brinell::mesh::msh::read("no/such/part.msh".as_ref()).unwrap_err();
+    let error = brinell::model::mesh::msh::read("no/such/part.msh".as_ref()).unwrap_err();
     assert!(error.to_string().contains("no/such/part.msh"));
 }
 

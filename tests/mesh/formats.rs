@@ -6,10 +6,10 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block, uniform};
-use brinell::mesh::hexahedron::{CORNERS, mirrored};
-use brinell::mesh::msh::{parse, parse_with_notes, read, write};
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::mesh::hexahedron::{CORNERS, mirrored};
+use brinell::model::mesh::msh::{parse, parse_with_notes, read, write};
 
 const FORMATS: [(&str, bool); 4] = [
     ("msh41", false),

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
-use brinell::mesh::msh::parse;
+use brinell::model::mesh::msh::parse;
 use proptest::prelude::*;
 
 /// The fixture in all four formats.

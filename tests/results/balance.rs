@@ -1,5 +1,5 @@
 use crate::block::{close, pressed, stack};
-use brinell::results::balance::{balances, centre_of_force};
+use brinell::answer::results::balance::{balances, centre_of_force};
 
 #[test]
 fn bodies_that_something_holds_need_no_balance() {

@@ -1,12 +1,12 @@
 //! Meshes, scenes and states made by hand, with exactly known fields.
 #![allow(dead_code)]
 
-use brinell::material::Steel;
-use brinell::mesh::{Body, Face, Mesh, Surface};
-use brinell::results::{ContactField, PlaneField, State};
-use brinell::scene::{
+use brinell::model::material::Steel;
+use brinell::model::mesh::{Body, Face, Mesh, Surface};
+use brinell::model::scene::{
     ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support,
 };
+use brinell::model::state::{ContactField, PlaneField, State};
 
 pub const STEEL: Steel = Steel {
     youngs_modulus: 29500.0,
@@ -196,7 +196,7 @@ pub fn pressed(scene: &Scene) -> State {
 
 /// Fills the stress of a state with a field of position.
 pub fn fill_stress(scene: &Scene, state: &mut State, stress: impl Fn([f64; 3]) -> [f64; 6]) {
-    let rule = brinell::results::hex::GaussRule::new();
+    let rule = brinell::answer::results::hex::GaussRule::new();
     for (element, points) in state.stress.iter_mut().enumerate() {
         let corners = scene.mesh.corners(element);
         for (k, value) in points.iter_mut().enumerate() {

@@ -1,11 +1,11 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::block::{STEEL, add_block, close};
-use brinell::mesh::Mesh;
-use brinell::results::State;
-use brinell::results::bore::{Bore, bore_stress};
-use brinell::results::recovery::recover;
-use brinell::scene::{Controls, Scene};
+use brinell::answer::results::bore::{Bore, bore_stress};
+use brinell::answer::results::recovery::recover;
+use brinell::model::mesh::Mesh;
+use brinell::model::scene::{Controls, Scene};
+use brinell::model::state::State;
 
 const INNER: f64 = 0.75;
 const OUTER: f64 = 1.5;

@@ -1,5 +1,5 @@
 use crate::block::{close, pressed, settle, stack};
-use brinell::results::contact_lines::contact_lines;
+use brinell::answer::results::contact_lines::contact_lines;
 
 #[test]
 fn a_line_cut_by_a_mirror_is_one_and_whole() {

@@ -1,9 +1,9 @@
 //! Decks for other programs, read back keyword by keyword.
 
 use crate::block::{close, stack};
-use brinell::output::inp::{ContactType, InpError, Settings, check};
-use brinell::scene::TractionValue::{Pressure, Vector};
-use brinell::scene::{ElementKind, Partner, PlaneMotion, Scene, Step, Support, Traction};
+use brinell::model::scene::TractionValue::{Pressure, Vector};
+use brinell::model::scene::{ElementKind, Partner, PlaneMotion, Scene, Step, Support, Traction};
+use brinell::render::inp::{ContactType, InpError, Settings, check};
 
 /// A keyword with its parameters, and the lines of data below it.
 struct Card {

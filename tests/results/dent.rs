@@ -1,5 +1,5 @@
 use crate::block::{close, pressed, stack};
-use brinell::results::dent::dent;
+use brinell::answer::results::dent::dent;
 
 #[test]
 fn a_rigid_motion_leaves_no_dent() {

@@ -1,10 +1,10 @@
 use crate::block::{close, pressed, settle, stack};
-use brinell::results::ContactField;
-use brinell::results::interface::interfaces;
-use brinell::results::line_load::{Slices, line_load};
-use brinell::results::load;
-use brinell::results::strip::{Strip, half_width};
-use brinell::scene::{PlaneMotion, Step, Traction, TractionValue};
+use brinell::answer::results::interface::interfaces;
+use brinell::answer::results::line_load::{Slices, line_load};
+use brinell::answer::results::load;
+use brinell::answer::results::strip::{Strip, half_width};
+use brinell::model::scene::{PlaneMotion, Step, Traction, TractionValue};
+use brinell::model::state::ContactField;
 
 #[test]
 fn the_whole_bearing_carries_the_load() {

@@ -2,10 +2,10 @@
 
 use crate::block::{close, pressed, settle, stack};
 use crate::summary::summarise;
-use brinell::output::line_load::{FILES, whole_lines, write};
-use brinell::output::plot::{Figure, Line, Panel, Scale, svg};
-use brinell::results::State;
-use brinell::scene::Scene;
+use brinell::model::scene::Scene;
+use brinell::model::state::State;
+use brinell::render::line_load::{FILES, whole_lines, write};
+use brinell::render::plot::{Figure, Line, Panel, Scale, svg};
 use std::path::Path;
 use std::process::Command;
 

@@ -1,8 +1,8 @@
 //! The views of a run, drawn by ParaView itself.
 
 use crate::block::{fill_stress, pressed, stack};
-use brinell::output::{Series, UnitLabels, paraview};
-use brinell::results::recovery::recover;
+use brinell::answer::results::recovery::recover;
+use brinell::render::{Series, UnitLabels, paraview};
 use std::path::Path;
 use std::process::{Command, Output};
 

@@ -1,12 +1,12 @@
 use crate::block::{add_block, close, fill_stress, pressed, settle, stack};
-use brinell::mesh::Mesh;
-use brinell::results::State;
-use brinell::results::edges::LoadedEdges;
-use brinell::results::peaks::{Place, peaks};
-use brinell::results::recovery::recover;
-use brinell::results::strain::largest_strain;
-use brinell::results::tensor::mises;
-use brinell::scene::Scene;
+use brinell::answer::results::edges::LoadedEdges;
+use brinell::answer::results::peaks::{Place, peaks};
+use brinell::answer::results::recovery::recover;
+use brinell::answer::results::strain::largest_strain;
+use brinell::answer::results::tensor::mises;
+use brinell::model::mesh::Mesh;
+use brinell::model::scene::Scene;
+use brinell::model::state::State;
 
 /// A stress field that is trilinear in position, and symmetric about x = 0 and y = 0: exactly
 /// recovered on boxes.
@@ -172,16 +172,17 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
     // A square block on a larger plate is singular along its edges at x = 0.5 and y = 1.
     let mut state = pressed(&scene);
     let all = recover(&scene, &state);
-    let touches = |scene: &brinell::scene::Scene, state: &State, at: [f64; 3], body: usize| {
-        let mut stress = state.clone();
-        fill_stress(scene, &mut stress, |p| {
-            let d: f64 = (0..3).map(|i| (p[i] - at[i]).powi(2)).sum();
-            [100.0 / (0.01 + d), 0.0, 0.0, 0.0, 0.0, 0.0]
-        });
-        let recovered = recover(scene, &stress);
-        let peak = peaks(scene, &stress, &recovered)[body].nodal.unwrap();
-        LoadedEdges::find(scene, state).are_near(&peak.at)
-    };
+    let touches =
+        |scene: &brinell::model::scene::Scene, state: &State, at: [f64; 3], body: usize| {
+            let mut stress = state.clone();
+            fill_stress(scene, &mut stress, |p| {
+                let d: f64 = (0..3).map(|i| (p[i] - at[i]).powi(2)).sum();
+                [100.0 / (0.01 + d), 0.0, 0.0, 0.0, 0.0, 0.0]
+            });
+            let recovered = recover(scene, &stress);
+            let peak = peaks(scene, &stress, &recovered)[body].nodal.unwrap();
+            LoadedEdges::find(scene, state).are_near(&peak.at)
+        };
     assert!(touches(&scene, &state, [0.5, 1.0, 0.0], 0));
     assert!(touches(&scene, &state, [0.4, 0.7, 0.0], 1));
     assert!(!touches(&scene, &state, [0.0, 0.0, 1.0], 0));

@@ -1,8 +1,8 @@
 use crate::block::{close, fill_stress, pressed, settle, stack};
-use brinell::results::contact_lines::contact_lines;
-use brinell::results::depth::mises_along;
-use brinell::results::recovery::recover;
-use brinell::results::strip_profile::strip_profile;
+use brinell::answer::results::contact_lines::contact_lines;
+use brinell::answer::results::depth::mises_along;
+use brinell::answer::results::recovery::recover;
+use brinell::answer::results::strip_profile::strip_profile;
 
 #[test]
 fn half_a_strip_is_written_out_whole_and_ends_at_open_nodes() {

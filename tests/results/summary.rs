@@ -1,15 +1,15 @@
 use crate::block::{close, fill_stress, pressed, stack};
-use brinell::output::left_out::LeftOut;
-use brinell::output::summary::{
+use brinell::answer::results::bore::Bore;
+use brinell::answer::results::line_load::Slices;
+use brinell::answer::results::peaks::peaks;
+use brinell::answer::results::recovery::recover;
+use brinell::model::scene::Scene;
+use brinell::model::state::State;
+use brinell::render::left_out::LeftOut;
+use brinell::render::summary::{
     Checks, Comparison, Counters, Figure, Measure, Named, Summary, SummaryInputs, Timing,
 };
-use brinell::output::{UnitLabels, table};
-use brinell::results::State;
-use brinell::results::bore::Bore;
-use brinell::results::line_load::Slices;
-use brinell::results::peaks::peaks;
-use brinell::results::recovery::recover;
-use brinell::scene::Scene;
+use brinell::render::{UnitLabels, table};
 use serde_json::Value;
 
 pub fn summarise(scene: &Scene, state: &State) -> Summary {
@@ -284,7 +284,7 @@ fn an_unconverged_run_says_so_first() {
     let mut summary = summarise(&scene, &state);
     summary.converged = false;
     assert!(table::render(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
-    let warnings = brinell::output::warnings::warnings(&summary);
+    let warnings = brinell::render::warnings::warnings(&summary);
     assert!(warnings[0].0.contains("has not converged"));
 }
 
@@ -298,7 +298,7 @@ fn what_holds_for_two_bodies_is_said_once() {
         body.at_singular_edge.integration_point = false;
     }
     let [first, second] = [0, 1].map(|b| summary.bodies.0[b].0.clone());
-    let warnings = brinell::output::warnings::warnings(&summary);
+    let warnings = brinell::render::warnings::warnings(&summary);
     let edges = warnings.iter().filter(|w| w.0.contains("loaded edge"));
     let edges: Vec<_> = edges.collect();
     assert_eq!(edges.len(), 1, "{warnings:?}");

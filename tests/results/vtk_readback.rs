@@ -4,12 +4,12 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::block::{add_block, fill_stress, pressed, stack};
-use brinell::mesh::Mesh;
-use brinell::output::Series;
-use brinell::output::fields;
-use brinell::results::State;
-use brinell::results::recovery::{Recovered, recover};
-use brinell::scene::Scene;
+use brinell::answer::results::recovery::{Recovered, recover};
+use brinell::model::mesh::Mesh;
+use brinell::model::scene::Scene;
+use brinell::model::state::State;
+use brinell::render::Series;
+use brinell::render::fields;
 use serde_json::{Value, json};
 
 /// Opens a file or a collection and prints what is in it as JSON.
@@ -330,8 +330,8 @@ fn bodies_that_share_nodes_are_written_apart() {
 /// Block boundaries of the compressed arrays: whole blocks, one value more, none at all.
 #[test]
 fn arrays_of_awkward_lengths_survive() {
-    use brinell::output::encode::Values;
-    use brinell::output::grid::{Array, CellType, Grid};
+    use brinell::render::encode::Values;
+    use brinell::render::grid::{Array, CellType, Grid};
     let folder = tempfile::tempdir().unwrap();
     for n in [0usize, 1, 16384, 16385, 32768, 50001] {
         let values: Vec<f64> = (0..n).map(|i| (i as f64).sqrt() - 7.0).collect();

@@ -2,8 +2,8 @@
 
 use brinell::case::bearing::{Preset, RollerEnd};
 use brinell::case::{self, BearingCase, Kind};
-use brinell::size::{Position, Proposal, Request, Setting, case_file};
-use brinell::units::{Dimension, UnitSystem};
+use brinell::ground::units::{Dimension, UnitSystem};
+use brinell::product::size::{Position, Proposal, Request, Setting, case_file};
 
 fn read(proposal: &Proposal, position: Position) -> BearingCase {
     let text = case_file(proposal, proposal.choice().unwrap(), position);

@@ -2,8 +2,8 @@
 
 use brinell::analytic::displaced::DisplacedRoller;
 use brinell::analytic::rolling::{largest_slope, rolling_friction};
-use brinell::size::{Candidate, Proposal, Request, Rule, STOUT, Setting};
-use brinell::units::{Dimension, UnitSystem};
+use brinell::ground::units::{Dimension, UnitSystem};
+use brinell::product::size::{Candidate, Proposal, Request, Rule, STOUT, Setting};
 use std::f64::consts::PI;
 
 fn study(load: f64, yield_stress: f64, capacity: f64) -> Request {

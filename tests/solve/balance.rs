@@ -1,10 +1,12 @@
 //! Where rigid bodies have no balance the solution says so, and what would hold them.
 
 use brinell::case;
-use brinell::material::Steel;
-use brinell::mesh::block::{Block, uniform};
-use brinell::scene::{ContactPair, Controls, Partner, Scene, Side, Step, Traction, TractionValue};
-use brinell::solve::{NoBalance, Silent, SolveError, resume, solve};
+use brinell::model::material::Steel;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{
+    ContactPair, Controls, Partner, Scene, Side, Step, Traction, TractionValue,
+};
+use brinell::solver::solve::{NoBalance, Silent, SolveError, resume, solve};
 use std::path::Path;
 
 const WIDTH: f64 = 1.0;
@@ -107,7 +109,8 @@ fn a_displaced_bearing_needs_friction_across_both_rollers() {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2/initial-offset-2.5.toml");
     let mut case = case::read(&path).expect("the shipped case reads");
     case.set_preset("h025").expect("a preset");
-    let mesh = brinell::job::find_mesh(&case, None, &mut |_| {}).expect("the shipped mesh");
+    let mesh =
+        brinell::product::job::find_mesh(&case, None, &mut |_| {}).expect("the shipped mesh");
     let mut scene = case.scene(mesh).expect("a scene");
     scene.steps.truncate(1);
     let needed = 2f64.sqrt() * 2f64.to_radians().tan();

@@ -1,13 +1,13 @@
 //! The centre bearing of the study, pressed until it yields, and its figures.
 
+use brinell::answer::results::load::descent;
+use brinell::answer::results::peaks::peaks;
+use brinell::answer::results::recovery::recover;
 use brinell::case::{self, Case};
-use brinell::mesh::Mesh;
-use brinell::results::State;
-use brinell::results::load::descent;
-use brinell::results::peaks::peaks;
-use brinell::results::recovery::recover;
-use brinell::scene::{PlaneMotion, Scene};
-use brinell::solve::{Silent, solve};
+use brinell::model::mesh::Mesh;
+use brinell::model::scene::{PlaneMotion, Scene};
+use brinell::model::state::State;
+use brinell::solver::solve::{Silent, solve};
 use std::path::Path;
 
 pub fn case() -> Case {

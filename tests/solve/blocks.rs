@@ -1,14 +1,14 @@
 //! Solids and contact on blocks: patch tests and the uniaxial curve.
 
-use brinell::material::Steel;
-use brinell::mesh::Mesh;
-use brinell::mesh::block::{Block, uniform};
-use brinell::results::State;
-use brinell::scene::{
+use brinell::model::material::Steel;
+use brinell::model::mesh::Mesh;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{
     ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support, Traction,
     TractionValue,
 };
-use brinell::solve::{Silent, Solution, solve};
+use brinell::model::state::State;
+use brinell::solver::solve::{Silent, Solution, solve};
 
 fn scene(mesh: Mesh, steel: Steel) -> Scene {
     Scene {
@@ -122,7 +122,7 @@ fn contact_patch_test_is_uniform() {
         .filter(|f| f.nodes.iter().all(|n| mesh.points[*n as usize][0] >= 1.0))
         .copied()
         .collect();
-    mesh.surfaces.push(brinell::mesh::Surface {
+    mesh.surfaces.push(brinell::model::mesh::Surface {
         name: "exposed".into(),
         faces: exposed,
     });
@@ -201,7 +201,7 @@ fn the_error_of_increments_is_known_where_flow_turns() {
     let (coarse, fine) = (solved(0.3), solved(0.01));
     let between = |one: &State, other: &State| {
         let off: [f64; 6] = std::array::from_fn(|i| one.stress[0][0][i] - other.stress[0][0][i]);
-        brinell::results::tensor::mises(&off)
+        brinell::answer::results::tensor::mises(&off)
     };
     let estimate = |solution: &Solution| between(&solution.last, solution.doubled.last().unwrap());
     let error = between(&coarse.last, &fine.last);

@@ -3,12 +3,12 @@
 //! Sources: statics for the forces; an independent re-run of the study with C3D8 elements for
 //! descent and line load (see docs and the study's own table); the steel's curve for the rest.
 
+use brinell::answer::results::line_load::{Slices, line_load};
 use brinell::case;
-use brinell::job::{self, Options, Outcome};
-use brinell::output::Summary;
-use brinell::output::line_load::{WholeLine, whole_lines};
-use brinell::results::line_load::{Slices, line_load};
-use brinell::solve::Silent;
+use brinell::product::job::{self, Options, Outcome};
+use brinell::render::Summary;
+use brinell::render::line_load::{WholeLine, whole_lines};
+use brinell::solver::solve::Silent;
 use std::f64::consts::PI;
 use std::path::Path;
 

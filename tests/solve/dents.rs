@@ -1,10 +1,10 @@
 //! What stays in the bodies after unloading. Dents of known depth are in the ladder (`dents`).
 
-use brinell::material::Steel;
-use brinell::results::dent::dent;
-use brinell::scene::{Scene, Step};
-use brinell::solve::{Silent, Solution, solve, spring_back};
-use brinell::verify::problem_h::{self, Sizes};
+use brinell::answer::results::dent::dent;
+use brinell::model::material::Steel;
+use brinell::model::scene::{Scene, Step};
+use brinell::proof::verify::problem_h::{self, Sizes};
+use brinell::solver::solve::{Silent, Solution, solve, spring_back};
 
 /// Problem H, the block yielding at this share of Hertz's pressure, the cylinder not at all, at the ends of steps to
 /// these factors of the load.

@@ -1,8 +1,8 @@
 //! How linear systems are solved does not show in the answer.
 
 use crate::bearing::{case, figures, state};
-use brinell::job;
-use brinell::scene::SolverKind;
+use brinell::model::scene::SolverKind;
+use brinell::product::job;
 
 #[test]
 fn a_divided_model_has_the_answer_of_the_whole() {

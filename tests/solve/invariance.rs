@@ -1,9 +1,9 @@
 //! The answer depends neither on the units nor on the number of threads.
 
 use brinell::case;
-use brinell::job;
-use brinell::scene::{PlaneMotion, Scene};
-use brinell::solve::{Silent, Solution, solve};
+use brinell::model::scene::{PlaneMotion, Scene};
+use brinell::product::job;
+use brinell::solver::solve::{Silent, Solution, solve};
 use std::path::Path;
 
 /// The report-like centre case at three times its load, so that it yields, slips and sticks.

@@ -1,10 +1,10 @@
 //! What a scene does not need is not done: counters of the solver, and what a run says of it.
 
 use brinell::case;
-use brinell::job::{self, Options};
-use brinell::output::Summary;
-use brinell::scene::Scene;
-use brinell::solve::{Counters, Silent, Solution, solve};
+use brinell::model::scene::Scene;
+use brinell::product::job::{self, Options};
+use brinell::render::Summary;
+use brinell::solver::solve::{Counters, Silent, Solution, solve};
 use std::path::Path;
 
 const CENTRE: &str = "cases/section-2.6.2/initial-centre.toml";

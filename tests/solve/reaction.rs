@@ -1,10 +1,10 @@
 //! The force of a plane whose motion is prescribed.
 
-use brinell::material::Steel;
-use brinell::mesh::block::{Block, uniform};
-use brinell::results::load::applied;
-use brinell::scene::{Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Support};
-use brinell::solve::{Silent, solve};
+use brinell::answer::results::load::applied;
+use brinell::model::material::Steel;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::scene::{Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Support};
+use brinell::solver::solve::{Silent, solve};
 
 /// A bar of 2 × 3 × 1 pressed along z by `squeeze`, free to widen.
 fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 3], f64) {

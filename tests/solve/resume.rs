@@ -4,9 +4,9 @@
 //! 1e-8 of the load.
 
 use brinell::case::{self, Case};
-use brinell::job::{self, JobError, Options, Outcome};
-use brinell::results::State;
-use brinell::solve::Observer;
+use brinell::model::state::State;
+use brinell::product::job::{self, JobError, Options, Outcome};
+use brinell::solver::solve::Observer;
 use std::error::Error;
 use std::path::Path;
 

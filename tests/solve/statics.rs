@@ -1,10 +1,10 @@
 //! The displaced bearing: what contact does to bodies that nothing else holds.
 
+use brinell::answer::results::balance::{balances, centre_of_force};
+use brinell::answer::results::contact_lines::contact_lines;
+use brinell::answer::results::load::applied;
 use brinell::case;
-use brinell::results::balance::{balances, centre_of_force};
-use brinell::results::contact_lines::contact_lines;
-use brinell::results::load::applied;
-use brinell::solve::{Silent, solve};
+use brinell::solver::solve::{Silent, solve};
 use std::path::Path;
 
 const DIAMETER: f64 = 3.0;
@@ -16,7 +16,8 @@ fn a_displaced_bearing_is_in_balance() {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2/initial-offset-2.5.toml");
     let mut case = case::read(&path).expect("the shipped case reads");
     case.set_preset("report-like").expect("a preset");
-    let mesh = brinell::job::find_mesh(&case, None, &mut |_| {}).expect("the shipped mesh");
+    let mesh =
+        brinell::product::job::find_mesh(&case, None, &mut |_| {}).expect("the shipped mesh");
     let mut scene = case.scene(mesh).expect("a scene");
     scene.steps.truncate(1);
     let state = solve(&mut scene, &mut Silent).expect("converges").last;

@@ -2,7 +2,7 @@
 
 use crate::bearing::{case, figures, state};
 use brinell::case::Kind;
-use brinell::job;
+use brinell::product::job;
 
 /// A centred bearing is solved as a quarter without being asked; the full model on the mirror
 /// images of that mesh has the same peaks to 1e-6.

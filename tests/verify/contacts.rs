@@ -1,6 +1,6 @@
 //! The families of the ladder about contact and friction, as far as they are fast.
 
-use brinell::verify::{Extent, matrix, suites};
+use brinell::proof::verify::{Extent, matrix, suites};
 
 /// Every claim of the suite holds.
 fn holds(name: &str) {

@@ -1,7 +1,7 @@
 //! Do the bars hold? A sample of the bearings that `brinell verify --suite coverage` solves.
 
-use brinell::solve::Silent;
-use brinell::verify::coverage::{Bearing, Keep, References, Set, Suite, Tally, Verdict};
+use brinell::proof::verify::coverage::{Bearing, Keep, References, Set, Suite, Tally, Verdict};
+use brinell::solver::solve::Silent;
 
 /// Every kind of end, hollow and solid, thin and thick; one displaced.
 const SAMPLE: [&str; 6] = [

@@ -1,6 +1,6 @@
 //! The extreme cases that take seconds; `brinell verify --suite extreme` runs all of them.
 
-use brinell::verify::extreme;
+use brinell::proof::verify::extreme;
 use std::path::Path;
 
 #[test]

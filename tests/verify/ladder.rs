@@ -1,6 +1,6 @@
 //! Families of the ladder at the extent that ends in seconds: every claim holds.
 
-use brinell::verify::{Claim, Extent, matrix, suites};
+use brinell::proof::verify::{Claim, Extent, matrix, suites};
 
 /// Solves the fast part of `suite`; fails where a claim does not hold.
 #[track_caller]

@@ -1,13 +1,13 @@
 //! Orders of convergence: problem H on nested meshes, and a smooth solid problem.
 
-use brinell::converge::rates::fitted;
-use brinell::mesh::block::{Block, cylindrical, uniform};
-use brinell::results::hex::GaussRule;
-use brinell::scene::ElementKind;
-use brinell::verify::kit;
-use brinell::verify::problem_h::{PRESSURE, Reading, Sizes, read, scene};
+use brinell::answer::results::hex::GaussRule;
+use brinell::model::mesh::block::{Block, cylindrical, uniform};
+use brinell::model::scene::ElementKind;
+use brinell::product::converge::rates::fitted;
+use brinell::proof::verify::kit;
+use brinell::proof::verify::problem_h::{PRESSURE, Reading, Sizes, read, scene};
 
-use brinell::material::Steel;
+use brinell::model::material::Steel;
 use std::f64::consts::FRAC_PI_2;
 
 /// Levels of the nested meshes: 2 to 32 elements across the half-width; with incompatible modes one
@@ -156,13 +156,13 @@ fn tube_errors(element: ElementKind, cells: usize) -> [f64; 3] {
         };
         for (k, volume) in volumes.iter().enumerate() {
             let at = rule.position(k, &corners);
-            let u = brinell::results::hex::interpolate(&rule.shape[k], &nodal);
+            let u = brinell::answer::results::hex::interpolate(&rule.shape[k], &nodal);
             add(0, *volume, &u, &tube::displacement(at));
             add(1, *volume, &stress[k], &tube::stress(at));
         }
         let whole: f64 = volumes.iter().sum();
-        let mean = brinell::results::tensor::mean(stress);
-        let at = brinell::results::hex::centre(&corners);
+        let mean = brinell::answer::results::tensor::mean(stress);
+        let at = brinell::answer::results::hex::centre(&corners);
         add(2, whole, &mean, &tube::stress(at));
     }
     [0, 1, 2].map(|k| f64::sqrt(miss[k] / norm[k]))

@@ -11,9 +11,9 @@ use super::geometry::BearingGeometry;
 use super::parameters::parameters;
 use super::request::MeshRequest;
 use super::template::TEMPLATE_VERSION;
-use crate::hash::Fnv;
-use crate::output::OutputError;
-use crate::output::file::write_atomically;
+use crate::ground::file::FileError;
+use crate::ground::file::write_atomically;
+use crate::ground::hash::Fnv;
 
 /// A hash of everything that the mesh of a bearing depends on: 16 hexadecimal digits.
 ///
@@ -43,7 +43,7 @@ pub fn write_with_fingerprint(
     raw_msh: &Path,
     fingerprint: &str,
     out: &Path,
-) -> Result<(), OutputError> {
+) -> Result<(), FileError> {
     write_atomically(out, |file| {
         let mut raw = File::open(raw_msh)?;
         let mut gzip = GzBuilder::new().mtime(0).write(file, Compression::best());

@@ -3,7 +3,7 @@
 use super::geometry::BearingGeometry;
 use super::request::MeshRequest;
 use super::sizes::{Kind, MESH_KEYS};
-use crate::mesh::Mesh;
+use crate::model::mesh::Mesh;
 
 /// A number of the template, with what it measures.
 pub(super) struct Parameter {

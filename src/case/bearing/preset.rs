@@ -24,8 +24,8 @@ pub enum Preset {
     H025,
     /// 0.0125 in across the contact lines.
     H0125,
-    /// The coarsest mesh of the series that [`study`](crate::study) and
-    /// [`target`](crate::target) refine: 0.025 in, the grading everywhere the same. No user asks
+    /// The coarsest mesh of the series that [`study`](crate::proof::study) and
+    /// [`target`](crate::product::target) refine: 0.025 in, the grading everywhere the same. No user asks
     /// for it by name.
     Series,
     /// The uniform coarse mesh of the reference study, for comparison only.

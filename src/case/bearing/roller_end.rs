@@ -2,7 +2,7 @@
 
 use super::end_shape::RollerEnd;
 use super::geometry::{BearingGeometry, Roller};
-use crate::mesh::Mesh;
+use crate::model::mesh::Mesh;
 
 /// Moves the nodes of both rollers from the square-ended cylinder of the mesh onto the profile
 /// of `geometry.end`. The mesh must be in the unit of `geometry`.
@@ -56,7 +56,7 @@ fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::case::bearing::geometry::tests::initial;
-    use crate::mesh::Body;
+    use crate::model::mesh::Body;
 
     #[test]
     fn outer_nodes_drop_bore_nodes_stay() {

@@ -2,8 +2,8 @@
 
 use crate::cli::console::set_on_ctrl_c;
 use crate::cli::say;
-use crate::output::text::significant;
-use crate::sweep::{Record, Sweep, Watcher};
+use crate::product::sweep::{Record, Sweep, Watcher};
+use crate::render::text::significant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 use std::sync::Arc;

@@ -1,0 +1,201 @@
+//! Peak stress and strain of bodies.
+
+use super::{Claim, Errors, Quantity, claim_of};
+use crate::analytic::subsurface::LineField;
+use crate::answer::results::hertz::{Departure, HeaviestLine};
+use crate::answer::results::hex::distance;
+use crate::answer::results::peaks::{BodyPeaks, Peak};
+use crate::model::scene::{ContactPair, Partner, Scene};
+
+const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
+                       mesh; look at the elastic peak and the plastic strain";
+
+const SINGULAR: &str = "at a loaded edge, or where a fillet is not resolved: grows with every refinement until the \
+                        steel yields";
+
+const UNCERTAIN_FLOW: &str =
+    "the elastic peak is as uncertain as its excess over yield: it may be zero";
+
+const COARSE: &str = "below a strip of contact whose half-width is a node apart or less: there is no peak to be read";
+
+/// Distance of nodes over the half-width of a strip above which the peak below is not read.
+const COARSEST: f64 = 0.9;
+
+/// What nodal averages miss of a peak that lies between nodes, of itself.
+const SMOOTH: f64 = 0.02;
+
+/// Facets in a half-width from which on the peak that is read counts for more than that of a half space.
+const FINE: f64 = 3.0;
+
+/// What bodies of finite size and a strip beside add to the largest stress below a strip, of itself.
+const BODIES: f64 = 0.03;
+
+/// Share of the distance between the largest value at an integration point and the nodal one.
+const OVERSHOOT: f64 = 0.5;
+
+/// Peak Mises stress of every body; where it has yielded also its peak plastic strain and the peak
+/// of the elastic solution.
+///
+/// The nodal peak is claimed. It and that of element centres tend to the same value from different
+/// sides of the error: extrapolation to nodes overshoots by the curvature of the stress over an
+/// element, while a centre lies close to it; the largest value at an integration point overshoots
+/// most. Their differences are the estimate. Beside a loaded edge there is none, and the peak away
+/// from such edges is claimed, too.
+///
+/// Below a Hertzian strip the half space says how large the peak is, within what the bodies add to it:
+/// the distance from that is an error, too, and with a node and less in a half-width there is no peak
+/// to be read at all.
+pub(super) fn claims(
+    own: &[BodyPeaks],
+    elastic: Option<&[BodyPeaks]>,
+    strips: &[Strip],
+) -> Vec<Claim> {
+    let mut claims = Vec::new();
+    for (index, body) in own.iter().enumerate() {
+        let yielded = body.peeq_max > 0.0;
+        let mises = |peaks: &BodyPeaks, names| {
+            let below = strips.iter().filter(|strip| strip.body == index);
+            mises(peaks, names, &below.collect::<Vec<_>>())
+        };
+        let mut peaks = mises(body, [Quantity::PeakMises, Quantity::MisesAway]);
+        if !yielded {
+            claims.extend(peaks);
+            continue;
+        }
+        peaks
+            .iter_mut()
+            .for_each(|claim| claim.note = Some(YIELDED));
+        claims.extend(peaks);
+        let names = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
+        let elastic = elastic.and_then(|bodies| bodies.get(index));
+        let elastic = elastic.map_or_else(Vec::new, |elastic| mises(elastic, names));
+        claims.push(plastic_strain(body, elastic.first()));
+        claims.extend(elastic);
+    }
+    claims
+}
+
+/// The peak plastic strain. Near its beginning it is what the elastic stress exceeds the yield limit
+/// by, over the stiffness: it is known as well as that excess is.
+fn plastic_strain(body: &BodyPeaks, elastic: Option<&Claim>) -> Claim {
+    let value = body.peeq_max;
+    let spread = (value - body.peeq_mean) / value;
+    let excess = elastic.map(|peak| {
+        // What has yielded stands at its limit, or a little above.
+        let limit = body
+            .centroid
+            .map_or(0.0, |p| p.value)
+            .max(body.nodal.map_or(0.0, |p| p.value));
+        let excess = (peak.value - limit).max(0.0);
+        peak.error.discretisation.map(|error| error / excess)
+    });
+    let share = match excess {
+        None => Some(spread),
+        Some(share) => share.map(|share| share.max(spread)),
+    };
+    let share = share.filter(|share| *share <= 1.0);
+    Claim {
+        error: Errors {
+            discretisation: share.map(|share| share * value),
+            ..Errors::default()
+        },
+        note: share.is_none().then_some(UNCERTAIN_FLOW),
+        ..claim_of(Quantity::PeakPlasticStrain, &body.name, value)
+    }
+}
+
+/// A Hertzian strip on a body.
+pub(super) struct Strip {
+    pub body: usize,
+    /// A point of the line of contact, and the axis along it.
+    pub centre: [f64; 3],
+    pub axis: usize,
+    pub half_width: f64,
+    /// Distance of the nodes in its middle.
+    pub spacing: f64,
+    /// The larger of that and the one at its edge.
+    pub widest: f64,
+    /// Largest Mises stress below it in a half space.
+    pub mises: f64,
+}
+
+impl Strip {
+    /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side.
+    pub fn all(scene: &Scene, lines: &[Option<HeaviestLine>]) -> Vec<Self> {
+        let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
+            let line = line.as_ref()?;
+            // Of the elastic peak, flow or not; where lines merge no strip makes it.
+            let hertz = line
+                .contact
+                .filter(|_| line.is_long() && line.departs != Some(Departure::Width))?;
+            let on = |side: &Partner| {
+                let body = side.body(&scene.mesh)?;
+                let nu = scene.materials.get(body)?.poissons_ratio;
+                Some(Self {
+                    body,
+                    centre: line.line.heaviest.centre,
+                    axis: line.axis,
+                    half_width: hertz.half_width,
+                    spacing: line.line.heaviest.middle_spacing(),
+                    widest: line.line.heaviest.spacing(),
+                    mises: LineField::below(&hertz, nu).ok()?.peak_mises().value,
+                })
+            };
+            Some([on(&pair.upper), on(&pair.lower)])
+        };
+        let pairs = scene.contacts.iter().zip(lines).filter_map(of_pair);
+        pairs.flatten().flatten().collect()
+    }
+
+    /// Is that below the strip?
+    fn is_above(&self, at: &[f64; 3]) -> bool {
+        let mut below = *at;
+        below[self.axis] = self.centre[self.axis];
+        distance(self.centre, below) <= 3.0 * self.half_width.max(self.spacing)
+    }
+}
+
+/// The nodal peak of a body, and that away from loaded edges where it lies at one.
+fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Vec<Claim> {
+    let Some([nodal, centroid]) = body.nodal.zip(body.centroid).map(<[Peak; 2]>::from) else {
+        return Vec::new();
+    };
+    let claim = |what: Quantity, [nodal, centroid]: [Peak; 2], overshoot: f64| {
+        let spread = (nodal.value - centroid.value)
+            .abs()
+            .max(OVERSHOOT * overshoot);
+        let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
+        let (error, note) = match strip {
+            Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
+            Some(strip) => {
+                // The finer the mesh, the more is what it says worth beside the half space.
+                let weight = (FINE * strip.widest / strip.half_width).min(1.0);
+                let off = (nodal.value - strip.mises).abs() + BODIES * strip.mises;
+                let off = weight * off;
+                (Some(spread.max(off)), None)
+            }
+            None => (Some(spread + SMOOTH * nodal.value), None),
+        };
+        Claim {
+            error: Errors {
+                discretisation: error,
+                ..Errors::default()
+            },
+            note,
+            ..claim_of(what, &body.name, nodal.value)
+        }
+    };
+    let overshoot = body
+        .integration_point
+        .map_or(0.0, |p| (p.value - nodal.value).abs());
+    match body.away {
+        None => vec![claim(peak, [nodal, centroid], overshoot)],
+        Some(regular) => {
+            let singular = Claim {
+                note: Some(SINGULAR),
+                ..claim_of(peak, &body.name, nodal.value)
+            };
+            vec![singular, claim(away, regular, 0.0)]
+        }
+    }
+}

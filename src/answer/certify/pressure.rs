@@ -1,0 +1,341 @@
+//! Pressure, line load and width of a contact interface.
+//!
+//! Where contact is a line, the load per length is known better than anything else, for it follows
+//! from balance. If the strip is Hertz's, that load says how wide it is and how the pressure runs
+//! across; what the nodes make of such a profile can then be worked out for the very places where they
+//! stand, and what they read beyond that is an error that one sees.
+
+use super::{Claim, Errors, Quantity, claim_of};
+use crate::answer::results::contact_lines::StripRow;
+use crate::answer::results::edges::{LoadedEdges, carrier};
+use crate::answer::results::hertz::{Departure, HeaviestLine};
+use crate::answer::results::interface::Interface;
+use crate::answer::results::load::copies;
+use crate::ground::geometry::{norm, sub};
+use crate::model::scene::Scene;
+use crate::model::state::{ContactField, State};
+use std::collections::BTreeSet;
+
+const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
+                      the mesh";
+const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
+const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
+                      apart, or a shape that is no line";
+const FILLET: &str = "the facets are too long for a fillet under load: where it begins the pressure may have a higher \
+                      and narrow peak";
+const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
+                     belongs to the mesh";
+
+/// Beyond this relative error a figure is not resolved.
+const WORTHLESS: f64 = 0.3;
+
+/// A load per length is this good at best: far field, and rows along the line. Half a per cent in the median
+/// of bearings drawn by a seed, two in one of ten.
+const LINE_LOAD: f64 = 0.014;
+/// What a strip that the mesh is too coarse for moves of it along the line and to the line beside it, for each
+/// power of e by which the spacing exceeds [`WELL`] of the half-width: bodies come too close below it by such a
+/// logarithm (Johnson, Contact Mechanics, section 5.6). Measured 0.02 to 0.05.
+const UNSEEN: f64 = 0.04;
+/// Spacing over half-width up to which that is nothing.
+const WELL: f64 = 0.67;
+/// Beside a loaded edge, in addition.
+const BESIDE_EDGE: f64 = 0.02;
+/// Share of the kink at the peak of a line load that is its error.
+const KINK: f64 = 0.2;
+/// What a pressure that is read may be off beside its distance from Hertz's.
+const READ: f64 = 0.006;
+/// The same of a half-width, for a spacing of a at the edge; it falls with the square of the spacing.
+const WIDTH: f64 = 0.03;
+/// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its
+/// edge; it falls with the square of the spacing. Measured on problem H with even and graded meshes.
+const MIDDLE: f64 = 0.03;
+const AT_EDGE: f64 = 0.25;
+/// Share of the fall from the largest pressure to its neighbours that is its error: the mean over a hat
+/// function takes a third of it off the peak of a smooth patch, and the mesh as much.
+const FALL: f64 = 0.6;
+/// A pressure that falls by less from an edge is even, as between blocks of one size, and no singularity.
+const EVEN: f64 = 0.02;
+/// Sagitta of the facets at the peak over the length by which the pressure there presses a facet's depth
+/// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
+/// the spacing over four half-widths.
+const SHAPELESS: f64 = 0.5;
+/// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
+const RIM: f64 = 0.27;
+
+/// What is known of an interface.
+pub(super) struct Contact<'a> {
+    pub scene: &'a Scene,
+    pub state: &'a State,
+    pub pair: usize,
+    pub interface: &'a Interface,
+    pub line: Option<&'a HeaviestLine>,
+    pub edges: &'a LoadedEdges,
+}
+
+impl Contact<'_> {
+    /// The line that carries most, where the contact is one.
+    fn line(&self) -> Option<&HeaviestLine> {
+        self.line.filter(|line| line.is_long())
+    }
+
+    /// Peak pressure, Hertz's pressure, largest line load, half-width, area and length.
+    pub(super) fn claims(&self) -> Vec<Claim> {
+        let Some(field) = self.state.contacts.get(self.pair) else {
+            return Vec::new();
+        };
+        if self.interface.max_pressure <= 0.0 {
+            return Vec::new();
+        }
+        let mut claims = vec![self.peak_pressure(field)];
+        if let Some(line) = self.line {
+            claims.extend([
+                self.line_load(line),
+                self.half_width(line),
+                self.length(line),
+            ]);
+            claims.extend(self.hertz_pressure(line));
+        }
+        let band = RIM * copies(self.scene) * rim(self.scene, field, self.pair);
+        let area = self.interface.area;
+        claims.push(self.claim(Quantity::ContactArea, area, Some(band / area), COARSE));
+        claims
+    }
+
+    /// With a relative error, where that says anything.
+    fn claim(&self, what: Quantity, value: f64, error: Option<f64>, why: &'static str) -> Claim {
+        // The rim of an area is never known better than to an element.
+        let most = if what == Quantity::ContactArea {
+            0.5
+        } else {
+            WORTHLESS
+        };
+        let error = error.filter(|e| e.is_finite() && *e <= most);
+        Claim {
+            error: Errors {
+                discretisation: error.map(|e| e * value),
+                ..Errors::default()
+            },
+            note: error.is_none().then_some(why),
+            ..claim_of(what, &self.interface.name, value)
+        }
+    }
+
+    fn peak_pressure(&self, field: &ContactField) -> Claim {
+        let value = self.interface.max_pressure;
+        let claim = |error, why| self.claim(Quantity::PeakPressure, value, error, why);
+        let falls = fall(self.scene, field, self.pair);
+        let unseen = self.edges.unseen_pressure(self.pair);
+        let at_edge = (self.interface.max_pressure_at).is_some_and(|at| self.edges.are_near(&at));
+        let at_edge = at_edge && falls > EVEN;
+        let unresolved = match at_edge {
+            _ if unseen > value => Some(FILLET),
+            true if unseen > 0.0 => Some(FILLET),
+            true => Some(EDGE),
+            false => (self.shapelessness(field) > SHAPELESS).then_some(SHAPE),
+        };
+        if let Some(why) = unresolved {
+            return claim(None, why);
+        }
+        let fall = || FALL * falls;
+        let error = self
+            .line()
+            .map_or_else(fall, |line| match (line.contact, line.departs) {
+                // The pressure that the line load makes is known better than what nodes read of it.
+                (Some(hertz), None) => {
+                    let read = READ * coarseness(&line.line.heaviest);
+                    (value / hertz.peak_pressure - 1.0).abs() + read + 0.5 * load_error(line)
+                }
+                (Some(hertz), Some(Departure::Flow)) => {
+                    let a = line.line.heaviest.half_width.max(hertz.half_width);
+                    of_nodes(&line.line.heaviest, a) + load_error(line)
+                }
+                _ => fall(),
+            });
+        let error = Some(error);
+        claim(error, COARSE)
+    }
+
+    /// See [`SHAPELESS`]; at the node with the largest pressure.
+    fn shapelessness(&self, field: &ContactField) -> f64 {
+        let (scene, pair) = (self.scene, &self.scene.contacts[self.pair]);
+        let pressures = field.pressure.iter().enumerate();
+        let top = pressures.max_by(|a, b| a.1.total_cmp(b.1));
+        let (Some((top, pressure)), Some(surface), Ok(compliance)) =
+            (top, carrier(scene, self.pair), scene.compliance(pair))
+        else {
+            return 0.0;
+        };
+        let faces = surface
+            .faces
+            .iter()
+            .filter(|face| face.nodes.contains(&field.nodes[top]));
+        let sides = faces.flat_map(|face| {
+            let corners = face.corners(&scene.mesh);
+            [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
+        });
+        let side = sides.fold(f64::INFINITY, f64::min);
+        field.sagitta[top] / (compliance * pressure * side)
+    }
+
+    fn line_load(&self, line: &HeaviestLine) -> Claim {
+        let error = Some(load_error(line)).filter(|_| line.departs != Some(Departure::Width));
+        self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
+    }
+
+    /// `None` where the strip is not Hertz's.
+    fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Claim> {
+        let value = line.pressure()?;
+        Some(self.claim(
+            Quantity::HertzPressure,
+            value,
+            Some(0.5 * load_error(line)),
+            COARSE,
+        ))
+    }
+
+    fn half_width(&self, line: &HeaviestLine) -> Claim {
+        let row = &line.line.heaviest;
+        let a = row.half_width;
+        let edge = row.edge_spacing() / a;
+        let hertz = line.contact.filter(|_| line.is_long());
+        let error = match (hertz, line.departs) {
+            (Some(hertz), None | Some(Departure::LoadedEdge)) => {
+                let spacing = WIDTH * edge * edge;
+                Some((a / hertz.half_width - 1.0).abs() + spacing + 0.5 * load_error(line))
+            }
+            (Some(_), Some(Departure::Width)) => None,
+            _ => Some(0.5 * edge * edge + load_error(line)),
+        };
+        self.claim(Quantity::HalfWidth, a, error, MERGED)
+    }
+
+    /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.
+    fn length(&self, line: &HeaviestLine) -> Claim {
+        let unseen = if line.line.lifted_off > 0.0 {
+            unseen(line)
+        } else {
+            0.0
+        };
+        let line = &line.line;
+        let rows = line.at.windows(2).zip(line.load.windows(2));
+        let lifts = rows.filter(|(_, q)| (q[0] > 0.0) != (q[1] > 0.0));
+        let off: f64 = lifts.map(|(at, _)| at[1] - at[0]).sum();
+        let images = if line.length > 0.0 {
+            line.length_share()
+        } else {
+            1.0
+        };
+        self.claim(
+            Quantity::ContactLength,
+            line.length,
+            Some(images * off / line.length + unseen + 1e-6),
+            COARSE,
+        )
+    }
+}
+
+/// What a mesh this fine leaves of errors that do not fall with the square of its spacing: all of them down to
+/// three nodes in a half-width.
+fn coarseness(row: &StripRow) -> f64 {
+    const FINE: f64 = 3.0;
+    (FINE * row.spacing() / row.half_width).min(1.0)
+}
+
+/// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
+fn load_error(line: &HeaviestLine) -> f64 {
+    let edge = match line.departs {
+        Some(Departure::LoadedEdge) => BESIDE_EDGE,
+        _ => 0.0,
+    };
+    coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge + KINK * line.kink
+}
+
+/// See [`UNSEEN`].
+fn unseen(line: &HeaviestLine) -> f64 {
+    let row = &line.line.heaviest;
+    let a = (line.contact).map_or(row.half_width, |hertz| hertz.half_width);
+    UNSEEN * (row.middle_spacing() / (WELL * a)).ln().max(0.0)
+}
+
+/// Relative error of the largest consistent pressure of a strip: what the mean over a hat function
+/// takes off the peak, and what spacings that differ do.
+fn of_nodes(row: &StripRow, a: f64) -> f64 {
+    let [middle, edge] = [row.middle_spacing(), row.edge_spacing()].map(|h| (h / a).powi(2));
+    let uneven = AT_EDGE * (edge - middle).max(0.0) + MIDDLE * middle;
+    (1.0 - largest_mean(row, a)).hypot(uneven)
+}
+
+/// The largest mean of √(1 − x²/a²) over a node's hat function, as the nodes of the row stand.
+fn largest_mean(row: &StripRow, a: f64) -> f64 {
+    const POINTS: usize = 16;
+    let profile = |x: f64| (1.0 - (x / a).powi(2)).max(0.0).sqrt();
+    // From a node towards its neighbour: integrals of hat times profile, and of the hat.
+    let half = |node: f64, next: f64| {
+        let weights = (0..POINTS).map(|k| (k as f64 + 0.5) / POINTS as f64);
+        let sum: f64 = weights
+            .map(|t| (1.0 - t) * profile(node + t * (next - node)))
+            .sum();
+        let length = (next - node).abs();
+        (sum * length / POINTS as f64, 0.5 * length)
+    };
+    let nodes = &row.nodes;
+    let mean = |k: usize| {
+        let (node, _) = nodes[k];
+        let sides = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
+        let halves = sides
+            .filter_map(|n| nodes.get(n))
+            .map(|(next, _)| half(node, *next));
+        let (sum, weight) = halves.fold((0.0, 0.0), |s, h| (s.0 + h.0, s.1 + h.1));
+        if weight > 0.0 { sum / weight } else { 0.0 }
+    };
+    (0..nodes.len())
+        .map(mean)
+        .fold(0.0, f64::max)
+        .max(f64::MIN_POSITIVE)
+}
+
+/// By how much the pressure falls from its peak to the neighbours of that node, in the mean.
+fn fall(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let Some(surface) = carrier(scene, pair) else {
+        return 1.0;
+    };
+    let top =
+        (0..field.nodes.len()).max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]));
+    let Some(top) = top else { return 1.0 };
+    let node = field.nodes[top];
+    let mut beside = BTreeSet::new();
+    for face in &surface.faces {
+        for side in 0..4 {
+            match [face.nodes[side], face.nodes[(side + 1) % 4]] {
+                [a, b] if a == node => beside.insert(b),
+                [a, b] if b == node => beside.insert(a),
+                _ => false,
+            };
+        }
+    }
+    let values = beside
+        .iter()
+        .filter_map(|n| field.nodes.binary_search(n).ok());
+    let values: Vec<f64> = values.map(|i| field.pressure[i]).collect();
+    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    1.0 - mean / field.pressure[top]
+}
+
+/// Area of the nodes in contact next to one that is not, and of those, modelled part.
+fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let Some(surface) = carrier(scene, pair) else {
+        return 0.0;
+    };
+    let index = |node: u32| field.nodes.binary_search(&node).ok();
+    let mut rim = BTreeSet::new();
+    for face in &surface.faces {
+        for side in 0..4 {
+            let ends = [face.nodes[side], face.nodes[(side + 1) % 4]].map(index);
+            let [Some(a), Some(b)] = ends else { continue };
+            if field.is_active(a) != field.is_active(b) {
+                rim.extend([a, b]);
+            }
+        }
+    }
+    rim.iter().map(|i| field.area[*i]).sum()
+}

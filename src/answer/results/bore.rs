@@ -1,0 +1,281 @@
+//! Mises stress on the inner wall of a hollow roller, recovered from the strain of its surface.
+//!
+//! Nodal averages read 6 to 18 % low on the bore with six elements through the wall; the strain
+//! along the bore's edges with zero radial stress is good to 1 % with twelve.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::load::{direction, face_corners};
+use super::quad::{area_vector, corner, derivatives};
+use super::recovery::Recovered;
+use crate::ground::geometry::{cross, dot, norm, sub};
+use crate::model::mesh::Surface;
+use crate::model::scene::Scene;
+use crate::model::state::State;
+
+/// The bore of a hollow roller.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bore {
+    /// Name of the roller's body.
+    pub body: String,
+    /// Name of the surface that is its inner wall.
+    pub surface: String,
+    /// The axis (0, 1, 2) that the roller lies along.
+    pub axis: usize,
+}
+
+/// What the bore says; `None` where it cannot be said.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct BoreStress {
+    /// Largest Mises stress under the load lines, from the surface strain with zero radial
+    /// stress. `None` where the wall has yielded there, since Hooke's law no longer holds.
+    pub mises: Option<f64>,
+    pub mises_at: Option<[f64; 3]>,
+    /// Depth of the elements there over the radius of the bore.
+    pub coarseness: f64,
+    /// Largest nodal Mises stress on the bore.
+    pub nodal: Option<f64>,
+    pub nodal_at: Option<[f64; 3]>,
+}
+
+/// Nodes this close to a load line, as an angle about the roller's axis, are under it: wide
+/// enough for the two lines of a V, and narrow against the bending of a ring.
+const UNDER_LOAD: f64 = 5.0;
+
+/// Reads the bore; `None` where the mesh lacks the body or the surface.
+pub fn bore_stress(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    bore: &Bore,
+) -> Option<BoreStress> {
+    let mesh = &scene.mesh;
+    let body = mesh.body(&bore.body)?;
+    let surface = mesh.surface(&bore.surface)?;
+    let mut stress = BoreStress::default();
+    let nodes = surface.nodes();
+    for (point, node) in recovered.points.node.iter().enumerate() {
+        let here = recovered.points.body_of(point) == Some(body);
+        let value = recovered.mises_nodal[point];
+        if here && nodes.binary_search(node).is_ok() && stress.nodal.is_none_or(|n| value > n) {
+            stress.nodal = Some(value);
+            stress.nodal_at = Some(mesh.points[*node as usize]);
+        }
+    }
+    if let Some(peak) = under_load(scene, state, surface, body, bore.axis) {
+        stress.mises = Some(peak.value);
+        stress.mises_at = Some(mesh.points[peak.node as usize]);
+        stress.coarseness = peak.coarseness;
+    }
+    Some(stress)
+}
+
+/// The largest surface Mises stress under the load lines.
+struct SurfacePeak {
+    value: f64,
+    node: u32,
+    /// See [`BoreStress::coarseness`].
+    coarseness: f64,
+}
+
+/// The largest surface Mises stress at the nodes under the load lines; `None` where an element beside one
+/// of them has yielded.
+fn under_load(
+    scene: &Scene,
+    state: &State,
+    surface: &Surface,
+    body: usize,
+    axis: usize,
+) -> Option<SurfacePeak> {
+    let nodes = surface.nodes();
+    let angles = angles_from_load(scene, &nodes, axis)?;
+    let nearest = angles.iter().copied().fold(f64::INFINITY, f64::min);
+    let reach = (nearest + 1e-6).max(UNDER_LOAD.to_radians());
+    let strains = surface_strains(scene, state, surface, axis);
+    let steel = scene.materials.get(body)?;
+    let mises = |s: &SurfaceStrain| s.mises(steel.youngs_modulus, steel.poissons_ratio);
+    let mut best: Option<(f64, u32)> = None;
+    for (node, angle) in nodes.iter().zip(angles) {
+        let Some(strain) = strains.get(node).filter(|_| angle <= reach) else {
+            continue;
+        };
+        if strain.yielded {
+            return None;
+        }
+        let value = mises(strain);
+        if best.is_none_or(|(largest, _)| value > largest) {
+            best = Some((value, *node));
+        }
+    }
+    let (value, node) = best?;
+    Some(SurfacePeak {
+        value,
+        node,
+        coarseness: depth(scene, surface, node)? / radius(scene, &nodes, node, axis)?,
+    })
+}
+
+/// Depth of the elements below a node of a surface.
+fn depth(scene: &Scene, surface: &Surface, node: u32) -> Option<f64> {
+    let at = |n: u32| scene.mesh.points[n as usize];
+    let faces = surface.faces.iter().filter(|f| f.nodes.contains(&node));
+    let below = faces.flat_map(|face| {
+        let nodes = scene.mesh.hexes[face.element as usize];
+        nodes.into_iter().filter(|n| !face.nodes.contains(n))
+    });
+    let depths = below.map(|n| norm(sub(at(n), at(node))));
+    depths.reduce(f64::min)
+}
+
+/// Radius of the bore that these nodes lie on, at one of them.
+fn radius(scene: &Scene, nodes: &[u32], node: u32, axis: usize) -> Option<f64> {
+    let flat = flatten(axis)?;
+    let points = nodes.iter().map(|n| flat(scene.mesh.points[*n as usize]));
+    let [u, v] = circle_centre(&points.collect::<Vec<_>>())?;
+    let [x, y] = flat(scene.mesh.points[node as usize]);
+    Some((x - u).hypot(y - v))
+}
+
+/// The plane across an axis.
+fn flatten(axis: usize) -> Option<impl Fn([f64; 3]) -> [f64; 2]> {
+    let [u, v] = match axis {
+        0 => [1, 2],
+        1 => [2, 0],
+        2 => [0, 1],
+        _ => return None,
+    };
+    Some(move |p: [f64; 3]| [p[u], p[v]])
+}
+
+/// Angle about the roller's axis between each node and the nearer of the two load lines.
+fn angles_from_load(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Vec<f64>> {
+    let flat = flatten(axis)?;
+    let points: Vec<[f64; 2]> = nodes
+        .iter()
+        .map(|n| flat(scene.mesh.points[*n as usize]))
+        .collect();
+    let centre = circle_centre(&points)?;
+    let along = flat(direction(scene));
+    let angle = |p: &[f64; 2]| {
+        let (u, v) = (p[0] - centre[0], p[1] - centre[1]);
+        let (sine, cosine) = (along[0] * v - along[1] * u, along[0] * u + along[1] * v);
+        sine.abs().atan2(cosine.abs())
+    };
+    Some(points.iter().map(angle).collect())
+}
+
+/// Centre of the circle that fits `points` best: least squares on |p|² = 2 c·p + k.
+pub(super) fn circle_centre(points: &[[f64; 2]]) -> Option<[f64; 2]> {
+    // Shifted to a point of the set, so that a roller far off the origin fits as well.
+    let [u0, v0] = *points.first()?;
+    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for [u, v] in points {
+        let row = Vector3::new(u - u0, v - v0, 1.0);
+        matrix += row * row.transpose();
+        right += row * (row.x * row.x + row.y * row.y);
+    }
+    let solution = matrix.lu().solve(&right)?;
+    let centre = [u0 + 0.5 * solution.x, v0 + 0.5 * solution.y];
+    centre.iter().all(|c| c.is_finite()).then_some(centre)
+}
+
+/// Strain in the tangent plane of the bore at a node.
+#[derive(Debug, Clone, Copy, Default)]
+struct SurfaceStrain {
+    tangential: f64,
+    axial: f64,
+    /// Half the engineering shear strain.
+    shear: f64,
+    faces: f64,
+    yielded: bool,
+}
+
+impl SurfaceStrain {
+    /// Mises stress by Hooke's law with zero stress normal to the surface.
+    fn mises(&self, young: f64, poisson: f64) -> f64 {
+        let plane = young / (1.0 - poisson * poisson);
+        let tangential = plane * (self.tangential + poisson * self.axial);
+        let axial = plane * (self.axial + poisson * self.tangential);
+        let shear = young / (1.0 + poisson) * self.shear;
+        let normal = tangential * tangential - tangential * axial + axial * axial;
+        (normal + 3.0 * shear * shear).sqrt()
+    }
+}
+
+/// Surface strain at each node: in each face beside it taken at its corner, where the tangential
+/// and axial strains are those of the face's two edges, then averaged over the faces.
+fn surface_strains(
+    scene: &Scene,
+    state: &State,
+    surface: &Surface,
+    axis: usize,
+) -> BTreeMap<u32, SurfaceStrain> {
+    let mut strains: BTreeMap<u32, SurfaceStrain> = BTreeMap::new();
+    for face in &surface.faces {
+        let corners = face_corners(&scene.mesh, face.nodes);
+        let moved = face.nodes.map(|n| state.displacement[n as usize]);
+        let yielded = state
+            .peeq_of(face.element as usize)
+            .iter()
+            .any(|p| *p > 0.0);
+        for (i, node) in face.nodes.iter().enumerate() {
+            let [tangential, axial, shear] = corner_strain(&corners, &moved, i, axis);
+            let sum = strains.entry(*node).or_default();
+            sum.tangential += tangential;
+            sum.axial += axial;
+            sum.shear += shear;
+            sum.faces += 1.0;
+            sum.yielded |= yielded;
+        }
+    }
+    for (node, sum) in &mut strains {
+        sum.tangential /= sum.faces;
+        sum.axial /= sum.faces;
+        sum.shear /= sum.faces;
+        // The mirrored faces bring the opposite shear.
+        let at = &scene.mesh.points[*node as usize];
+        if scene.mirrors_through(at).next().is_some() {
+            sum.shear = 0.0;
+        }
+    }
+    strains
+}
+
+/// Tangential, axial and shear strain at corner `i` of a face; zero on a degenerate face.
+fn corner_strain(
+    corners: &[[f64; 3]; 4],
+    moved: &[[f64; 3]; 4],
+    i: usize,
+    axis: usize,
+) -> [f64; 3] {
+    let tangents = derivatives(corner(i), corners);
+    let changes = derivatives(corner(i), moved);
+    let normal = cross(tangents[0], tangents[1]);
+    let normal = if norm(normal) > 0.0 {
+        normal
+    } else {
+        area_vector(corners)
+    };
+    let unit = |v: [f64; 3]| v.map(|x| x / norm(v));
+    let normal = unit(normal);
+    let mut along = [0.0; 3];
+    along[axis] = 1.0;
+    let inward = dot(along, normal);
+    let axial = unit(sub(along, normal.map(|n| n * inward)));
+    let frame = [cross(axial, normal), axial];
+    // Components of the face's own directions in the frame, inverted to differentiate along it.
+    let [[a, b], [c, d]] = tangents.map(|t| frame.map(|f| dot(t, f)));
+    let determinant = a * d - b * c;
+    if determinant == 0.0 || !determinant.is_finite() {
+        return [0.0; 3];
+    }
+    let slopes = |f: [f64; 3]| {
+        let (u, v) = (dot(changes[0], f), dot(changes[1], f));
+        [(d * u - b * v) / determinant, (a * v - c * u) / determinant]
+    };
+    let [tt, ta] = slopes(frame[0]);
+    let [at, aa] = slopes(frame[1]);
+    [tt, aa, 0.5 * (ta + at)]
+}

@@ -1,0 +1,335 @@
+//! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
+
+use super::edges::carrier;
+use super::load::direction;
+use crate::ground::geometry::{norm, sub};
+use crate::model::scene::Scene;
+use crate::model::state::State;
+use std::ops::Range;
+
+/// One line of contact along a carrier surface whose nodes stand in rows across it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactLine {
+    /// Where it runs: the mean of the coordinate across, weighted by force.
+    pub across: f64,
+    /// Coordinates of the rows along the surface, ascending.
+    pub at: Vec<f64>,
+    /// Force normal to the surface per length at each row, of the whole line where a mirror plane
+    /// cuts it; zero where it has lifted off.
+    pub load: Vec<f64>,
+    /// Length over which it carries and length over which it does not, in the whole.
+    pub length: f64,
+    pub lifted_off: f64,
+    /// How many such lines there are in the whole: mirror planes that do not cut it double it.
+    pub images: usize,
+    /// The row that carries most per length.
+    pub heaviest: StripRow,
+}
+
+/// The row of nodes across a line where it carries most.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StripRow {
+    /// Its index among the rows of the line, and the coordinate along.
+    pub row: usize,
+    pub at: f64,
+    /// Distance of its nodes along the surface from the centre of pressure, ascending, and the
+    /// coefficients of their hat functions: from the open node on one side to that on the other, or
+    /// from the mirror plane that cuts the strip.
+    pub nodes: Vec<(f64, f64)>,
+    /// The centre of pressure, on the undeformed carrier.
+    pub centre: [f64; 3],
+    /// Does a mirror plane cut it?
+    pub mirrored: bool,
+    /// Half-width 2 sqrt(∫ p x² / ∫ p), p = Σ c N.
+    pub half_width: f64,
+}
+
+impl StripRow {
+    /// Distance between the last node in contact and the first open one, the larger of both sides:
+    /// the edge of the strip lies anywhere between them.
+    pub fn edge_spacing(&self) -> f64 {
+        let gaps = self
+            .nodes
+            .windows(2)
+            .filter(|w| (w[0].1 == 0.0) != (w[1].1 == 0.0));
+        let widest = gaps.map(|w| w[1].0 - w[0].0).fold(0.0, f64::max);
+        // All nodes press: to the end of the surface.
+        if widest > 0.0 {
+            widest
+        } else {
+            self.middle_spacing()
+        }
+    }
+
+    /// The larger of both.
+    pub fn spacing(&self) -> f64 {
+        self.middle_spacing().max(self.edge_spacing())
+    }
+
+    /// The larger distance from the node next to the centre to its neighbours.
+    pub fn middle_spacing(&self) -> f64 {
+        let middle = (0..self.nodes.len()).min_by(|a, b| {
+            let off = |i: &usize| self.nodes[*i].0.abs();
+            off(a).total_cmp(&off(b))
+        });
+        let Some(middle) = middle else { return 0.0 };
+        let apart = |a: usize, b: usize| match (self.nodes.get(a), self.nodes.get(b)) {
+            (Some(a), Some(b)) => b.0 - a.0,
+            _ => 0.0,
+        };
+        apart(middle.wrapping_sub(1), middle).max(apart(middle, middle + 1))
+    }
+}
+
+impl ContactLine {
+    /// The largest load per length and where it is; `None` where nothing is carried.
+    pub fn peak(&self) -> Option<(f64, f64)> {
+        let rows = self.load.iter().copied().zip(self.at.iter().copied());
+        rows.filter(|(load, _)| *load > 0.0)
+            .reduce(|most, row| if row.0 > most.0 { row } else { most })
+    }
+
+    /// How many rows in the whole one row of the modelled part stands for.
+    pub fn length_share(&self) -> f64 {
+        match (self.at.first(), self.at.last()) {
+            (Some(first), Some(last)) if last > first => {
+                (self.length + self.lifted_off) / (last - first)
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// Load per length, spread evenly over the whole length of the carrier.
+    pub fn mean(&self) -> f64 {
+        let rows = || self.at.windows(2).zip(self.load.windows(2));
+        let force: f64 = rows()
+            .map(|(at, q)| 0.5 * (q[0] + q[1]) * (at[1] - at[0]))
+            .sum();
+        match (self.at.first(), self.at.last()) {
+            (Some(first), Some(last)) if last > first => force / (last - first),
+            _ => 0.0,
+        }
+    }
+}
+
+/// Adjacent nodes of a row that press.
+struct Run {
+    row: usize,
+    /// Its nodes, among the members of the row.
+    nodes: Range<usize>,
+    /// Mean coordinate across, and the width that the run stands for.
+    across: f64,
+    width: f64,
+    force: f64,
+    /// Does it reach a mirror plane?
+    mirrored: bool,
+}
+
+/// The lines of contact pair `pair` along `axis`, by their place across; empty where the carrier's
+/// nodes do not stand in rows (a row has three nodes or more) or nothing presses.
+pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> Vec<ContactLine> {
+    let Some(rows) = Rows::new(scene, state, pair, axis) else {
+        return Vec::new();
+    };
+    let mut runs = rows.runs(scene, state, pair);
+    runs.sort_by(|a, b| a.across.total_cmp(&b.across));
+    let mut lines: Vec<Vec<Run>> = Vec::new();
+    for run in runs {
+        let last = lines.last().and_then(|line| line.last());
+        let joins = last.is_some_and(|l| 2.0 * (run.across - l.across) <= run.width + l.width);
+        match lines.last_mut().filter(|_| joins) {
+            Some(line) => line.push(run),
+            None => lines.push(vec![run]),
+        }
+    }
+    (lines.iter())
+        .map(|runs| rows.line(scene, state, pair, runs))
+        .collect()
+}
+
+/// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
+/// the load.
+pub(super) fn across(scene: &Scene, axis: usize) -> Option<usize> {
+    let load = direction(scene).map(f64::abs);
+    let facing = (0..3).max_by(|a, b| load[*a].total_cmp(&load[*b]))?;
+    (0..3).find(|i| *i != axis && *i != facing && axis != facing)
+}
+
+/// The nodes of a carrier surface in rows.
+struct Rows {
+    axis: usize,
+    across: usize,
+    /// Coordinate along the axis of each row, and the length that it stands for.
+    at: Vec<f64>,
+    length: Vec<f64>,
+    /// Places in the contact field of the nodes of each row that face the other side, by their
+    /// coordinate across.
+    members: Vec<Vec<usize>>,
+    /// Coordinates that differ by no more are the same.
+    same: f64,
+}
+
+impl Rows {
+    fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
+        const FEWEST: usize = 3;
+        carrier(scene, pair)?;
+        let across = across(scene, axis)?;
+        let field = state.contacts.get(pair)?;
+        let nodes = &field.nodes;
+        let point = |i: usize| scene.mesh.points[nodes[i] as usize];
+        let mut order: Vec<usize> = (0..nodes.len()).collect();
+        order.sort_by(|a, b| point(*a)[axis].total_cmp(&point(*b)[axis]));
+        let (first, last) = (point(*order.first()?)[axis], point(*order.last()?)[axis]);
+        let same = 1e-6 * (last - first);
+        let (mut at, mut members): (Vec<f64>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());
+        for i in order {
+            let here = point(i)[axis];
+            match members.last_mut() {
+                Some(row) if at.last().is_some_and(|a| here - a <= same) => row.push(i),
+                _ => {
+                    at.push(here);
+                    members.push(vec![i]);
+                }
+            }
+        }
+        if at.len() < 2 || members.iter().any(|row| row.len() < FEWEST) {
+            return None;
+        }
+        for row in &mut members {
+            // A roller's surface goes all the way round.
+            row.retain(|i| field.gap[*i].is_finite());
+            row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
+        }
+        let middle = |i: usize| 0.5 * (at[i] + at[i + 1]);
+        let end = at.len() - 1;
+        let length = (0..=end)
+            .map(|i| {
+                let low = if i == 0 { at[0] } else { middle(i - 1) };
+                let high = if i == end { at[end] } else { middle(i) };
+                high - low
+            })
+            .collect();
+        Some(Self {
+            axis,
+            across,
+            at,
+            length,
+            members,
+            same,
+        })
+    }
+
+    fn runs(&self, scene: &Scene, state: &State, pair: usize) -> Vec<Run> {
+        let field = &state.contacts[pair];
+        let across = |i: usize| scene.mesh.points[field.nodes[i] as usize][self.across];
+        let mirrored = scene.mirrors.contains(&self.across);
+        let mut runs = Vec::new();
+        for (row, members) in self.members.iter().enumerate() {
+            let presses = |k: &usize| field.is_active(members[*k]);
+            let mut next = 0;
+            while let Some(first) = (next..members.len()).find(presses) {
+                let after = (first..members.len()).find(|k| !presses(k));
+                let after = after.unwrap_or(members.len());
+                let run = &members[first..after];
+                let force = |i: &usize| field.multiplier[*i] * field.area[*i];
+                let total: f64 = run.iter().map(force).sum();
+                let area: f64 = run.iter().map(|i| field.area[*i]).sum();
+                let moment: f64 = run.iter().map(|i| force(i) * across(*i)).sum();
+                let cut = mirrored && across(run[0]).abs() <= self.same;
+                runs.push(Run {
+                    row,
+                    nodes: first..after,
+                    across: if cut { 0.0 } else { moment / total },
+                    width: area / self.length[row],
+                    force: if cut { 2.0 * total } else { total },
+                    mirrored: cut,
+                });
+                next = after;
+            }
+        }
+        runs
+    }
+
+    /// The nodes of a run, and the open ones on either side, at which the pressure falls to zero.
+    fn strip(&self, scene: &Scene, state: &State, pair: usize, run: &Run) -> StripRow {
+        let field = &state.contacts[pair];
+        let members = &self.members[run.row];
+        let from = run.nodes.start.saturating_sub(1);
+        let to = (run.nodes.end + 1).min(members.len());
+        let mut arc = 0.0;
+        let mut before: Option<[f64; 3]> = None;
+        let mut places = Vec::new();
+        let mut nodes = Vec::new();
+        for i in &members[from..to] {
+            let at = scene.mesh.points[field.nodes[*i] as usize];
+            arc += before.map_or(0.0, |before| norm(sub(at, before)));
+            before = Some(at);
+            places.push(at);
+            nodes.push((arc, field.multiplier[*i].max(0.0)));
+        }
+        let mut moments = [0.0; 3];
+        for pair in nodes.windows(2) {
+            let ((a, p), (b, q)) = (pair[0], pair[1]);
+            let (middle, mean) = (0.5 * (a + b), 0.5 * (p + q));
+            // Simpson's rule is exact up to the third power.
+            for (power, moment) in (0..).zip(&mut moments) {
+                let of = |p: f64, x: f64| p * f64::powi(x, power);
+                *moment += (b - a) / 6.0 * (of(p, a) + 4.0 * of(mean, middle) + of(q, b));
+            }
+        }
+        let [force, first, second] = moments;
+        let centre = match run.mirrored || force <= 0.0 {
+            true => 0.0,
+            false => first / force,
+        };
+        let next = nodes
+            .partition_point(|(s, _)| *s < centre)
+            .max(1)
+            .min(nodes.len() - 1);
+        let share = match nodes.get(next) {
+            Some(end) if nodes.len() > 1 => {
+                (centre - nodes[next - 1].0) / (end.0 - nodes[next - 1].0)
+            }
+            _ => 0.0,
+        };
+        let (low, high) = (places[next.saturating_sub(1)], places[next]);
+        StripRow {
+            row: run.row,
+            at: self.at[run.row],
+            half_width: 2.0 * (second / force - centre * centre).max(0.0).sqrt(),
+            centre: [0, 1, 2].map(|k| low[k] + share * (high[k] - low[k])),
+            nodes: nodes.iter().map(|(s, c)| (s - centre, *c)).collect(),
+            mirrored: run.mirrored,
+        }
+    }
+
+    fn line(&self, scene: &Scene, state: &State, pair: usize, runs: &[Run]) -> ContactLine {
+        let mut load = vec![0.0; self.at.len()];
+        for run in runs {
+            load[run.row] += run.force / self.length[run.row];
+        }
+        let heaviest = runs.iter().reduce(|most, run| {
+            let per_length = |run: &Run| run.force / self.length[run.row];
+            if per_length(run) > per_length(most) {
+                run
+            } else {
+                most
+            }
+        });
+        let heaviest = heaviest.map(|run| self.strip(scene, state, pair, run));
+        let total: f64 = runs.iter().map(|r| r.force).sum();
+        let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
+        let length: f64 = carries.map(|(_, length)| length).sum();
+        let doubled = |axis: usize| if scene.mirrors.contains(&axis) { 2 } else { 1 };
+        let cut = runs.iter().any(|r| r.mirrored);
+        ContactLine {
+            across: runs.iter().map(|r| r.force * r.across).sum::<f64>() / total,
+            at: self.at.clone(),
+            load,
+            length: length * doubled(self.axis) as f64,
+            lifted_off: (self.length.iter().sum::<f64>() - length) * doubled(self.axis) as f64,
+            images: if cut { 1 } else { doubled(self.across) },
+            heaviest: heaviest.unwrap_or_default(),
+        }
+    }
+}

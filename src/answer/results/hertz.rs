@@ -1,0 +1,259 @@
+//! Hertz's line contact under the largest load per length that a line of contact carries.
+//!
+//! A line load is known far better than the pressure that makes it: it follows from balance and from
+//! how the bodies bend, not from the few nodes across a strip. Where the strip is Hertzian the closed
+//! form turns it into the pressure.
+
+use super::bore::circle_centre;
+use super::contact_lines::{ContactLine, StripRow, across, contact_lines};
+use super::edges::LoadedEdges;
+use super::hex::{centre, diagonal, distance};
+use super::line_load::Slices;
+use crate::analytic::hertz::LineContact;
+use crate::ground::geometry::{dot, norm, sub};
+use crate::model::mesh::shape::fit;
+use crate::model::mesh::{Face, Mesh, Surface};
+use crate::model::scene::{ContactPair, Partner, Scene};
+use crate::model::state::State;
+
+/// The line of a pair that carries most per length, and what Hertz says of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeaviestLine {
+    pub line: ContactLine,
+    /// The axis along it.
+    pub axis: usize,
+    /// Its largest load per length.
+    pub line_load: f64,
+    /// Share by which that load stands out from the straight line between the rows beside it.
+    pub kink: f64,
+    /// Hertz's contact under that load, of bodies with the curvature that they have there; `None`
+    /// where a surface has no curvature that is known, or the two do not curve apart.
+    pub contact: Option<LineContact>,
+    /// Why the strip is not Hertz's, if it is not.
+    pub departs: Option<Departure>,
+}
+
+/// Why a strip is not Hertz's.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Departure {
+    /// It carries up to an edge of a surface.
+    LoadedEdge,
+    /// Steel flows below it.
+    Flow,
+    /// It is wider or narrower than its load makes it: lines that merge, or shapes that are no lines.
+    Width,
+    /// The load changes from row to row: the shape does, too.
+    Kink,
+}
+
+/// Lines whose middles are nearer than this share of both half-widths press as one. Two that just touch are each
+/// still Hertz's within the errors of a line load (`cases/coverage/solid-heavy.toml`).
+const MERGED: f64 = 0.9;
+
+impl HeaviestLine {
+    /// The line of contact pair `pair` that carries most; `None` where there are no lines.
+    pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
+        let axis = Slices::equal(scene, pair, 1)?.axis;
+        let lines = contact_lines(scene, state, pair, axis);
+        let loaded = lines.iter().filter_map(|line| Some((line.peak()?.0, line)));
+        let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mirrored = across(scene, axis).is_some_and(|across| scene.mirrors.contains(&across));
+        let apart = distance_to_the_next(line, &lines, mirrored);
+        let contact = scene.contacts.get(pair)?;
+        let row = &line.heaviest;
+        let hertz = line_contact(scene, contact, (axis, row), line_load);
+        let kink = kink(line, scene.mirrors.contains(&axis));
+        let departs = hertz.and_then(|hertz| {
+            if apart < MERGED * 2.0 * hertz.half_width {
+                return Some(Departure::Width);
+            }
+            departure(scene, state, (contact, edges), line, (&hertz, kink))
+        });
+        Some(Self {
+            line_load,
+            kink,
+            contact: hertz,
+            departs,
+            axis,
+            line: line.clone(),
+        })
+    }
+
+    /// Is it a line? Where it lifts off it has to be three times as long as it is wide: a patch that is
+    /// no longer is one of spheres.
+    pub fn is_long(&self) -> bool {
+        let line = &self.line;
+        line.lifted_off <= 0.0 || line.length > 6.0 * line.heaviest.half_width
+    }
+
+    /// Hertz's pressure under the largest line load; `None` where the strip is not Hertz's.
+    pub fn pressure(&self) -> Option<f64> {
+        let contact = self
+            .contact
+            .filter(|_| self.departs.is_none() && self.is_long())?;
+        Some(contact.peak_pressure)
+    }
+}
+
+/// From the middle of a line to that of the nearest one beside it, its own mirror image included.
+fn distance_to_the_next(line: &ContactLine, lines: &[ContactLine], mirrored: bool) -> f64 {
+    let others = lines.iter().filter(|other| other.across != line.across);
+    let images = lines.iter().filter(|_| mirrored).map(|other| -other.across);
+    let images = images.filter(|_| line.images > 1);
+    let beside = others.map(|other| other.across).chain(images);
+    beside
+        .map(|across| (across - line.across).abs())
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// By how much the largest load per length stands out, relative to itself.
+fn kink(line: &ContactLine, mirrored: bool) -> f64 {
+    let row = line.heaviest.row;
+    let (at, load) = (&line.at, &line.load);
+    let before = match row.checked_sub(1) {
+        Some(before) => Some((at[before], load[before])),
+        // Behind a mirror the next row stands once more.
+        None if mirrored && at.len() > 1 => Some((2.0 * at[0] - at[1], load[1])),
+        None => None,
+    };
+    let after = at
+        .get(row + 1)
+        .zip(load.get(row + 1))
+        .map(|(a, q)| (*a, *q));
+    let straight = match (before, after) {
+        (Some((a, p)), Some((b, q))) => p + (q - p) * (at[row] - a) / (b - a),
+        (Some((_, p)), None) | (None, Some((_, p))) => p,
+        (None, None) => return 0.0,
+    };
+    ((load[row] - straight) / load[row]).abs()
+}
+
+fn departure(
+    scene: &Scene,
+    state: &State,
+    (pair, edges): (&ContactPair, &LoadedEdges),
+    line: &ContactLine,
+    (hertz, kink): (&LineContact, f64),
+) -> Option<Departure> {
+    /// The largest shares by which width and load may be off.
+    const WIDTH: f64 = 0.15;
+    const KINK: f64 = 0.1;
+    let row = &line.heaviest;
+    let a = hertz.half_width;
+    if edges.are_near(&row.centre) {
+        return Some(Departure::LoadedEdge);
+    }
+    let spacing = row.edge_spacing() / a;
+    if (row.half_width / a - 1.0).abs() > WIDTH + 0.5 * spacing * spacing {
+        return Some(Departure::Width);
+    }
+    if kink > KINK {
+        return Some(Departure::Kink);
+    }
+    flows_below(scene, state, pair, (row.centre, a)).then_some(Departure::Flow)
+}
+
+/// Has either body yielded within three half-widths of the middle of the strip?
+fn flows_below(
+    scene: &Scene,
+    state: &State,
+    pair: &ContactPair,
+    (place, a): ([f64; 3], f64),
+) -> bool {
+    let mesh = &scene.mesh;
+    let sides = [&pair.upper, &pair.lower].into_iter();
+    let bodies = sides.filter_map(|side| mesh.bodies.get(side.body(mesh)?));
+    bodies.flat_map(|body| body.elements.clone()).any(|e| {
+        let flows = state.peeq_of(e).iter().any(|p| *p > 0.0);
+        flows && {
+            let corners = mesh.corners(e);
+            distance(centre(&corners), place) <= 3.0 * a + 0.5 * diagonal(&corners)
+        }
+    })
+}
+
+/// Hertz's contact of a pair along `axis` under the load per length `load`, with the curvature that its surfaces have
+/// at a row; `None` where that is not known, or they do not curve apart.
+pub fn line_contact(
+    scene: &Scene,
+    pair: &ContactPair,
+    (axis, row): (usize, &StripRow),
+    load: f64,
+) -> Option<LineContact> {
+    let radius = radius(scene, pair, axis, row)?;
+    LineContact::new(load, radius, scene.compliance(pair).ok()?).ok()
+}
+
+/// Relative radius of curvature of the two sides across `axis`, at a row of the strip.
+fn radius(scene: &Scene, pair: &ContactPair, axis: usize, row: &StripRow) -> Option<f64> {
+    let curvature = |side: &Partner| match side {
+        Partner::Plane { .. } => Some(0.0),
+        Partner::Surface(name) => curvature(&scene.mesh, scene.mesh.surface(name)?, axis, row),
+    };
+    let sum = curvature(&pair.upper)? + curvature(&pair.lower)?;
+    (sum > 0.0).then(|| 1.0 / sum)
+}
+
+/// Curvature of a surface across `axis`, convex positive: of the shape that its nodes lie on, of that of its
+/// nodes about the strip, as on one face of a V, or of the circle through its row of nodes next to the row.
+fn curvature(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Option<f64> {
+    const PARALLEL: f64 = 0.99;
+    let mut along = [0.0; 3];
+    *along.get_mut(axis)? = 1.0;
+    let of = |surface: &Surface| fit(mesh, surface).curvature(along, PARALLEL);
+    of(surface)
+        .or_else(|| of(&about(mesh, surface, axis, row)))
+        .or_else(|| row_curvature(mesh, surface, axis, row.at))
+}
+
+/// The faces of a surface that come as near to the line through the middle of a row along `axis` as three of its
+/// half-widths.
+fn about(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Surface {
+    let reach = 3.0 * row.half_width.max(row.middle_spacing());
+    let from_line = |corner: [f64; 3]| {
+        let mut arm = sub(corner, row.centre);
+        arm[axis] = 0.0;
+        norm(arm)
+    };
+    let near = |face: &&Face| {
+        face.corners(mesh)
+            .into_iter()
+            .any(|c| from_line(c) <= reach)
+    };
+    Surface {
+        name: surface.name.clone(),
+        faces: surface.faces.iter().filter(near).copied().collect(),
+    }
+}
+
+fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option<f64> {
+    /// Of the radius, how far nodes may be off the circle.
+    const OFF: f64 = 1e-3;
+    let nodes = surface.nodes();
+    let off = |n: &u32| (mesh.points[*n as usize][axis] - at).abs();
+    let nearest = nodes.iter().map(off).fold(f64::INFINITY, f64::min);
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let size = nodes.iter().map(off).fold(0.0, f64::max);
+    let row = nodes.iter().filter(|n| off(n) <= nearest + 1e-6 * size);
+    let points: Vec<[f64; 2]> = row
+        .map(|n| [u, v].map(|k| mesh.points[*n as usize][k]))
+        .collect();
+    let middle = circle_centre(&points)?;
+    let from = |p: &[f64; 2]| (p[0] - middle[0]).hypot(p[1] - middle[1]);
+    let radius = points.iter().map(from).sum::<f64>() / points.len() as f64;
+    let fits = points
+        .iter()
+        .all(|p| (from(p) - radius).abs() <= OFF * radius);
+    if !(fits && radius.is_finite() && points.len() > 3) {
+        return None;
+    }
+    // Convex where facets face away from the middle.
+    let outward = surface.faces.iter().map(|face| {
+        let corners = face.corners(mesh);
+        let normal = super::quad::area_vector(&corners);
+        let mut arm = [0.0; 3];
+        (arm[u], arm[v]) = (corners[0][u] - middle[0], corners[0][v] - middle[1]);
+        dot(normal, arm)
+    });
+    Some(outward.sum::<f64>().signum() / radius)
+}

@@ -1,0 +1,292 @@
+//! The applied load of a scene, and what a force on the modelled part is for the whole.
+
+use super::quad::{area, area_vector, integrate};
+use crate::ground::geometry::{add, dot, norm, scale};
+use crate::model::mesh::Mesh;
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Traction, TractionValue};
+use crate::model::state::{PlaneField, State};
+
+/// How many times the modelled part makes the whole: each mirror doubles.
+pub fn copies(scene: &Scene) -> f64 {
+    scene.mirrors.iter().fold(1.0, |copies, _| 2.0 * copies)
+}
+
+/// The force on the whole, from the force on the modelled part: each mirror doubles it, and
+/// cancels the component along the mirrored axis.
+pub fn whole(scene: &Scene, modelled: [f64; 3]) -> [f64; 3] {
+    let mut force = modelled.map(|f| f * copies(scene));
+    for &axis in scene.mirrors.iter().filter(|axis| **axis < 3) {
+        force[axis] = 0.0;
+    }
+    force
+}
+
+/// A force that a scene prescribes, at factor one: of a driven plane or a traction.
+struct Load<'s> {
+    name: &'s str,
+    /// On the modelled part.
+    force: [f64; 3],
+}
+
+/// The prescribed forces of a scene: of the planes, then of the tractions.
+fn loads(scene: &Scene) -> Vec<Load<'_>> {
+    let planes = scene.rigid_planes.iter().map(|plane| Load {
+        name: &plane.name,
+        force: plane.motion.map(|m| match m {
+            PlaneMotion::Driven(force) => force,
+            _ => 0.0,
+        }),
+    });
+    let tractions = scene.tractions.iter().map(|traction| Load {
+        name: &traction.name,
+        force: traction_force(scene, traction),
+    });
+    planes.chain(tractions).collect()
+}
+
+/// Total force of a traction on the modelled part.
+fn traction_force(scene: &Scene, traction: &Traction) -> [f64; 3] {
+    let surface = scene.mesh.surface(&traction.surface);
+    let faces = surface.into_iter().flat_map(|s| &s.faces);
+    faces.fold([0.0; 3], |sum, face| {
+        let corners = face_corners(&scene.mesh, face.nodes);
+        add(sum, face_force(&traction.value, &corners))
+    })
+}
+
+/// Total of the prescribed forces on the whole, each times `factor` of its name.
+fn driven(scene: &Scene, factor: impl Fn(&str) -> f64) -> [f64; 3] {
+    let forces = loads(scene).into_iter();
+    let sum = forces.fold([0.0; 3], |sum, load| {
+        add(sum, scale(load.force, factor(load.name)))
+    });
+    whole(scene, sum)
+}
+
+/// Total force of driven planes and tractions on the whole, every factor being one.
+pub fn full(scene: &Scene) -> [f64; 3] {
+    driven(scene, |_| 1.0)
+}
+
+/// Is there a prescribed force along each axis?
+fn driven_axes(scene: &Scene) -> [bool; 3] {
+    let mut axes = [false; 3];
+    for load in loads(scene) {
+        // Rounding leaves a little across a traction.
+        let noise = 1e-9 * norm(load.force);
+        (0..3).for_each(|i| axes[i] |= load.force[i].abs() > noise);
+    }
+    axes
+}
+
+/// Force of a plane along the axes along which it is moved, where `counts` holds; modelled part.
+fn moving_force(plane: &RigidPlane, field: &PlaneField, counts: [bool; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| match plane.motion[i] {
+        PlaneMotion::Held(u) if u != 0.0 && counts[i] => field.force[i],
+        _ => 0.0,
+    })
+}
+
+/// Sum of the prescribed motions of the planes, at factor one.
+fn held(scene: &Scene) -> [f64; 3] {
+    let planes = scene.rigid_planes.iter();
+    planes.fold([0.0; 3], |sum, plane| {
+        let moved = plane.motion.map(|m| match m {
+            PlaneMotion::Held(u) => u,
+            _ => 0.0,
+        });
+        add(sum, moved)
+    })
+}
+
+/// Unit vector along which the scene is loaded when every factor is one: of the resultant of driven
+/// planes and tractions, else of the prescribed motion of the planes, else straight down.
+pub fn direction(scene: &Scene) -> [f64; 3] {
+    let force = full(scene);
+    let along = if norm(force) > 0.0 {
+        force
+    } else {
+        held(scene)
+    };
+    let length = norm(along);
+    if length > 0.0 {
+        along.map(|x| x / length)
+    } else {
+        [0.0, 0.0, -1.0]
+    }
+}
+
+/// The axis next to the load.
+pub fn upright(scene: &Scene) -> usize {
+    let along = direction(scene).map(f64::abs);
+    (0..3)
+        .max_by(|a, b| along[*a].total_cmp(&along[*b]))
+        .unwrap_or(2)
+}
+
+/// The load that acts on the whole in `state`: the prescribed forces at that moment, and, along axes
+/// without any, the forces that moved planes exert.
+pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {
+    let prescribed = driven(scene, |name| scene.factor(name, state.step, state.time));
+    let others = driven_axes(scene).map(|driven| !driven);
+    let planes = scene.rigid_planes.iter().zip(&state.planes);
+    let moved = planes.fold([0.0; 3], |sum, (plane, field)| {
+        add(sum, moving_force(plane, field, others))
+    });
+    if moved == [0.0; 3] {
+        return prescribed;
+    }
+    let least = rounding(scene);
+    let moved = moved.map(|f| if f.abs() > least { f } else { 0.0 });
+    add(prescribed, whole(scene, moved))
+}
+
+/// Unit vector along the load that acts in `state`; where next to none does, or planes are moved
+/// along one axis only, that of [`direction`].
+pub fn along(scene: &Scene, state: &State) -> [f64; 3] {
+    let force = resultant(scene, state);
+    let size = norm(force);
+    match size > least(scene) {
+        true => force.map(|f| f / size),
+        false => direction(scene),
+    }
+}
+
+/// Size of a resultant that has a direction. Below it a reaction is what the residual leaves.
+fn least(scene: &Scene) -> f64 {
+    let prescribed = norm(full(scene));
+    if prescribed > 0.0 {
+        return 1e-6 * prescribed;
+    }
+    match held(scene).iter().filter(|u| **u != 0.0).count() {
+        // Against the motion it is negative: something pulls.
+        0 | 1 => f64::INFINITY,
+        _ => rounding(scene),
+    }
+}
+
+/// Below this a reaction is what rounding leaves: a trillionth of the force of a block as large as the
+/// model, strained by the motions over its length.
+fn rounding(scene: &Scene) -> f64 {
+    let stiffest = scene.materials.iter().map(|s| s.youngs_modulus);
+    let extent = (0..3).map(|axis| {
+        let at = || scene.mesh.points.iter().map(|p| p[axis]);
+        at().fold(f64::NEG_INFINITY, f64::max) - at().fold(f64::INFINITY, f64::min)
+    });
+    let motions = scene.rigid_planes.iter().flat_map(|plane| plane.motion);
+    let motion = motions.map(|m| match m {
+        PlaneMotion::Held(u) => u.abs(),
+        _ => 0.0,
+    });
+    let size = stiffest.fold(0.0, f64::max) * motion.sum::<f64>() * extent.fold(0.0, f64::max);
+    1e-12 * size
+}
+
+/// Load on the whole in `state`: the size of [`resultant`], by its component along [`along`].
+pub fn applied(scene: &Scene, state: &State) -> f64 {
+    dot(resultant(scene, state), along(scene, state))
+}
+
+/// Travel along [`along`] of what loads the scene: of the rigid plane that is driven or moved. Where
+/// several load it, or planes and tractions do, the work of the forces that act on these travels over
+/// the load. Under tractions alone, of their surfaces, weighted by the tractions. `None` where nothing
+/// loads the scene.
+pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
+    let along = along(scene, state);
+    let loads = |m: &PlaneMotion| match m {
+        PlaneMotion::Driven(x) | PlaneMotion::Held(x) => *x != 0.0,
+        PlaneMotion::Free => false,
+    };
+    let planes = scene.rigid_planes.iter().zip(&state.planes);
+    let mut planes = planes.filter(|(plane, _)| plane.motion.iter().any(loads));
+    let Some((_, first)) = planes.next() else {
+        return travel_of_tractions(scene, state, along);
+    };
+    let first = dot(first.travel, along);
+    if scene.tractions.is_empty() && planes.next().is_none() {
+        return Some(first);
+    }
+    let size = norm(resultant(scene, state));
+    Some(match size.is_finite() && size > 0.0 {
+        true => work(scene, state) / size,
+        false => first,
+    })
+}
+
+/// Work of the forces that act in `state`, as they are now, on the travels of what they act on; of the
+/// whole. A traction acts by its resultant on the mean of its surface.
+fn work(scene: &Scene, state: &State) -> f64 {
+    let now = |name: &str| scene.factor(name, state.step, state.time);
+    let others = driven_axes(scene).map(|driven| !driven);
+    let loads = loads(scene);
+    let (of_planes, of_tractions) = loads.split_at(scene.rigid_planes.len());
+    let mut work = 0.0;
+    for ((plane, field), load) in (scene.rigid_planes.iter().zip(&state.planes)).zip(of_planes) {
+        let force = add(
+            scale(load.force, now(load.name)),
+            moving_force(plane, field, others),
+        );
+        work += dot(whole(scene, force), field.travel);
+    }
+    for (traction, load) in scene.tractions.iter().zip(of_tractions) {
+        let force = whole(scene, scale(load.force, now(load.name)));
+        work += dot(force, mean_travel(scene, state, traction));
+    }
+    work
+}
+
+/// Mean displacement of the surface of a traction.
+fn mean_travel(scene: &Scene, state: &State, traction: &Traction) -> [f64; 3] {
+    let (mut sum, mut total) = ([0.0; 3], 0.0);
+    let surface = scene.mesh.surface(&traction.surface);
+    for face in surface.into_iter().flat_map(|s| &s.faces) {
+        let corners = face_corners(&scene.mesh, face.nodes);
+        let moved = face.nodes.map(|n| state.displacement[n as usize]);
+        integrate(&corners, |shape, weight| {
+            let here = shape.iter().zip(moved);
+            let here = here.fold([0.0; 3], |u, (n, at)| add(u, scale(at, *n)));
+            sum = add(sum, scale(here, weight));
+            total += weight;
+        });
+    }
+    sum.map(|u| if total > 0.0 { u / total } else { 0.0 })
+}
+
+/// Displacement along `along`, averaged over the surfaces under traction with its component along
+/// it as weight.
+fn travel_of_tractions(scene: &Scene, state: &State, along: [f64; 3]) -> Option<f64> {
+    let (mut work, mut load) = (0.0, 0.0);
+    let now = |name: &str| scene.factor(name, state.step, state.time);
+    // With all of the load taken off, its surfaces count as under all of it.
+    let none = scene.tractions.iter().all(|t| now(&t.name) == 0.0);
+    for traction in &scene.tractions {
+        let factor = if none { 1.0 } else { now(&traction.name) };
+        let surface = scene.mesh.surface(&traction.surface)?;
+        for face in &surface.faces {
+            let corners = face_corners(&scene.mesh, face.nodes);
+            let moved = face
+                .nodes
+                .map(|n| dot(state.displacement[n as usize], along));
+            let force = factor * dot(face_force(&traction.value, &corners), along);
+            integrate(&corners, |shape, weight| {
+                let travel: f64 = shape.iter().zip(moved).map(|(n, u)| n * u).sum();
+                work += force / area(&corners) * travel * weight;
+            });
+            load += force;
+        }
+    }
+    (load > 0.0).then(|| work / load)
+}
+
+/// Force of a traction on a face.
+fn face_force(traction: &TractionValue, corners: &[[f64; 3]; 4]) -> [f64; 3] {
+    match traction {
+        TractionValue::Pressure(p) => area_vector(corners).map(|a| -p * a),
+        TractionValue::Vector(t) => t.map(|t| t * area(corners)),
+    }
+}
+
+/// Corner coordinates of a face.
+pub(super) fn face_corners(mesh: &Mesh, nodes: [u32; 4]) -> [[f64; 3]; 4] {
+    nodes.map(|n| mesh.points[n as usize])
+}

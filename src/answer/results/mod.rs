@@ -1,0 +1,25 @@
+//! Fields of a solved scene, and the fields and scalars recovered from them.
+//!
+//! Everything here reads a [`Scene`](crate::model::scene::Scene) and a converged [`State`]; nothing here
+//! knows how the state was found or where the figures go.
+
+pub mod balance;
+pub mod bore;
+pub mod contact_lines;
+pub mod dent;
+pub mod depth;
+pub mod edges;
+pub mod ending;
+pub mod fillet;
+pub mod hertz;
+pub mod hex;
+pub mod interface;
+pub mod line_load;
+pub mod load;
+pub mod peaks;
+pub mod quad;
+pub mod recovery;
+pub mod strain;
+pub mod strip;
+pub mod strip_profile;
+pub mod tensor;

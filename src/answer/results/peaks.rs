@@ -1,0 +1,170 @@
+//! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
+
+use super::edges::LoadedEdges;
+use super::hex::{GaussRule, centre};
+use super::load::copies;
+use super::recovery::Recovered;
+use super::tensor::mises;
+use crate::model::mesh::Body;
+use crate::model::scene::Scene;
+use crate::model::state::State;
+
+/// What a peak was read from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The centre of an element.
+    Element(usize),
+    /// An integration point of an element.
+    IntegrationPoint { element: usize, point: usize },
+    /// A node of the mesh.
+    Node(usize),
+}
+
+/// A largest value and where it is. Of equal values the one with the lowest index counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    pub value: f64,
+    pub place: Place,
+    /// Undeformed coordinates of the place.
+    pub at: [f64; 3],
+}
+
+/// The peaks of one body; `None` for a body without elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyPeaks {
+    pub name: String,
+    /// Mises stress of the mean stress tensor of an element.
+    pub centroid: Option<Peak>,
+    /// Mises stress at an integration point.
+    pub integration_point: Option<Peak>,
+    /// Mises stress of the nodal average.
+    pub nodal: Option<Peak>,
+    /// Where the nodal peak lies beside a loaded edge, or a larger one may be hidden there: that and the centroid
+    /// peak of what does not.
+    pub away: Option<[Peak; 2]>,
+    /// Largest equivalent plastic strain at an integration point.
+    pub peeq_max: f64,
+    /// Mean of the equivalent plastic strain in the element that holds the largest.
+    pub peeq_mean: f64,
+    /// Volume of the integration points that have yielded, in the whole body.
+    pub yielded_volume: f64,
+    /// Volume of the whole body.
+    pub volume: f64,
+}
+
+/// The index of the largest value; of equal values the first. Passes over what is not a number.
+fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)> {
+    let mut best: Option<(usize, f64)> = None;
+    for (index, value) in values {
+        if !value.is_nan() && best.is_none_or(|(_, largest)| value > largest) {
+            best = Some((index, value));
+        }
+    }
+    best
+}
+
+/// Finds the peaks of every body, in the order of the mesh.
+pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPeaks> {
+    let mesh = &scene.mesh;
+    let rule = GaussRule::new();
+    let copies = copies(scene);
+    let edges = LoadedEdges::find(scene, state);
+    let nodal = nodal_peaks(scene, recovered, |_| true);
+    let far = |at: &[f64; 3]| !edges.are_near(at);
+    // Few scenes have a peak at an edge, and then it is worth a second look.
+    let is_at_edge = |(body, peak): (usize, &Option<Peak>)| {
+        peak.is_some_and(|p| edges.are_near(&p.at) || edges.unseen_mises(scene, body) > p.value)
+    };
+    let at_edge: Vec<bool> = nodal.iter().enumerate().map(is_at_edge).collect();
+    let away = match at_edge.contains(&true) {
+        true => nodal_peaks(scene, recovered, far),
+        false => vec![None; nodal.len()],
+    };
+    let centroid_peak = |body: &Body, counts: &dyn Fn(&[f64; 3]) -> bool| {
+        let elements = body.elements.clone();
+        let counted = elements.filter(|e| counts(&centre(&mesh.corners(*e))));
+        let values = counted.map(|e| (e, recovered.mises_mean[e]));
+        first_largest(values).map(|(element, value)| Peak {
+            value,
+            place: Place::Element(element),
+            at: centre(&mesh.corners(element)),
+        })
+    };
+    let body_peaks = |(index, body): (usize, &Body)| {
+        let nodal = nodal[index];
+        let elements = body.elements.clone();
+        let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
+        let centroid = centroid_peak(body, &|_| true);
+        let away = away[index]
+            .filter(|_| at_edge[index])
+            .and_then(|nodal| Some([nodal, centroid_peak(body, &far)?]));
+        let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
+            let values = state.stress[element].iter().map(mises).enumerate();
+            let (point, value) = first_largest(values)?;
+            let at = rule.position(point, &mesh.corners(element));
+            Some(Peak {
+                value,
+                place: Place::IntegrationPoint { element, point },
+                at,
+            })
+        });
+        let peeq = over(&recovered.peeq);
+        let (mut yielded, mut volume) = (0.0, 0.0);
+        for e in elements.clone() {
+            for (peeq, v) in state.peeq_of(e).iter().zip(recovered.volumes[e]) {
+                volume += v;
+                if *peeq > 0.0 {
+                    yielded += v;
+                }
+            }
+        }
+        BodyPeaks {
+            name: body.name.clone(),
+            centroid,
+            integration_point,
+            nodal,
+            away,
+            peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
+            peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),
+            yielded_volume: copies * yielded,
+            volume: copies * volume,
+        }
+    };
+    mesh.bodies.iter().enumerate().map(body_peaks).collect()
+}
+
+/// The nodal peak of every body, of the nodes that count.
+fn nodal_peaks(
+    scene: &Scene,
+    recovered: &Recovered,
+    counts: impl Fn(&[f64; 3]) -> bool,
+) -> Vec<Option<Peak>> {
+    let mut best: Vec<Option<Peak>> = vec![None; scene.mesh.bodies.len()];
+    for (point, &value) in recovered.mises_nodal.iter().enumerate() {
+        let Some(body) = recovered.points.body_of(point) else {
+            continue;
+        };
+        if !value.is_nan() && best[body].is_none_or(|peak| value > peak.value) {
+            let node = recovered.points.node[point] as usize;
+            let at = scene.mesh.points[node];
+            if counts(&at) {
+                best[body] = Some(Peak {
+                    value,
+                    place: Place::Node(node),
+                    at,
+                });
+            }
+        }
+    }
+    best
+}
+
+impl Peak {
+    /// The element the peak was read from; `None` for a nodal peak.
+    pub fn element(&self) -> Option<usize> {
+        match self.place {
+            Place::Element(element) | Place::IntegrationPoint { element, .. } => Some(element),
+            Place::Node(_) => None,
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! Faces of hexahedra: which are outer, which element a quadrilateral belongs to, which way is out.
+
+use super::{Face, Mesh};
+
+/// Corners of the six faces of a hexahedron, counter-clockwise seen from outside.
+pub const FACES: [[usize; 4]; 6] = [
+    [0, 3, 2, 1],
+    [4, 5, 6, 7],
+    [0, 1, 5, 4],
+    [1, 2, 6, 5],
+    [2, 3, 7, 6],
+    [3, 0, 4, 7],
+];
+
+/// The six faces of a hexahedron by node index, counter-clockwise seen from outside.
+pub fn faces_of(hex: &[u32; 8]) -> [[u32; 4]; 6] {
+    FACES.map(|face| face.map(|corner| hex[corner]))
+}
+
+/// What a quadrilateral is to the hexahedra.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FaceMatch {
+    /// It is the face of no hexahedron.
+    None,
+    /// It is a face of exactly one hexahedron; here it is, turned outward.
+    Outer(Face),
+    /// It lies between these two hexahedra.
+    Between(u32, u32),
+}
+
+/// Finds the hexahedra that quadrilaterals belong to.
+pub struct FaceFinder<'a> {
+    hexes: &'a [[u32; 8]],
+    /// The elements around node `n` are `around[start[n]..start[n + 1]]`.
+    start: Vec<usize>,
+    around: Vec<u32>,
+}
+
+impl<'a> FaceFinder<'a> {
+    /// A finder for `hexes`, whose node indices are all below `nodes`.
+    pub fn new(hexes: &'a [[u32; 8]], nodes: usize) -> Self {
+        let mut start = vec![0usize; nodes + 1];
+        for &node in hexes.iter().flatten() {
+            start[node as usize + 1] += 1;
+        }
+        for n in 0..nodes {
+            start[n + 1] += start[n];
+        }
+        let mut next = start.clone();
+        let mut around = vec![0u32; hexes.len() * 8];
+        for (element, hex) in (0u32..).zip(hexes) {
+            for &node in hex {
+                around[next[node as usize]] = element;
+                next[node as usize] += 1;
+            }
+        }
+        Self {
+            hexes,
+            start,
+            around,
+        }
+    }
+
+    /// Elements that use node `node`.
+    pub fn around(&self, node: u32) -> &[u32] {
+        let node = node as usize;
+        match (self.start.get(node), self.start.get(node + 1)) {
+            (Some(&from), Some(&to)) => &self.around[from..to],
+            _ => &[],
+        }
+    }
+
+    /// The hexahedron that has the four nodes of `quad`, in whatever order, as one of its faces.
+    pub fn find(&self, quad: [u32; 4]) -> FaceMatch {
+        let wanted = sorted(quad);
+        let mut found: Option<Face> = None;
+        for &element in self.around(quad[0]) {
+            for nodes in faces_of(&self.hexes[element as usize]) {
+                if sorted(nodes) != wanted {
+                    continue;
+                }
+                match found {
+                    None => found = Some(Face { nodes, element }),
+                    Some(first) => return FaceMatch::Between(first.element, element),
+                }
+            }
+        }
+        found.map_or(FaceMatch::None, FaceMatch::Outer)
+    }
+}
+
+impl Mesh {
+    /// The faces of body `body` that only one of its elements has, in the order of the elements.
+    pub fn outer_faces(&self, body: usize) -> Vec<Face> {
+        let elements = self.bodies[body].elements.clone();
+        let first = elements.start;
+        let faces: Vec<Face> = (first as u32..)
+            .zip(&self.hexes[elements])
+            .flat_map(|(element, hex)| faces_of(hex).map(|nodes| Face { nodes, element }))
+            .collect();
+        let mut keys: Vec<([u32; 4], usize)> = faces
+            .iter()
+            .enumerate()
+            .map(|(k, face)| (sorted(face.nodes), k))
+            .collect();
+        keys.sort_unstable();
+        let mut outer: Vec<usize> = keys
+            .chunk_by(|a, b| a.0 == b.0)
+            .filter(|c| c.len() == 1)
+            .map(|c| c[0].1)
+            .collect();
+        outer.sort_unstable();
+        outer.into_iter().map(|k| faces[k]).collect()
+    }
+}
+
+impl Face {
+    /// Coordinates of its nodes.
+    pub fn corners(&self, mesh: &Mesh) -> [[f64; 3]; 4] {
+        self.nodes.map(|n| mesh.points[n as usize])
+    }
+
+    /// Outward normal times area, exact for the bilinear face.
+    pub fn area_vector(&self, mesh: &Mesh) -> [f64; 3] {
+        let [a, b, c, d] = self.corners(mesh);
+        let p = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+        let q = [d[0] - b[0], d[1] - b[1], d[2] - b[2]];
+        [
+            0.5 * (p[1] * q[2] - p[2] * q[1]),
+            0.5 * (p[2] * q[0] - p[0] * q[2]),
+            0.5 * (p[0] * q[1] - p[1] * q[0]),
+        ]
+    }
+
+    /// Mean of its nodes.
+    pub fn centre(&self, mesh: &Mesh) -> [f64; 3] {
+        let x = self.corners(mesh);
+        [0, 1, 2].map(|k| 0.25 * (x[0][k] + x[1][k] + x[2][k] + x[3][k]))
+    }
+}
+
+fn sorted(mut nodes: [u32; 4]) -> [u32; 4] {
+    nodes.sort_unstable();
+    nodes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::mesh::hexahedron::CORNERS;
+
+    #[test]
+    fn face_normals_point_outward() {
+        let mesh = Mesh {
+            points: CORNERS.to_vec(),
+            hexes: vec![[0, 1, 2, 3, 4, 5, 6, 7]],
+            ..Mesh::default()
+        };
+        for nodes in faces_of(&mesh.hexes[0]) {
+            let face = Face { nodes, element: 0 };
+            let (centre, area) = (face.centre(&mesh), face.area_vector(&mesh));
+            for k in 0..3 {
+                assert!((area[k] - 4.0 * centre[k]).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn a_shared_face_lies_between_and_an_outer_one_is_turned_outward() {
+        let hexes = [[0, 1, 2, 3, 4, 5, 6, 7], [4, 5, 6, 7, 8, 9, 10, 11]];
+        let finder = FaceFinder::new(&hexes, 12);
+        assert_eq!(finder.find([7, 6, 5, 4]), FaceMatch::Between(0, 1));
+        assert_eq!(
+            finder.find([0, 1, 2, 3]),
+            FaceMatch::Outer(Face {
+                nodes: [0, 3, 2, 1],
+                element: 0
+            })
+        );
+        assert_eq!(finder.find([0, 1, 2, 8]), FaceMatch::None);
+        assert_eq!(finder.find([99, 1, 2, 8]), FaceMatch::None);
+    }
+}

@@ -1,0 +1,183 @@
+//! The page `docs/convergence.md` and its picture.
+
+use super::ConvergeError;
+use super::peers::{PeerErrors, Peers};
+use super::plot::figure_with_peers;
+use super::study::{Curve, Study};
+use super::table::{memory, order, reference, signed_percent};
+use crate::ground::file::write_atomically;
+use crate::render::plot::write;
+use crate::render::text::significant;
+use std::path::Path;
+
+/// The page and its picture, from the folder where the command is run.
+pub const PAGE: &str = "docs/convergence.md";
+pub const PICTURE: &str = "docs/images/problem-h.svg";
+
+/// Writes page and picture.
+///
+/// # Errors
+/// Where the picture cannot be drawn or a file cannot be written.
+pub fn write_page(study: &Study, peers: &Peers) -> Result<(), ConvergeError> {
+    write(&figure_with_peers(study, peers), Path::new(PICTURE))?;
+    let text = page(study, peers);
+    Ok(write_atomically(Path::new(PAGE), |out| {
+        out.write_all(text.as_bytes())
+    })?)
+}
+
+/// The text of the page.
+pub fn page(study: &Study, peers: &Peers) -> String {
+    let mut text = format!(
+        "# Convergence\n\n\
+         Written by `brinell converge problem-h --threads {} --levels {} --write`; do not edit.\n\n\
+         Problem H: half a cylinder of 1.5 in radius pressed on a block, plane strain, 8.125 kip/in\n\
+         ([`cases/problem-h.toml`](../cases/problem-h.toml)), on nested meshes: from level to level every\n\
+         element is split into four, beginning with two elements across the half-width of the contact.\n\n\
+         ![Error against CPU seconds, both elements and other programs](images/problem-h.svg)\n\n\
+         *Sharp dips are where an error changes its sign. The other programs ran on meshes that stay coarse\n\
+         away from the contact, Brinell on nested ones that are refined everywhere: more unknowns at the\n\
+         same a/h, and errors that keep falling.*\n\n\
+         ## Cost\n\n\
+         Building the scene, solving it and reading its quantities, with {} thread{}; the mesh is made\n\
+         before. Memory is the largest that the process had resident during the level{}. Unknowns are\n\
+         those that are free: two components a node.\n\n\
+         | level | a/h | element | elements | unknowns | iterations | wall s | CPU s | memory MB |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
+        study.threads,
+        study.levels.iter().map(|l| l.level + 1).max().unwrap_or(0),
+        study.threads,
+        if study.threads == 1 { "" } else { "s" },
+        if study.levels.iter().all(|l| l.cost.peak_is_own) {
+            ""
+        } else {
+            " (*: since it began)"
+        },
+    );
+    for l in &study.levels {
+        text.push_str(&format!(
+            "| {} | {:.0} | {} | {} | {} | {} | {:.2} | {:.2} | {} |\n",
+            l.level,
+            2.0 / l.size,
+            l.element,
+            l.elements,
+            l.dofs,
+            l.iterations,
+            l.cost.wall_s,
+            l.cost.cpu_s,
+            memory(l)
+        ));
+    }
+    text.push_str(
+        "\n## Errors and orders\n\n\
+         Errors are relative to the reference. p0 and half-width are measured from Hertz's line contact,\n\
+         the peaks of Mises stress from an independent solver of the finite bodies, both with the\n\
+         uncertainty that is given: errors below it mean nothing, and what the levels themselves tend to\n\
+         stands beside. Orders p, in error ~ size^p, are observed: from the errors where the reference is\n\
+         exact, else from the differences of three levels. p0, the largest of a few nodal values, has no\n\
+         clean order.\n",
+    );
+    let curves = study.curves();
+    for quantity in &study.quantities {
+        let of: Vec<&Curve> = curves
+            .iter()
+            .filter(|c| c.quantity == quantity.name)
+            .collect();
+        text.push_str(&section(&of));
+    }
+    text.push_str(&others(peers));
+    text
+}
+
+/// A quantity: what its errors are measured from, and a row a size with all elements side by side.
+fn section(curves: &[&Curve]) -> String {
+    let Some(first) = curves.first() else {
+        return String::new();
+    };
+    let unit = match first.unit.as_str() {
+        "" => String::new(),
+        unit => format!(", {unit}"),
+    };
+    let mut text = format!("\n### {}{unit}\n\n", first.quantity);
+    for curve in curves {
+        text.push_str(&format!("- {}: {}\n", curve.element, reference(curve)));
+    }
+    let head = curves
+        .iter()
+        .map(|c| format!(" {} | error | order |", c.element));
+    text.push_str(&format!(
+        "\n| a/h |{}\n|---|{}\n",
+        head.collect::<String>(),
+        "---|---|---|".repeat(curves.len())
+    ));
+    for (i, size) in first.sizes.iter().enumerate() {
+        let cells = curves.iter().map(|c| {
+            let at = |list: &[Option<f64>]| list.get(i).copied().flatten();
+            format!(
+                " {} | {} | {} |",
+                c.values
+                    .get(i)
+                    .map_or_else(String::new, |v| significant(*v, 6)),
+                signed_percent(at(&c.errors)),
+                order(at(&c.orders))
+            )
+        });
+        let cells: String = cells.collect();
+        text.push_str(&format!("| {:.0} |{cells}\n", 2.0 / size));
+    }
+    text
+}
+
+fn others(peers: &Peers) -> String {
+    let mut text = String::from("\n## Other programs\n\n");
+    for line in &peers.origin {
+        text.push_str(&format!("- {line}\n"));
+    }
+    text.push_str(
+        "\nMises errors: block / cylinder.\n\n\
+         | program | a/h | unknowns | CPU s | memory MB | p0 | half-width | Mises, integration point | Mises, nodal |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
+    );
+    for curve in &peers.curves {
+        for row in &curve.rows {
+            let e = &row.error_percent;
+            let one = |quantity: &str| signed_percent(PeerErrors::of(e, quantity));
+            let two = |place: &str| {
+                let of = |body: &str| one(&format!("Mises {body}, {place}"));
+                format!("{} / {}", of("block"), of("cylinder"))
+            };
+            text.push_str(&format!(
+                "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                curve.name(),
+                row.a_over_h,
+                row.unknowns,
+                row.cpu_s,
+                row.memory_mb,
+                one("p0"),
+                one("half-width"),
+                two("integration point"),
+                two("nodal")
+            ));
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::peers::peers;
+    use super::super::study::tests::study;
+    use super::*;
+
+    #[test]
+    fn the_page_has_every_level_curve_and_peer() {
+        let text = page(&study(), &peers().unwrap());
+        for words in [
+            "| 2 | 8 | bbar | 64 | 1536 |",
+            "### energy, ksi",
+            "Kratos 10.4.4 hex8",
+        ] {
+            assert!(text.contains(words), "{words} in\n{text}");
+        }
+    }
+}

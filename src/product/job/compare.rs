@@ -1,0 +1,201 @@
+//! Printed values and Hertz's figures beside those of a run. They decide nothing.
+
+use super::JobError;
+use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
+use crate::answer::certify::{Claim, Quantity};
+use crate::case::{BearingCase, Case, Kind, Measure, MisesRead, Printed};
+use crate::model::scene::Scene;
+use crate::render::Summary;
+use crate::render::summary::{Comparison, Figure, Three};
+
+/// One row a printed value, then Hertz's figures of a bearing under an even line load.
+pub fn rows(case: &Case, scene: &Scene, summary: &Summary) -> Result<Vec<Comparison>, JobError> {
+    let hertz = match &case.kind {
+        Kind::Bearing(bearing) => Some(even_load(bearing, scene)?),
+        Kind::General(_) => None,
+    };
+    let mut rows = Vec::new();
+    if let Some(comparison) = &case.comparison {
+        for printed in &comparison.values {
+            rows.push(printed_row(
+                printed,
+                comparison.mises_read,
+                summary,
+                hertz.as_ref(),
+            ));
+        }
+    }
+    if let Some(hertz) = &hertz {
+        rows.extend(hertz_rows(hertz, summary));
+    }
+    Ok(rows)
+}
+
+fn printed_row(
+    printed: &Printed,
+    read: MisesRead,
+    summary: &Summary,
+    hertz: Option<&HandbookAnswer>,
+) -> Comparison {
+    let place = printed.place.as_str();
+    let (what, value, hertz) = match printed.what {
+        Measure::Mises => {
+            let plates = hertz.map(|h| h.plate.mises);
+            let rollers = hertz.map(|h| h.roller.mises);
+            let hertz = match place {
+                p if p.contains("roller") => rollers,
+                p if p.contains("plate") => plates,
+                _ => plates.into_iter().chain(rollers).reduce(f64::max),
+            };
+            let (name, value) = match read {
+                MisesRead::Centroid => ("centroid", mises(summary, place, |m| m.centroid)),
+                MisesRead::IntegrationPoint => (
+                    "integration point",
+                    mises(summary, place, |m| m.integration_point),
+                ),
+                MisesRead::Nodal => ("nodal", mises(summary, place, |m| m.nodal)),
+            };
+            (
+                format!("Mises, {name}, {}", summary.units.stress),
+                value,
+                hertz,
+            )
+        }
+        Measure::MaxPressure => {
+            let at = |name: &str| place == "overall" || place == name;
+            let pressures = summary.interfaces.0.iter().filter(|(name, _)| at(name));
+            let value = pressures.map(|(_, i)| i.max_pressure).reduce(f64::max);
+            let what = format!("peak pressure, {}", summary.units.stress);
+            (what, value, hertz.map(|h| h.peak_pressure))
+        }
+        Measure::Descent => (
+            format!("descent, {}", summary.units.length),
+            summary.descent,
+            None,
+        ),
+    };
+    let certified = certified(printed.what, read, place, summary);
+    Comparison {
+        what,
+        place: place.to_owned(),
+        report: Some(Figure::Value(printed.value)),
+        value,
+        error: certified.and_then(Claim::bar),
+        resolved: certified.map(Claim::is_resolved),
+        hertz,
+        ..Comparison::default()
+    }
+}
+
+/// The claim of the largest figure that is compared; of Mises peaks only the nodal one has one.
+fn certified<'s>(
+    what: Measure,
+    read: MisesRead,
+    place: &str,
+    summary: &'s Summary,
+) -> Option<&'s Claim> {
+    let what = match what {
+        Measure::Mises if read == MisesRead::Nodal => Quantity::PeakMises,
+        Measure::Mises => return None,
+        Measure::MaxPressure => Quantity::PeakPressure,
+        Measure::Descent => Quantity::Descent,
+    };
+    let claims = summary.certificate.iter();
+    let meant = claims.filter(|c| c.what == what && means(place, &c.place));
+    meant.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// Is the body or interface `name` among what `place` means?
+fn means(place: &str, name: &str) -> bool {
+    match place {
+        "overall" => true,
+        "rollers" => name.contains("roller"),
+        "plates" => name.contains("plate"),
+        _ => name == place,
+    }
+}
+
+/// Largest value over the bodies that `place` means.
+fn mises(
+    summary: &Summary,
+    place: &str,
+    read: impl Fn(&Three<Option<f64>>) -> Option<f64>,
+) -> Option<f64> {
+    let bodies = summary
+        .bodies
+        .0
+        .iter()
+        .filter(|(name, _)| means(place, name));
+    bodies
+        .filter_map(|(_, body)| read(&body.mises_max))
+        .reduce(f64::max)
+}
+
+/// Hertz's line contact of the roller under an even line load.
+fn even_load(bearing: &BearingCase, scene: &Scene) -> Result<HandbookAnswer, JobError> {
+    let metal = |body: &str| {
+        let index = scene.mesh.body(body).unwrap_or(0);
+        let steel = &scene.materials[index];
+        Metal {
+            youngs_modulus: steel.youngs_modulus,
+            poissons_ratio: steel.poissons_ratio,
+            // No figure that is taken from here depends on it.
+            yield_stress: match steel.is_elastic() {
+                true => steel.youngs_modulus,
+                false => steel.yield_stress,
+            },
+        }
+    };
+    let g = &bearing.geometry;
+    handbook(&Handbook {
+        diameter: g.diameter,
+        wall: g.wall,
+        length: g.length,
+        load: bearing.load,
+        roller: metal("upper_roller"),
+        plate: metal("intermediate_plate"),
+        plate_thickness: Some(g.intermediate_thickness),
+        offset: (g.offset > 0.0).then_some(g.offset),
+        groove_angle: Some(g.slope.to_degrees()),
+        friction: bearing.friction,
+    })
+    .map_err(|error| JobError::ClosedForm {
+        what: "the roller under an even line load".to_owned(),
+        why: error.to_string(),
+    })
+}
+
+fn hertz_rows(hertz: &HandbookAnswer, summary: &Summary) -> Vec<Comparison> {
+    let stress = &summary.units.stress;
+    let row = |what: &str, place: &str, value: Option<f64>, hertz: f64| Comparison {
+        what: format!("{what}, {stress}"),
+        place: place.to_owned(),
+        value,
+        hertz: Some(hertz),
+        ..Comparison::default()
+    };
+    let pressures = summary.interfaces.0.iter().map(|(name, interface)| {
+        let on_v = name.contains("intermediate");
+        let even = match (&hertz.groove, on_v && hertz.displaced.is_none()) {
+            (Some(groove), true) => groove.peak_pressure,
+            _ => hertz.peak_pressure,
+        };
+        let printed = row("peak pressure", name, Some(interface.max_pressure), even);
+        let certified = certified(Measure::MaxPressure, MisesRead::Nodal, name, summary);
+        Comparison {
+            error: certified.and_then(Claim::bar),
+            resolved: certified.map(Claim::is_resolved),
+            ..printed
+        }
+    });
+    let bores = summary.rollers.0.iter().filter_map(|(name, roller)| {
+        let ring = hertz.bore.as_ref()?;
+        Some(row(
+            "bore Mises",
+            name,
+            roller.bore_mises,
+            ring.mises_under_load,
+        ))
+    });
+    pressures.chain(bores).collect()
+}

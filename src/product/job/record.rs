@@ -1,0 +1,178 @@
+//! Writes each accepted increment to disk, and what a run can go on from, and keeps the history of
+//! the iterations, while it passes the observer on.
+
+use super::JobError;
+use super::checkpoint::Checkpoint;
+use super::clock::{Clock, Spent};
+use super::folder;
+use super::mesh::STRIPS;
+use crate::answer::results::recovery::recover;
+use crate::case::{Case, Kind};
+use crate::model::scene::Scene;
+use crate::model::state::State;
+use crate::render::report::history::Iterate;
+use crate::render::{Series, UnitLabels, paraview};
+use crate::solver::solve::{Iteration, Observer, Restart};
+use std::path::{Path, PathBuf};
+
+/// What a run writes increment by increment.
+struct Files {
+    folder: PathBuf,
+    series: Series,
+    checkpoint: Checkpoint,
+    /// What an earlier run left is there as long as nothing of this one is.
+    earlier: Option<Earlier>,
+    title: String,
+    units: UnitLabels,
+}
+
+/// What is done about an earlier run.
+struct Earlier {
+    /// Does this one go on from it?
+    resumed: bool,
+    /// Is this its second mesh, or one that goes on with that?
+    strips: bool,
+}
+
+impl Files {
+    fn write(&mut self, scene: &Scene, state: &State) -> Result<(), JobError> {
+        if let Some(earlier) = self.earlier.take() {
+            folder::clear(&self.folder, earlier.resumed)?;
+            if !earlier.resumed && !earlier.strips {
+                folder::forget(&self.folder.join(STRIPS))?;
+            }
+            let name = self.series.name();
+            paraview::write(&self.folder, name, &self.title, &self.units, scene)?;
+        }
+        (self.series).write(scene, state, &recover(scene, state))?;
+        Ok(())
+    }
+}
+
+pub struct Recorder<'o> {
+    inner: &'o mut dyn Observer,
+    files: Option<Files>,
+    scene: Scene,
+    spent: Spent,
+    history: Vec<Iterate>,
+}
+
+impl<'o> Recorder<'o> {
+    /// Writes the VTK files of `case` and its checkpoints into the folder of `files`, after those of
+    /// an earlier run that goes on from `restart`.
+    ///
+    /// # Errors
+    /// Where the earlier run's collection cannot be read.
+    pub fn new(
+        case: &Case,
+        files: Option<(&Path, Checkpoint)>,
+        restart: Option<&Restart>,
+        scene: Scene,
+        inner: &'o mut dyn Observer,
+    ) -> Result<Self, JobError> {
+        let path = Path::new(case.source.name());
+        let stem = path
+            .file_stem()
+            .map_or("case".into(), |s| s.to_string_lossy());
+        let series = |out| match restart {
+            Some(restart) => Series::resume(out, &stem, restart.after()),
+            None => Ok(Series::new(out, &stem)),
+        };
+        let strips = match &case.kind {
+            Kind::Bearing(bearing) => bearing.mesh.strips.is_some(),
+            Kind::General(_) => false,
+        };
+        let files = files.map(|(out, checkpoint)| {
+            Ok::<_, JobError>(Files {
+                folder: out.to_owned(),
+                series: series(out)?,
+                checkpoint,
+                earlier: Some(Earlier {
+                    resumed: restart.is_some(),
+                    strips,
+                }),
+                title: case.title.clone(),
+                units: UnitLabels::of(case.units),
+            })
+        });
+        Ok(Self {
+            files: files.transpose()?,
+            inner,
+            scene,
+            spent: Spent {
+                cpu_s: Some(0.0),
+                ..Spent::default()
+            },
+            history: Vec::new(),
+        })
+    }
+
+    /// Spent on writing.
+    pub fn spent(&self) -> Spent {
+        self.spent
+    }
+
+    /// What the iterations told.
+    pub fn into_history(self) -> Vec<Iterate> {
+        self.history
+    }
+}
+
+impl Observer for Recorder<'_> {
+    fn iteration(&mut self, iteration: &Iteration) {
+        self.history.push(iterate(iteration));
+        self.inner.iteration(iteration);
+    }
+
+    fn moved(&mut self, scene: &Scene) {
+        self.scene.mesh.points.clone_from(&scene.mesh.points);
+        self.inner.moved(scene);
+    }
+
+    fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        let clock = Clock::start();
+        if let Some(files) = &mut self.files {
+            files.write(&self.scene, state)?;
+        }
+        self.spent = self.spent.plus(clock.spent());
+        self.inner.increment(state)
+    }
+
+    fn checkpoint(
+        &mut self,
+        make: &dyn Fn() -> Restart,
+    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        let clock = Clock::start();
+        if let Some(files) = &self.files {
+            files.checkpoint.write(&make())?;
+        }
+        self.spent = self.spent.plus(clock.spent());
+        Ok(())
+    }
+
+    fn message(&mut self, text: &str) {
+        self.inner.message(text);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.inner.cancelled()
+    }
+}
+
+fn iterate(i: &Iteration) -> Iterate {
+    Iterate {
+        load: i.step as f64 + i.time,
+        iteration: i.iteration,
+        residual: i.residual,
+        energy: i.energy,
+        active: i.active,
+        sticking: i.sticking,
+        slipping: i.slipping,
+        changed: i.changed,
+        violation: i.penetration,
+        flowing: i.flowing,
+        directions: i.directions,
+        refactored: i.refactored,
+        line_search: i.line_search,
+    }
+}

@@ -1,0 +1,89 @@
+//! What would help where a limit is missed.
+
+use super::{Check, Kind, Placed, Standing};
+use crate::ground::units::Dimension;
+use crate::product::size::SizeError;
+use crate::product::size::proposal::Proposal;
+use crate::product::size::request::{ECCENTRIC_MARGIN, Request, Rule, Setting};
+use serde::Serialize;
+
+/// The next design to try.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Advice {
+    /// Options to add or change.
+    pub options: String,
+    pub why: String,
+    pub diameter: Option<f64>,
+    pub length: Option<f64>,
+    #[serde(skip)]
+    pub request: Request,
+}
+
+/// Beyond what the stresses ask for, so that the next try does not miss by a hair.
+const MORE: f64 = 1.05;
+
+/// By which factor the stress behind a missed limit is too high, at least.
+fn short_by(check: &Check) -> f64 {
+    match check.kind {
+        // How much less stress it takes not to yield is not known from the strain.
+        Kind::PlasticStrain => YIELDED,
+        _ => check.utilisation.unwrap_or(1.0),
+    }
+}
+
+/// Taken for the stress of a part that has yielded a little, over yield.
+const YIELDED: f64 = 1.05;
+
+impl Advice {
+    /// Contact stresses go with the root of the load: the margin on it is raised by the square of what
+    /// is missed.
+    ///
+    /// # Errors
+    /// Where that cannot be sized.
+    pub fn new(request: &Request, positions: &[Placed]) -> Result<Self, SizeError> {
+        let checks = || positions.iter().flat_map(|p| &p.checks);
+        let missed = checks().filter(|c| c.standing.is_missed());
+        let worst = missed.map(short_by).fold(1.0, f64::max);
+        let before = match request.rule.value {
+            Rule::Eccentric => request.margin.value,
+            // Statics are to be tried before more is asked of them.
+            Rule::Printed | Rule::Exact => ECCENTRIC_MARGIN / (worst * worst * MORE),
+        };
+        let margin = (100.0 * before * worst * worst * MORE).ceil() / 100.0;
+        let next = Request {
+            rule: Setting::or(Some(Rule::Eccentric), Rule::Eccentric),
+            margin: Setting::or(Some(margin.max(1.0)), margin),
+            // What is fixed and carries too little must give way.
+            diameter: None,
+            length: None,
+            ..request.clone()
+        };
+        let proposal = Proposal::new(&next)?;
+        let choice = proposal.choice();
+        let show = |value| request.units.show(value, Dimension::LENGTH);
+        let mut options = format!("--rule eccentric --margin {}", next.margin.value);
+        if request.diameter.is_some() || request.length.is_some() {
+            options += ", with --diameter and --length left open";
+        }
+        let within = checks().any(|c| c.standing == Standing::MissedWithinError);
+        let solution = checks().any(|c| c.kind == Kind::Solution && c.standing.is_missed());
+        let mut why = match choice {
+            Some(c) => format!("proposes rollers {} x {}", show(c.diameter), show(c.length)),
+            None => format!("proposes none: {}", proposal.why),
+        };
+        if within {
+            why += "; some miss by less than their estimated error: a finer mesh may clear them";
+        }
+        if solution {
+            why +=
+                "; a solution does not keep to its own equations: see its summary before all else";
+        }
+        Ok(Self {
+            options,
+            why,
+            diameter: choice.map(|c| c.diameter),
+            length: choice.map(|c| c.length),
+            request: next,
+        })
+    }
+}

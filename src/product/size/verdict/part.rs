@@ -1,0 +1,125 @@
+//! Every part: elastic Mises stress below yield, no plastic strain.
+
+use super::flow::{Flow, flows};
+use super::{Check, Kind, Standing};
+use crate::answer::certify::{Claim, Quantity, claim};
+use crate::product::job::Outcome;
+use crate::product::size::Proposal;
+use crate::render::Summary;
+use crate::render::text::{percent, significant};
+
+pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
+    let flows = flows(outcome);
+    let bodies = outcome.scene.mesh.bodies.iter().zip(flows);
+    let bodies: Vec<(&str, Flow)> = bodies.map(|(b, f)| (b.name.as_str(), f)).collect();
+    let summary = &outcome.summary;
+    let limit = proposal.request.yield_stress;
+    let stress = (bodies.iter()).map(|(body, flow)| mises(summary, body, *flow, limit));
+    let strain = bodies
+        .iter()
+        .flat_map(|(body, flow)| strains(summary, body, *flow, limit));
+    stress.chain(strain).collect()
+}
+
+/// The first of some kinds of claim that there is.
+fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s Claim> {
+    let of = |kind: &Quantity| claim(&summary.certificate, *kind, body);
+    kinds.iter().find_map(of)
+}
+
+fn bare(kind: Kind, body: &str) -> Check {
+    Check {
+        kind,
+        place: body.to_string(),
+        across: None,
+        line_load: None,
+        along: None,
+        value: None,
+        error: None,
+        at_edge: false,
+        limit: None,
+        utilisation: None,
+        standing: Standing::NotJudged,
+        remark: None,
+    }
+}
+
+/// The peak of the elastic solution, away from loaded edges where it lies at one.
+fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
+    use Quantity::{ElasticMisesAway, ElasticPeakMises, MisesAway, PeakMises};
+    let yielded = flow != Flow::default();
+    let (peak, away) = match yielded {
+        true => (ElasticPeakMises, ElasticMisesAway),
+        false => (PeakMises, MisesAway),
+    };
+    let mut check = Check {
+        limit: Some(limit),
+        ..bare(Kind::ElasticMises, body)
+    };
+    let Some(judged) = first(summary, body, &[away, peak]) else {
+        check.standing = Standing::Missed;
+        check.remark = Some("no elastic solution: the part has yielded".to_string());
+        return check;
+    };
+    let error = judged.bar();
+    check.value = Some(judged.value);
+    if error.is_none() {
+        check.standing = Standing::Unresolved;
+        check.remark = Some("this mesh does not resolve it".to_string());
+        return check;
+    }
+    if judged.what == away {
+        let edge = claim(&summary.certificate, peak, body).map(|claim| significant(claim.value, 2));
+        check.remark = Some(format!(
+            "away from loaded edges; on this mesh it is {} at all, which grows with every refinement",
+            edge.unwrap_or_default()
+        ));
+    }
+    check.error = error;
+    check.utilisation = Some(judged.value / limit);
+    check.standing = Standing::of(judged.value, error, limit);
+    check
+}
+
+/// An element flows as such, and not only at single integration points, where its mean stress is so near
+/// to yield: the elements of bearings that do yield have 0.97 and more, those that overshoot 0.7 to 0.8.
+const RESOLVED: f64 = 0.9;
+
+/// Plastic strain away from loaded edges, and what there is beside them.
+fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> {
+    let resolved = flow.mean_mises >= RESOLVED * limit;
+    let certified = claim(&summary.certificate, Quantity::PeakPlasticStrain, body);
+    // The certificate is about the largest of all.
+    let own = certified.filter(|_| flow.away >= flow.at_edges);
+    let mut checks = vec![Check {
+        value: Some(flow.away),
+        error: own.and_then(Claim::bar),
+        limit: Some(0.0),
+        standing: match (flow.away > 0.0, resolved) {
+            (false, _) => Standing::Met,
+            (true, false) => Standing::Open,
+            (true, true) => Standing::Missed,
+        },
+        remark: (flow.away > 0.0 && !resolved).then(|| {
+            format!(
+                "integration points of elements whose mean stress is at most {} of yield: such points \
+                 overshoot where a strip of contact ends, so this mesh cannot tell",
+                percent(flow.mean_mises / limit)
+            )
+        }),
+        ..bare(Kind::PlasticStrain, body)
+    }];
+    if flow.at_edges > 0.0 {
+        checks.push(Check {
+            value: Some(flow.at_edges),
+            at_edge: true,
+            remark: Some(
+                "beside a loaded edge, such as a square end of a roller: elastic stress has no bound \
+                 there, so a little flow and a dent are found on any mesh that is fine enough"
+                    .to_string(),
+            ),
+            ..bare(Kind::EdgePlasticStrain, body)
+        });
+    }
+    checks
+}

@@ -1,0 +1,90 @@
+//! Solves a proposed bearing at the centre and displaced.
+
+use super::SizeError;
+use super::candidate::Candidate;
+use super::case_file::{Position, case_file};
+use super::proposal::Proposal;
+use super::verdict::{Placed, Verdict};
+use crate::case;
+use crate::ground::file::FileError;
+use crate::ground::file::write_atomically;
+use crate::product::job::{self, JobError, Options, Outcome};
+use crate::solver::solve::Observer;
+use std::path::{Path, PathBuf};
+
+/// How a verification ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verification {
+    Done(Box<Verdict>),
+    Interrupted,
+}
+
+/// Writes the proposal (`size.json`) and the case files of `candidate` into `folder`.
+///
+/// # Errors
+/// [`FileError::Write`] names the path.
+pub fn write(
+    proposal: &Proposal,
+    candidate: &Candidate,
+    folder: &Path,
+) -> Result<Vec<PathBuf>, FileError> {
+    let mut written = Vec::new();
+    for position in Position::of(proposal.request.capacity) {
+        let path = folder.join(format!("{}.toml", position.name()));
+        let text = case_file(proposal, candidate, *position);
+        write_atomically(&path, |out| out.write_all(text.as_bytes()))?;
+        written.push(path);
+    }
+    let path = folder.join("size.json");
+    write_atomically(&path, |out| {
+        serde_json::to_writer_pretty(&mut *out, proposal)?;
+        writeln!(out)
+    })?;
+    written.push(path);
+    Ok(written)
+}
+
+/// Solves the case files in `folder`, each into a folder of its own name, going on where an earlier
+/// run was stopped, and writes the verdict.
+///
+/// # Errors
+/// Where a case cannot be solved.
+pub fn verify(
+    proposal: &Proposal,
+    candidate: &Candidate,
+    folder: &Path,
+    observer: &mut dyn Observer,
+) -> Result<Verification, SizeError> {
+    let mut positions = Vec::new();
+    for position in Position::of(proposal.request.capacity) {
+        let case = case::read(&folder.join(format!("{}.toml", position.name())))?;
+        observer.message(&format!("{}: {}", position.name(), case.title));
+        let outcome = run(&case, &folder.join(position.name()), observer)?;
+        if outcome.interrupted {
+            return Ok(Verification::Interrupted);
+        }
+        positions.push(Placed::new(proposal, *position, &case, &outcome));
+    }
+    let verdict = Verdict::new(proposal, candidate, positions)?;
+    verdict.write(folder)?;
+    Ok(Verification::Done(Box::new(verdict)))
+}
+
+fn run(case: &case::Case, out: &Path, observer: &mut dyn Observer) -> Result<Outcome, JobError> {
+    let options = |resume| Options {
+        out: Some(out.to_owned()),
+        elastic_peaks: true,
+        resume,
+        report: true,
+    };
+    match job::run(case, &options(job::has_checkpoint(out)), observer) {
+        Err(JobError::Checkpoint { path, why }) => {
+            let path = path.display();
+            observer.message(&format!(
+                "{path} cannot be gone on from ({why}): from the start"
+            ));
+            job::run(case, &options(false), observer)
+        }
+        result => result,
+    }
+}

@@ -1,0 +1,158 @@
+//! A mesh on the way to a target.
+
+use super::{Goal, Target};
+use crate::answer::certify::{Claim, Quantity};
+use crate::product::converge::cost::Cost;
+use crate::render::Summary;
+use crate::render::text::{Columns, significant};
+
+/// A figure that the target is about, on one mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    pub what: Quantity,
+    pub place: String,
+    pub value: f64,
+    /// The certificate's error; `None` where none can be given.
+    pub estimate: Option<f64>,
+    /// Difference from the mesh before.
+    pub change: Option<f64>,
+}
+
+/// One mesh, solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    pub level: usize,
+    pub unknowns: usize,
+    pub figures: Vec<Figure>,
+    pub cost: Cost,
+    pub summary: Summary,
+}
+
+/// Plastic strain may err by this many times the target of the stress: it is what the stress would
+/// exceed the yield limit by, so that a percent of the one is several of the other.
+const STRAIN_TO_STRESS: f64 = 5.0;
+
+impl Figure {
+    /// An error relative to the value, as a percentage.
+    pub fn share(&self, error: Option<f64>) -> String {
+        match error.filter(|_| self.value != 0.0) {
+            Some(error) => format!("{} %", significant(100.0 * error / self.value, 2)),
+            None => "-".to_owned(),
+        }
+    }
+
+    /// Are the estimated error and the change from the mesh before within the target?
+    pub fn meets(&self, target: &Target) -> bool {
+        let within = match (target.goal, self.what) {
+            (Goal::Mises, Quantity::PeakPlasticStrain) => STRAIN_TO_STRESS * target.within,
+            _ => target.within,
+        };
+        let small =
+            |error: Option<f64>| error.is_some_and(|e| e.abs() <= within * self.value.abs());
+        small(self.estimate) && small(self.change)
+    }
+}
+
+impl Level {
+    pub(super) fn new(
+        level: usize,
+        target: &Target,
+        summary: &Summary,
+        before: Option<&Self>,
+        cost: Cost,
+    ) -> Self {
+        let figures = figures(target.goal, &summary.certificate).into_iter();
+        let figures = figures.map(|claim| {
+            let mut figure = Figure {
+                what: claim.what,
+                place: claim.place.clone(),
+                value: claim.value,
+                estimate: claim.bar(),
+                change: None,
+            };
+            let old = before.and_then(|level| level.value_of(&figure));
+            figure.change = old.map(|old| figure.value - old);
+            figure
+        });
+        Self {
+            level,
+            unknowns: summary.dofs,
+            figures: figures.collect(),
+            cost,
+            summary: summary.clone(),
+        }
+    }
+
+    /// The same figure on this mesh; its place may be another one.
+    pub fn value_of(&self, figure: &Figure) -> Option<f64> {
+        let kind = |f: &Figure| f.what == Quantity::PeakPlasticStrain;
+        let same = self.figures.iter().find(|f| kind(f) == kind(figure));
+        same.map(|f| f.value)
+    }
+}
+
+/// The claims that a goal is about.
+fn figures(goal: Goal, certificate: &[Claim]) -> Vec<&Claim> {
+    let largest = |what: Quantity| {
+        let claims = certificate.iter().filter(|c| c.what == what);
+        claims.max_by(|a, b| a.value.total_cmp(&b.value))
+    };
+    // The largest of those with an error bar; one at a loaded edge where there is no other.
+    let regular = |names: [Quantity; 2]| {
+        let claims = certificate.iter().filter(|c| names.contains(&c.what));
+        let (sure, unsure): (Vec<_>, Vec<_>) = claims.partition(|claim| claim.is_resolved());
+        let claims = if sure.is_empty() { unsure } else { sure };
+        (claims.into_iter()).max_by(|a, b| a.value.total_cmp(&b.value))
+    };
+    let one = |what: Quantity| largest(what).into_iter().collect();
+    match goal {
+        Goal::Mises => match largest(Quantity::PeakPlasticStrain) {
+            Some(strain) => regular([Quantity::ElasticPeakMises, Quantity::ElasticMisesAway])
+                .into_iter()
+                .chain([strain])
+                .collect(),
+            None => regular([Quantity::PeakMises, Quantity::MisesAway])
+                .into_iter()
+                .collect(),
+        },
+        Goal::PlasticStrain => one(Quantity::PeakPlasticStrain),
+        Goal::Pressure => one(Quantity::PeakPressure),
+        Goal::HalfWidth => one(Quantity::HalfWidth),
+        Goal::Area => one(Quantity::ContactArea),
+        Goal::Descent => one(Quantity::Descent),
+    }
+}
+
+/// Error against run time, mesh by mesh.
+pub fn table(levels: &[Level]) -> String {
+    let mut table = Columns::new(&[
+        "Mesh",
+        "unknowns",
+        "figure",
+        "where",
+        "value",
+        "± estimate",
+        "change",
+        "wall s",
+        "CPU s",
+    ]);
+    for level in levels {
+        for figure in &level.figures {
+            table.row([
+                level.level.to_string(),
+                level.unknowns.to_string(),
+                figure.what.name().to_owned(),
+                figure.place.clone(),
+                significant(figure.value, 4),
+                match figure.estimate {
+                    Some(_) => figure.share(figure.estimate),
+                    None => "unresolved".to_owned(),
+                },
+                figure.share(figure.change),
+                significant(level.cost.wall_s, 3),
+                significant(level.cost.cpu_s, 3),
+            ]);
+        }
+    }
+    table.render().replacen("  Mesh", "Mesh", 1)
+}

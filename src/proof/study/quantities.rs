@@ -1,0 +1,171 @@
+//! What is read from each run of the study.
+
+use crate::answer::certify::{Claim, Quantity, claim};
+use crate::render::Summary;
+use crate::render::summary::{BodySummary, Demand, LineSummary, RollerSummary};
+
+/// A figure and, where the certificate has one, its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    pub value: f64,
+    pub error: Option<f64>,
+}
+
+/// A quantity: its name with its unit, and how to read it.
+pub struct Row {
+    pub name: &'static str,
+    pub read: fn(&Summary) -> Option<Reading>,
+}
+
+/// Interfaces of a roller with its flat plate and with its V; the other roller has the same.
+const FLAT: &str = "upper_plate-upper_roller";
+const VALLEY: &str = "upper_roller-intermediate_plate";
+
+const fn row(name: &'static str, read: fn(&Summary) -> Option<Reading>) -> Row {
+    Row { name, read }
+}
+
+/// The quantities, in the order of their printing.
+pub const ROWS: [Row; 26] = [
+    row("Mises, centroid, overall, ksi", |s| mises(s, "", 0)),
+    row("Mises, nodal, overall, ksi", |s| mises(s, "", 2)),
+    row("Mises, centroid, rollers, ksi", |s| mises(s, "roller", 0)),
+    row("Mises, nodal, rollers, ksi", |s| mises(s, "roller", 2)),
+    row("Mises away from loaded edges, elastic, ksi", |s| {
+        scaled(elastic(s), 1.0)
+    }),
+    row("largest plastic strain, %", |s| {
+        scaled(largest(s, &[Quantity::PeakPlasticStrain]), 100.0).or(plain(Some(0.0)))
+    }),
+    row("yielded share of all volume, %", |s| {
+        let sum =
+            |of: fn(&BodySummary) -> f64| s.bodies.0.iter().map(|(_, body)| of(body)).sum::<f64>();
+        plain(Some(100.0 * sum(|b| b.yielded_volume) / sum(|b| b.volume)))
+    }),
+    row("descent, 1e-3 in", |s| {
+        scaled(claim(&s.certificate, Quantity::Descent, "overall"), 1e3)
+    }),
+    row("stiffness, kip/in", |s| plain(s.stiffness)),
+    row("bore Mises, recovered, ksi", |s| {
+        bore(s, |roller| roller.bore_mises)
+    }),
+    row("bore Mises, nodal, ksi", |s| {
+        bore(s, |roller| roller.bore_mises_nodal)
+    }),
+    row("p0, flat side, ksi", |s| {
+        scaled(claim(&s.certificate, Quantity::PeakPressure, FLAT), 1.0)
+    }),
+    row("p0, V side, ksi", |s| {
+        scaled(claim(&s.certificate, Quantity::PeakPressure, VALLEY), 1.0)
+    }),
+    row("half-width, flat side, in", |s| {
+        scaled(claim(&s.certificate, Quantity::HalfWidth, FLAT), 1.0)
+    }),
+    row("contact area, flat side, in²", |s| {
+        scaled(claim(&s.certificate, Quantity::ContactArea, FLAT), 1.0)
+    }),
+    row("largest line load, flat side, kip/in", |s| {
+        line(s, FLAT, |l| l.peak)
+    }),
+    row("largest line load, a V line, kip/in", |s| {
+        line(s, VALLEY, |l| l.peak)
+    }),
+    row("in contact, flat side, in", |s| line(s, FLAT, |l| l.length)),
+    row("lifted off, flat side, in", |s| {
+        line(s, FLAT, |l| l.lifted_off)
+    }),
+    row("lifted off, V side, in", |s| {
+        line(s, VALLEY, |l| l.lifted_off)
+    }),
+    row("p0 of the heaviest line over 1.65 yield, %", |s| {
+        let lines = s.sizing.iter().flat_map(|sizing| &sizing.lines);
+        let used = lines.filter_map(|line| line.utilisation);
+        plain(used.reduce(f64::max).map(|share| 100.0 * share))
+    }),
+    row("D L over that of (2-50), printed constant", |s| {
+        rule(s).and_then(|[printed, _]| provided(printed))
+    }),
+    row("D L over that of (2-50), exact constant", |s| {
+        rule(s).and_then(|[_, exact]| provided(exact))
+    }),
+    row("dent in the plates, 1e-3 in", |s| dent(s, "plate")),
+    row("dent in the rollers, 1e-3 in", |s| dent(s, "roller")),
+    row("descent left after unloading, 1e-3 in", |s| {
+        let left = s.unloaded.as_ref().and_then(|u| u.descent);
+        plain(left.map(|d| 1e3 * d))
+    }),
+];
+
+fn plain(value: Option<f64>) -> Option<Reading> {
+    value.map(|value| Reading { value, error: None })
+}
+
+/// A claim in a unit `scale` times as small.
+fn scaled(claim: Option<&Claim>, scale: f64) -> Option<Reading> {
+    claim.map(|claim| Reading {
+        value: scale * claim.value,
+        error: claim.bar().map(|error| scale * error),
+    })
+}
+
+/// The largest of some claims.
+fn largest<'s>(summary: &'s Summary, of: &[Quantity]) -> Option<&'s Claim> {
+    let claims = summary.certificate.iter();
+    let asked = claims.filter(|c| of.contains(&c.what));
+    asked.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// The largest elastic Mises stress that no loaded edge makes.
+fn elastic(summary: &Summary) -> Option<&Claim> {
+    let yielded = largest(summary, &[Quantity::PeakPlasticStrain]).is_some();
+    let names = match yielded {
+        true => [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway],
+        false => [Quantity::PeakMises, Quantity::MisesAway],
+    };
+    let claims = summary.certificate.iter();
+    let regular = claims.filter(|c| names.contains(&c.what) && c.is_resolved());
+    regular.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// The largest Mises stress of the bodies whose names hold `part`, in reading `reading` of three.
+fn mises(summary: &Summary, part: &str, reading: usize) -> Option<Reading> {
+    let bodies = summary
+        .bodies
+        .0
+        .iter()
+        .filter(|(name, _)| name.contains(part));
+    let values = bodies.filter_map(|(_, body)| body.mises_max.each()[reading]);
+    plain(values.reduce(f64::max))
+}
+
+fn bore(summary: &Summary, read: fn(&RollerSummary) -> Option<f64>) -> Option<Reading> {
+    let values = summary.rollers.0.iter().filter_map(|(_, r)| read(r));
+    plain(values.reduce(f64::max))
+}
+
+/// Of the line that carries most per length.
+fn line(summary: &Summary, interface: &str, read: fn(&LineSummary) -> f64) -> Option<Reading> {
+    let lines = summary.interfaces.get(interface)?.lines.iter();
+    let heaviest = lines.max_by(|a, b| a.peak.total_cmp(&b.peak));
+    plain(heaviest.map(read))
+}
+
+/// The sizing rule with the printed constant and with the exact one.
+fn rule(summary: &Summary) -> Option<[&Demand; 2]> {
+    let rule = summary.sizing.as_ref()?.rule.as_ref()?;
+    Some([&rule.printed, &rule.exact])
+}
+
+fn provided(demand: &Demand) -> Option<Reading> {
+    plain(Some(
+        demand.provided / demand.required_diameter_times_length,
+    ))
+}
+
+fn dent(summary: &Summary, part: &str) -> Option<Reading> {
+    let dents = summary.unloaded.as_ref()?.dents.0.iter();
+    let depths = dents
+        .filter(|(_, d)| d.body.contains(part))
+        .map(|(_, d)| 1e3 * d.depth);
+    plain(depths.reduce(f64::max))
+}

@@ -1,0 +1,161 @@
+//! The page `docs/coverage.md`, and the lines of the terminal.
+
+use super::bearing::Set;
+use super::criteria::{Criterion, criteria, groups};
+use super::measure::{Record, Verdict};
+use super::tally::Tally;
+use crate::render::text::significant;
+use std::fmt::Write;
+
+/// How many of the worst are named.
+const WORST: usize = 10;
+
+fn percent(share: Option<f64>) -> String {
+    share.map_or("-".to_owned(), |s| {
+        format!("{} %", significant(100.0 * s, 3))
+    })
+}
+
+/// A demand in a line.
+pub fn criterion(c: &Criterion) -> String {
+    let [wanted, found] = [Some(c.wanted), c.found].map(|value| match c.wanted > 1.0 {
+        true => value.map_or("-".to_owned(), |v| significant(v, 3)),
+        false => percent(value),
+    });
+    let mark = match c.holds() {
+        Some(true) => "ok",
+        Some(false) => "MISSED",
+        None => "-",
+    };
+    let sense = if c.least { "at least" } else { "at most" };
+    format!("| {mark} | {} | {sense} {wanted} | {found} |", c.what)
+}
+
+fn row(name: &str, tally: &Tally) -> String {
+    format!(
+        "| {name} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+        tally.claims,
+        percent(tally.covered()),
+        percent(tally.undecided()),
+        percent(tally.without_bar()),
+        percent(tally.error),
+        percent(tally.error_90),
+        percent(tally.bar),
+        tally.width().map_or("-".to_owned(), |w| significant(w, 2)),
+    )
+}
+
+const HEAD: &str = "claims | hold | undecidable | unresolved | true error | nine of ten | bar | bar / error |\n\
+                    |---|---|---|---|---|---|---|---|---|\n";
+
+/// A table of groups of claims that make a claim at all.
+fn table(title: &str, records: &[Record], key: impl Fn(&Record) -> String) -> String {
+    let mut text = format!("| {title} | {HEAD}");
+    for name in groups(records, &key) {
+        let tally = Tally::of(records.iter().filter(|r| key(r) == name));
+        if tally.claims > 0 {
+            text.push_str(&row(&name, &tally));
+        }
+    }
+    text
+}
+
+/// The claims that are farthest outside of their bars.
+fn worst(records: &[Record]) -> String {
+    let outside = |r: &&Record| r.verdict == Verdict::Missed;
+    let ratio = |r: &Record| {
+        r.error()
+            .zip(r.bar())
+            .map_or(0.0, |(error, bar)| error / bar)
+    };
+    let mut missed: Vec<&Record> = records.iter().filter(outside).collect();
+    missed.sort_by(|a, b| ratio(b).total_cmp(&ratio(a)));
+    let mut text = "| bearing | mesh | steel | figure | where | true error | bar | error / bar |\n\
+                    |---|---|---|---|---|---|---|---|\n"
+        .to_owned();
+    for record in missed.into_iter().take(WORST) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {} | {} |",
+            record.bearing,
+            record.preset,
+            if record.elastic {
+                "elastic"
+            } else {
+                "as drawn"
+            },
+            record.reading.what,
+            record.reading.place,
+            percent(record.error()),
+            percent(record.bar()),
+            significant(ratio(record), 2),
+        );
+    }
+    text
+}
+
+/// The page. `unsolved` says of the runs that failed why, `unknown` counts bearings without reference.
+pub fn page(records: &[Record], sets: &[Set], unsolved: &[String], unknown: &[String]) -> String {
+    let sets: Vec<String> = sets.iter().map(Set::to_string).collect();
+    let demands: Vec<String> = criteria(records).iter().map(criterion).collect();
+    let missing = match unknown {
+        [] => String::new(),
+        names => format!(
+            "\nWithout stored true values, so left out: {}.\n",
+            names.join(", ")
+        ),
+    };
+    let failed: String = unsolved.iter().map(|text| format!("- {text}\n")).collect();
+    let failed = match failed.is_empty() {
+        true => String::new(),
+        false => format!("\nNot solved:\n\n{failed}"),
+    };
+    format!(
+        "# Do the bars hold?\n\n\
+         Written by `brinell verify --suite coverage --write`; do not edit. Every bearing of the sets\n\
+         {} is solved on each mesh as a user's case is, with elastic steel{}, and every\n\
+         claim of its certificate is set beside the true value: two fine meshes, their difference\n\
+         extrapolated by half, uncertain by that difference or by what the figure scatters in the\n\
+         middle of all bearings, whichever is more ([`cases/coverage`](../cases/coverage)). A claim\n\
+         *holds* where |value - true value| is at most bar plus uncertainty; it is *undecidable* where the\n\
+         uncertainty exceeds a third of the bar, *unresolved* where it says so itself. Shares that hold\n\
+         are of those that can be decided. Errors and bars are relative, in the middle of the group.\n\
+         Errors of `auto` that a limit is set for are counted where the true value is known to a third of the limit.\n\
+         {missing}{failed}\n\
+         ## What is asked\n\n| | | wanted | found |\n|---|---|---|---|\n{}\n\n\
+         ## By mesh\n\n{}\n## By figure\n\n{}\n## By figure and mesh\n\n{}\n## By bearing\n\n{}\n\
+         ## The worst\n\n{}",
+        sets.join(", "),
+        if records.iter().all(|r| r.elastic) {
+            ""
+        } else {
+            " and as it is"
+        },
+        demands.join("\n"),
+        table("mesh", records, |r| r.preset.clone()),
+        table("figure", records, |r| r.reading.what.clone()),
+        table("figure, mesh", records, |r| format!(
+            "{}, {}",
+            r.reading.what, r.preset
+        )),
+        table("bearing", records, |r| r.bearing.clone()),
+        worst(records),
+    )
+}
+
+/// Of a run, in a line.
+pub fn line(name: &str, records: &[Record]) -> String {
+    let tally = Tally::of(records);
+    let first = records.first();
+    format!(
+        "{name:44} {:>8} unknowns {:>7.1} s  {:3} claims: {:3} hold, {:2} missed, {:2} undecidable, {:2} unresolved",
+        first.map_or(0, |r| r.unknowns),
+        first.map_or(0.0, |r| r.cpu_s),
+        tally.claims,
+        tally.holds,
+        tally.missed,
+        tally.undecidable,
+        tally.unresolved,
+    )
+}

@@ -1,0 +1,129 @@
+//! A bearing that was drawn at random, and the text of its case file.
+
+use crate::render::text::significant;
+
+/// The units of a case: of length, force and stress, and how many of its forces are one unit of stress
+/// times one of area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Units {
+    pub system: &'static str,
+    pub length: &'static str,
+    pub force: &'static str,
+    pub stress: &'static str,
+    pub forces: f64,
+}
+
+pub const INCH: Units = Units {
+    system: "in-kip-ksi",
+    length: "in",
+    force: "kip",
+    stress: "ksi",
+    forces: 1.0,
+};
+
+pub const METRIC: Units = Units {
+    system: "mm-N-MPa",
+    length: "mm",
+    force: "kN",
+    stress: "MPa",
+    forces: 1e-3,
+};
+
+/// How the ends of the rollers are made, lengths in the unit of the case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    Square,
+    Radius(f64),
+    Crown(f64),
+}
+
+/// A bearing of the template, lengths and stresses in its own units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawn {
+    pub name: String,
+    pub units: Units,
+    /// In units of [`Units::force`].
+    pub load: f64,
+    pub friction: f64,
+    pub diameter: f64,
+    /// `None`: solid.
+    pub wall: Option<f64>,
+    pub length: f64,
+    pub end: End,
+    pub offset: f64,
+    /// Slope of the intermediate plate, in degrees.
+    pub degrees: f64,
+    /// Is it unloaded at the end, as the case says where that is not left to the program?
+    pub unload: Option<bool>,
+    /// Of the upper, the intermediate and the lower plate.
+    pub thickness: [f64; 3],
+    pub modulus: f64,
+    pub poisson: f64,
+    pub strength: f64,
+    /// Lines of the table `[steel]`.
+    pub hardening: String,
+    /// What follows it.
+    pub more: String,
+}
+
+impl Drawn {
+    /// The case file, numbers as a designer writes them.
+    pub fn text(&self) -> String {
+        let (length, stress) = (self.units.length, self.units.stress);
+        let end = match self.end {
+            End::Square => "\"square\"".to_owned(),
+            End::Radius(radius) => format!("{{ radius = \"{} {length}\" }}", digits(radius)),
+            End::Crown(drop) => format!("{{ crown = \"{} {length}\" }}", digits(drop)),
+        };
+        let hollow = match self.wall {
+            Some(wall) => format!("roller_wall = \"{} {length}\"", digits(wall)),
+            None => "solid = true".to_owned(),
+        };
+        let unload = self.unload.map(|unload| format!("unload = {unload}\n"));
+        let unload = unload.unwrap_or_default();
+        let [upper, middle, lower] = self.thickness.map(digits);
+        format!(
+            "title = \"{}\"\n\
+             units = \"{}\"\n\
+             [bearing]\n\
+             load = \"{} {}\"\n\
+             friction = {}\n\
+             roller_diameter = \"{} {length}\"\n\
+             {hollow}\n\
+             roller_length = \"{} {length}\"\n\
+             roller_end = {end}\n\
+             offset = \"{} {length}\"\n\
+             slope = \"{} deg\"\n\
+             {unload}\n\
+             [bearing.plate_thickness]\n\
+             upper = \"{upper} {length}\"\n\
+             intermediate = \"{middle} {length}\"\n\
+             lower = \"{lower} {length}\"\n\
+             \n\
+             [steel]\n\
+             youngs_modulus = \"{} {stress}\"\n\
+             poissons_ratio = {}\n\
+             yield_stress = \"{} {stress}\"\n\
+             {}{}",
+            self.name,
+            self.units.system,
+            digits(self.load),
+            self.units.force,
+            digits(self.friction),
+            digits(self.diameter),
+            digits(self.length),
+            digits(self.offset),
+            digits(self.degrees),
+            self.modulus,
+            self.poisson,
+            self.strength,
+            self.hardening,
+            self.more,
+        )
+    }
+}
+
+/// As case files have them.
+pub fn digits(value: f64) -> String {
+    significant(value, 4)
+}

@@ -1,0 +1,226 @@
+//! Short words for the scenes of the ladder, and a solution with its cost.
+
+use std::time::Instant;
+
+use super::VerifyError;
+use super::claim::Claim;
+use crate::answer::results::hex::GaussRule;
+use crate::model::material::Steel;
+use crate::model::mesh::block::cylindrical;
+use crate::model::mesh::{Mesh, Surface};
+use crate::model::scene::{
+    ContactPair, Controls, ElementKind, Partner, PlaneMotion, RigidPlane, Scene, Side, Step,
+    Support, Traction, TractionValue,
+};
+use crate::model::state::{ContactField, State};
+use crate::solver::solve::{Silent, Solution, solve};
+
+/// A scene of one steel and one step without contact, loads and supports.
+pub fn scene(name: &str, mesh: Mesh, steel: Steel) -> Scene {
+    Scene {
+        name: name.into(),
+        materials: vec![steel; mesh.bodies.len()],
+        mesh,
+        contacts: Vec::new(),
+        supports: Vec::new(),
+        rigid_planes: Vec::new(),
+        tractions: Vec::new(),
+        steps: vec![step("load", 1.0)],
+        mirrors: Vec::new(),
+        controls: Controls::default(),
+    }
+}
+
+/// A step to `factor`.
+pub fn step(name: &str, factor: f64) -> Step {
+    Step {
+        name: name.into(),
+        factor,
+        factors: Vec::new(),
+    }
+}
+
+/// Displacement components on a surface, by whose name the support goes.
+pub fn support(surface: &str, components: [Option<f64>; 3]) -> Support {
+    Support {
+        name: surface.into(),
+        surface: surface.into(),
+        components,
+        ..Support::default()
+    }
+}
+
+/// A surface that cannot move along `axis`.
+pub fn held(surface: &str, axis: usize) -> Support {
+    let mut components = [None; 3];
+    components[axis] = Some(0.0);
+    support(surface, components)
+}
+
+/// Pressure on a surface, by whose name the traction goes.
+pub fn pressure(surface: &str, pressure: f64) -> Traction {
+    Traction {
+        name: surface.into(),
+        surface: surface.into(),
+        value: TractionValue::Pressure(pressure),
+    }
+}
+
+/// A surface that moves as one along `axis` under the total force `force`; free along the others.
+pub fn driven(name: &str, surface: &str, axis: usize, force: f64) -> RigidPlane {
+    let mut motion = [PlaneMotion::Free; 3];
+    motion[axis] = PlaneMotion::Driven(force);
+    RigidPlane {
+        name: name.into(),
+        surface: surface.into(),
+        motion,
+    }
+}
+
+/// Frictionless contact of two surfaces, the upper one carrying the pressure.
+pub fn pair(name: &str, upper: &str, lower: &str) -> ContactPair {
+    ContactPair {
+        name: name.into(),
+        upper: Partner::Surface(upper.into()),
+        lower: Partner::Surface(lower.into()),
+        carrier: Side::Upper,
+        friction: 0.0,
+        penalty_factor: 1.0,
+        true_geometry: true,
+    }
+}
+
+/// Frictionless contact of a surface with the rigid half space below the coordinate plane
+/// through the origin with outward normal along `axis`.
+pub fn on_rigid_flat(surface: &str, axis: usize) -> ContactPair {
+    let mut normal = [0.0; 3];
+    normal[axis] = 1.0;
+    ContactPair {
+        lower: Partner::Plane {
+            point: [0.0; 3],
+            normal,
+        },
+        ..pair("body-flat", surface, "")
+    }
+}
+
+/// The surface called `name`.
+pub fn surface<'a>(mesh: &'a Mesh, name: &str) -> Result<&'a Surface, VerifyError> {
+    mesh.surface(name).ok_or(VerifyError::Missing("surface"))
+}
+
+/// Largest coordinate along `axis` less the smallest.
+pub fn extent(mesh: &Mesh, axis: usize) -> f64 {
+    let along = || mesh.points.iter().map(|p| p[axis]);
+    along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+}
+
+/// Value of a contact field at a mesh node, zero off the field.
+pub fn at_node(field: &ContactField, values: &[f64], node: u32) -> f64 {
+    field.nodes.binary_search(&node).map_or(0.0, |i| values[i])
+}
+
+/// Mean displacement of the nodes of a surface.
+pub fn mean_displacement(mesh: &Mesh, state: &State, name: &str) -> Result<[f64; 3], VerifyError> {
+    let nodes = surface(mesh, name)?.nodes();
+    let mut sum = [0.0; 3];
+    for node in &nodes {
+        for (s, u) in sum.iter_mut().zip(state.displacement[*node as usize]) {
+            *s += u / nodes.len() as f64;
+        }
+    }
+    Ok(sum)
+}
+
+/// Displacement of the node next to `at`.
+pub fn displacement_at(mesh: &Mesh, state: &State, at: [f64; 3]) -> Result<[f64; 3], VerifyError> {
+    let distance = |p: &[f64; 3]| (0..3).map(|i| (p[i] - at[i]).powi(2)).sum::<f64>();
+    let nodes = 0..mesh.points.len();
+    let node =
+        nodes.min_by(|a, b| distance(&mesh.points[*a]).total_cmp(&distance(&mesh.points[*b])));
+    let node = node.ok_or(VerifyError::Missing("node"))?;
+    Ok(state.displacement[node])
+}
+
+/// ∫ σ dV over the modelled part, component by component.
+///
+/// By virtual work with a displacement u = x along an axis, the force times the height of a body
+/// that is pressed between planes across that axis: exact for what the solver balanced.
+pub fn stress_integral(mesh: &Mesh, state: &State) -> [f64; 6] {
+    let rule = GaussRule::new();
+    let mut sum = [0.0; 6];
+    for (e, points) in state.stress.iter().enumerate() {
+        for (stress, volume) in points.iter().zip(rule.volumes(&mesh.corners(e))) {
+            for (s, t) in sum.iter_mut().zip(stress) {
+                *s += t * volume;
+            }
+        }
+    }
+    sum
+}
+
+/// Cylindrical coordinates (radius, angle from x to y, z) to Cartesian ones, with the edges of a
+/// quarter exactly on the axes.
+pub fn quarter([radius, angle, z]: [f64; 3]) -> [f64; 3] {
+    let [x, y, z] = cylindrical([radius, angle, z]);
+    let exact = |c: f64| if c.abs() < 1e-12 * radius { 0.0 } else { c };
+    [exact(x), exact(y), z]
+}
+
+/// Supports of a quarter of a ring in plane strain, meshed as (radius, angle, z) by [`quarter`].
+pub fn quarter_supports() -> Vec<Support> {
+    let faces = [("y_min", 1), ("y_max", 0), ("z_min", 2), ("z_max", 2)];
+    faces.map(|(face, axis)| held(face, axis)).into()
+}
+
+/// Supports of the block `upper` on the block `lower`, both free to widen, `lower` held below.
+pub fn stack_supports() -> Vec<Support> {
+    let faces = [
+        ("lower_x_min", 0),
+        ("lower_y_min", 1),
+        ("upper_x_min", 0),
+        ("upper_y_min", 1),
+        ("lower_z_min", 2),
+    ];
+    faces.map(|(face, axis)| held(face, axis)).into()
+}
+
+/// Both elements, and what claims call them.
+pub const KINDS: [(ElementKind, &str); 2] = [
+    (ElementKind::Bbar, "B-bar"),
+    (ElementKind::Enhanced, "enhanced"),
+];
+
+/// A solved scene and what it cost.
+pub struct Run {
+    pub scene: Scene,
+    pub solution: Solution,
+    pub seconds: f64,
+}
+
+/// Solves a scene that is expected to converge.
+pub fn run(mut scene: Scene) -> Result<Run, VerifyError> {
+    let start = Instant::now();
+    let solution = solve(&mut scene, &mut Silent)?;
+    Ok(Run {
+        scene,
+        solution,
+        seconds: start.elapsed().as_secs_f64(),
+    })
+}
+
+impl Run {
+    /// The last accepted state.
+    pub fn state(&self) -> &State {
+        &self.solution.last
+    }
+
+    /// The claim with the unknowns and seconds of this run.
+    pub fn claim(&self, claim: Claim) -> Claim {
+        Claim {
+            dofs: self.solution.counters.equations,
+            seconds: self.seconds,
+            ..claim
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Random cases in words: a line each for the terminal, a section of the page.
+
+use super::{Outcome, Verdict};
+use crate::render::text::percent;
+
+/// Iterations that most accepted increments take less than.
+const FEW: usize = 60;
+
+fn words(outcome: &Outcome) -> &str {
+    match &outcome.verdict {
+        Verdict::Solved => "solved",
+        Verdict::Doubted { why }
+        | Verdict::Refused { why }
+        | Verdict::Wrong { why }
+        | Verdict::Unexplained { why } => why,
+        Verdict::Panicked => "it panicked",
+    }
+}
+
+fn mark(outcome: &Outcome) -> &'static str {
+    match outcome.verdict {
+        Verdict::Solved => "solved",
+        Verdict::Doubted { .. } => "doubted",
+        Verdict::Refused { .. } => "refused",
+        Verdict::Wrong { .. } => "WRONG",
+        Verdict::Unexplained { .. } => "UNEXPLAINED",
+        Verdict::Panicked => "PANICKED",
+    }
+}
+
+/// The head of the lines.
+pub fn head() -> String {
+    format!(
+        "{:11} {:18} {:>10} {:>12} {:>7}  what came of it",
+        "", "case", "iterations", "an increment", "s"
+    )
+}
+
+/// A line for the terminal.
+pub fn line(outcome: &Outcome) -> String {
+    format!(
+        "{:11} {:18} {:>10} {:>12} {:>7.2}  {}",
+        mark(outcome),
+        outcome.name,
+        outcome.iterations,
+        outcome.most,
+        outcome.seconds,
+        words(outcome)
+    )
+}
+
+/// How many ended how, in words.
+pub fn tally(outcomes: &[Outcome]) -> String {
+    let count = |what: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| what(o)).count();
+    let marked = |name: &'static str| count(&|o| mark(o) == name);
+    let solved = count(&Outcome::is_solved);
+    let few = count(&|o| o.is_solved() && o.most < FEW);
+    let share = |part: usize, of: usize| percent(part as f64 / of.max(1) as f64);
+    let mut times: Vec<f64> = outcomes.iter().map(|o| o.seconds).collect();
+    times.sort_by(f64::total_cmp);
+    let time = |share: f64| {
+        let at = (share * times.len() as f64) as usize;
+        times
+            .get(at.min(times.len().saturating_sub(1)))
+            .copied()
+            .unwrap_or(0.0)
+    };
+    format!(
+        "{} cases: {solved} solved (of {} Brinell says that the mesh is too coarse), {} refused for a reason that is confirmed, {} unexplained ({}), {} wrong, \
+         {} panicked. {} of the solved take fewer than {FEW} iterations in any increment. Seconds: median \
+         {:.1}, nine of ten {:.1}, longest {:.1}.",
+        outcomes.len(),
+        marked("doubted"),
+        marked("refused"),
+        marked("UNEXPLAINED"),
+        share(marked("UNEXPLAINED"), outcomes.len()),
+        marked("WRONG"),
+        marked("PANICKED"),
+        share(few, solved),
+        time(0.5),
+        time(0.9),
+        time(1.0),
+    )
+}
+
+/// The section of `docs/stability.md`: what came of the cases that these arguments draw, with those by name that
+/// went wrong.
+pub fn section(arguments: &str, sets: &[(&str, Vec<Outcome>)]) -> String {
+    let mut text = format!(
+        "Written by `brinell verify --suite random {arguments} --write`; do not edit. Bearings and stacks of\n\
+         blocks are drawn by the seed, whatever comes of them. Each is solved, or refused for a reason that is\n\
+         known without the solver: statics says that it cannot stand, a bound of the limit load that plastic\n\
+         steel cannot carry it, rings and columns that give way that a body turns too far. All else is unexplained.\n\
+         Stacks are also solved turned, in other units and numbered otherwise, and have to give the same to\n\
+         1e-6; and with penalties of 0.01 and 100 and divided, to 1e-5. Where increments end elsewhere, they may\n\
+         differ by twice what increments are said to be worth.\n"
+    );
+    for (what, outcomes) in sets {
+        text.push_str(&format!("\n### {what}\n\n{}\n", tally(outcomes)));
+        let failed: Vec<&Outcome> = outcomes.iter().filter(|o| !o.holds()).collect();
+        if failed.is_empty() {
+            continue;
+        }
+        text.push_str("\n| | case | iterations | s | what came of it |\n|---|---|---|---|---|\n");
+        for o in failed {
+            text.push_str(&format!(
+                "| {} | {} | {} | {:.1} | {} |\n",
+                mark(o),
+                o.name,
+                o.iterations,
+                o.seconds,
+                words(o).replace('|', "/"),
+            ));
+        }
+    }
+    text
+}

@@ -1,0 +1,55 @@
+//! What a run does, and its end when it has taken too long.
+
+use crate::model::state::State;
+use crate::solver::solve::{Iteration, Observer};
+use std::time::{Duration, Instant};
+
+/// Longer than this no case may take.
+const LONGEST: Duration = Duration::from_secs(120);
+
+/// Counts iterations.
+#[derive(Debug)]
+pub struct Watch {
+    start: Instant,
+    pub iterations: usize,
+    /// Of the increment that is under way, cut-backs included.
+    now: usize,
+    /// The most that an accepted increment took, cut-backs included.
+    pub most: usize,
+    /// When accepted increments ended.
+    pub times: Vec<f64>,
+}
+
+impl Watch {
+    pub fn start() -> Self {
+        Self {
+            start: Instant::now(),
+            iterations: 0,
+            now: 0,
+            most: 0,
+            times: Vec::new(),
+        }
+    }
+
+    pub fn seconds(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+}
+
+impl Observer for Watch {
+    fn iteration(&mut self, _: &Iteration) {
+        self.iterations += 1;
+        self.now += 1;
+    }
+
+    fn increment(&mut self, state: &State) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        self.most = self.most.max(self.now);
+        self.now = 0;
+        self.times.push(state.time);
+        Ok(())
+    }
+
+    fn cancelled(&self) -> bool {
+        self.start.elapsed() > LONGEST
+    }
+}

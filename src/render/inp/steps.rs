@@ -1,0 +1,129 @@
+//! The steps: closing the contact by motion, then the loads of the scene; and what to put out.
+
+use super::hold::Driven;
+use super::mesh::face_number;
+use super::{ContactType, Deck, number};
+use crate::model::scene::{Step, TractionValue};
+use std::io::{self, Write};
+
+/// First increment of the closing step, as a share of it.
+const CLOSING_INCREMENT: f64 = 0.25;
+/// Smallest increment, as a share of a step.
+const SMALLEST: f64 = 1e-5;
+
+impl Deck<'_> {
+    pub(super) fn steps(&self, out: &mut dyn Write) -> io::Result<()> {
+        let Some(first) = self.scene.steps.first() else {
+            return Ok(());
+        };
+        let force = |plane: &Driven| plane.force * first.factor_of(&plane.plane);
+        let pushed: Vec<&Driven> = self.driven.iter().filter(|p| force(p) != 0.0).collect();
+        if !pushed.is_empty() {
+            writeln!(
+                out,
+                "** Closing: no force finds a balance before there is contact, so what will be\n\
+                 ** driven by force is moved a little way first."
+            )?;
+            self.begin(out, CLOSING_INCREMENT)?;
+            self.boundary(out, |_| 0.0)?;
+            for plane in pushed {
+                let closing = self.settings.closing.unwrap_or(plane.closing);
+                let (node, dof) = (plane.reference + 1, plane.axis + 1);
+                let motion = closing.copysign(force(plane));
+                writeln!(out, "{node},{dof},{dof},{}", number(motion))?;
+            }
+            writeln!(out, "*END STEP")?;
+        }
+        let increment = self.settings.increment;
+        let increment = increment.unwrap_or(self.scene.controls.first_increment);
+        for step in &self.scene.steps {
+            writeln!(out, "** {}", super::one_line(&step.name))?;
+            self.begin(out, increment.min(1.0))?;
+            self.boundary(out, |name| step.factor_of(name))?;
+            self.loads(out, step)?;
+            self.requests(out)?;
+            writeln!(out, "*END STEP")?;
+        }
+        Ok(())
+    }
+
+    fn begin(&self, out: &mut dyn Write, increment: f64) -> io::Result<()> {
+        writeln!(out, "*STEP,INC=1000")?;
+        match &self.settings.solver {
+            Some(solver) => writeln!(out, "*STATIC,SOLVER={solver}")?,
+            None => writeln!(out, "*STATIC")?,
+        }
+        writeln!(out, "{increment},1.,{SMALLEST:e},1.")
+    }
+
+    fn loads(&self, out: &mut dyn Write, step: &Step) -> io::Result<()> {
+        let mesh = &self.scene.mesh;
+        for plane in &self.driven {
+            let force = plane.force * step.factor_of(&plane.plane);
+            let (node, dof) = (plane.reference + 1, plane.axis + 1);
+            writeln!(out, "*CLOAD\n{node},{dof},{}", number(force))?;
+        }
+        for traction in &self.scene.tractions {
+            let Some(surface) = mesh.surface(&traction.surface) else {
+                continue;
+            };
+            let factor = step.factor_of(&traction.name);
+            match traction.value {
+                TractionValue::Pressure(pressure) => {
+                    writeln!(out, "*DLOAD")?;
+                    for face in &surface.faces {
+                        let side = face_number(mesh, face);
+                        let pressure = number(pressure * factor);
+                        writeln!(out, "{},P{side},{pressure}", face.element + 1)?;
+                    }
+                }
+                value @ TractionValue::Vector(_) => {
+                    let mut forces = vec![[0.0; 3]; mesh.points.len()];
+                    crate::solver::fem::loads::add_traction(
+                        mesh,
+                        surface,
+                        value,
+                        factor,
+                        &mut forces,
+                    );
+                    writeln!(out, "*CLOAD")?;
+                    for node in surface.nodes() {
+                        for (axis, force) in forces[node as usize].iter().enumerate() {
+                            if *force != 0.0 {
+                                writeln!(out, "{},{},{}", node + 1, axis + 1, number(*force))?;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// At the end of the step: displacement, nodal stress, plastic strain, contact, reactions.
+    fn requests(&self, out: &mut dyn Write) -> io::Result<()> {
+        const LAST: &str = "FREQUENCY=9999";
+        writeln!(out, "*NODE FILE,{LAST}\nU")?;
+        let steels = &self.scene.materials;
+        let plastic = self.scene.controls.plasticity && steels.iter().any(|s| !s.is_elastic());
+        let fields = if plastic { "S,PEEQ" } else { "S" };
+        writeln!(out, "*EL FILE,{LAST}\n{fields}")?;
+        for set in self.held_sets() {
+            writeln!(out, "*NODE PRINT,NSET={set},TOTALS=YES,{LAST}\nRF")?;
+        }
+        if self.pairs.is_empty() {
+            return Ok(());
+        }
+        writeln!(out, "*CONTACT FILE,{LAST}\nCDIS,CSTR")?;
+        if self.settings.contact == ContactType::SurfaceToSurface {
+            for pair in &self.pairs {
+                let [carrier, other] = &pair.sides;
+                writeln!(
+                    out,
+                    "*CONTACT PRINT,SLAVE={carrier},MASTER={other},{LAST}\nCF"
+                )?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,30 @@
+//! What people and other programs read: the terminal table, `summary.json`, line loads, plots, VTK
+//! files, a page for browsers, and decks for other solvers.
+//!
+//! Nothing here knows how a scene is solved. Fields and scalars come from
+//! [`results`](crate::answer::results); here they get names, units and a file format.
+
+pub mod check;
+pub mod encode;
+mod error;
+pub mod fields;
+pub mod grid;
+pub mod inp;
+pub mod left_out;
+pub mod line_load;
+pub mod page;
+pub mod paraview;
+pub mod plot;
+pub mod pvd;
+pub mod report;
+pub mod series;
+pub mod summary;
+pub mod table;
+pub mod text;
+pub mod units;
+pub mod warnings;
+
+pub use error::OutputError;
+pub use series::Series;
+pub use summary::{Summary, SummaryInputs};
+pub use units::UnitLabels;

@@ -1,0 +1,79 @@
+//! Figures as an engineer reads them: no more digits than they are worth.
+
+use crate::answer::certify::{Claim, Quantity};
+use crate::render::text::significant;
+use crate::render::units::UnitLabels;
+
+/// Digits of a figure of which no error is known.
+pub const DIGITS: usize = 4;
+
+/// A figure, or a dash.
+pub fn number(value: Option<f64>) -> String {
+    value.map_or_else(|| "–".to_string(), |v| significant(v, DIGITS))
+}
+
+/// A share as a percentage of three digits, or a dash.
+pub fn share(value: Option<f64>) -> String {
+    value.map_or_else(
+        || "–".to_string(),
+        |v| format!("{} %", significant(100.0 * v, 3)),
+    )
+}
+
+/// A figure and its error, both as far as the first digit of the error, or the second where the
+/// first is 1; with four digits where nothing is known of it.
+pub fn with_error(value: f64, error: Option<f64>) -> String {
+    let Some(error) = error.filter(|e| e.is_finite() && *e > 0.0 && value.is_finite()) else {
+        return significant(value, DIGITS);
+    };
+    let mut place = error.log10().floor();
+    if error / 10f64.powf(place) < 2.0 {
+        place -= 1.0;
+    }
+    // An error far below the figure asks for no more than five digits.
+    let finest = value.abs().max(error).log10().floor() - 4.0;
+    let place = place.max(finest) as i32;
+    if !(-6..=5).contains(&place) {
+        return format!("{value:.2e} ± {error:.0e}");
+    }
+    let unit = 10f64.powi(place);
+    let decimals = usize::try_from(-place).unwrap_or(0);
+    let [value, error] = [value, error].map(|v| (v / unit).round() * unit);
+    match error > 0.0 {
+        true => format!("{value:.decimals$} ± {error:.decimals$}"),
+        false => format!("{value:.decimals$} ± < {unit:.decimals$}"),
+    }
+}
+
+/// In place of a figure of which nothing is known.
+pub const NOT_RESOLVED: &str = "not resolved";
+
+/// A figure that is certified, with its error; without digits that this mesh does not resolve.
+pub fn certified(value: f64, claim: Option<&Claim>) -> String {
+    match claim {
+        Some(claim) if !claim.is_resolved() => {
+            format!("{}, {NOT_RESOLVED}", significant(value, 2))
+        }
+        claim => with_error(value, claim.and_then(Claim::bar)),
+    }
+}
+
+/// The unit of a claim, empty for a bare number.
+pub fn unit_of(what: Quantity, units: &UnitLabels) -> String {
+    units.of_measure(what.measure())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_decide_the_digits() {
+        assert_eq!(with_error(95.81, Some(15.3)), "96 ± 15");
+        assert_eq!(with_error(0.010_97, Some(0.000_78)), "0.0110 ± 0.0008");
+        assert_eq!(with_error(238.2, None), "238.2");
+        assert_eq!(with_error(238.2, Some(1e-9)), "238.20 ± < 0.01");
+        assert_eq!(with_error(12_345.0, Some(700.0)), "12300 ± 700");
+        assert_eq!(with_error(f64::NAN, Some(1.0)), "-");
+    }
+}

@@ -1,0 +1,79 @@
+//! Bodies and rollers in the summary.
+
+use super::inputs::SummaryInputs;
+use super::values::{Named, Three};
+use crate::answer::results::bore::BoreStress;
+use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::peaks::{BodyPeaks, Peak};
+use serde::Serialize;
+
+/// A body in the summary.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct BodySummary {
+    pub mises_max: Three<Option<f64>>,
+    /// Undeformed coordinates of the three peaks.
+    pub at: Three<Option<[f64; 3]>>,
+    /// Peaks beside a loaded edge, which grow with every refinement.
+    pub at_singular_edge: Three<bool>,
+    /// Peaks of the elastic solution, where the body has yielded and that solution is known.
+    pub elastic_mises_max: Option<Three<Option<f64>>>,
+    pub peeq_max: f64,
+    /// In the whole body, not only its modelled part; so is `volume`.
+    pub yielded_volume: f64,
+    pub volume: f64,
+}
+
+/// A hollow roller in the summary.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct RollerSummary {
+    pub bore_mises: Option<f64>,
+    pub bore_mises_at: Option<[f64; 3]>,
+    pub bore_mises_nodal: Option<f64>,
+    pub bore_mises_nodal_at: Option<[f64; 3]>,
+}
+
+pub(super) fn bodies(inputs: &SummaryInputs, peaks: &[BodyPeaks]) -> Named<BodySummary> {
+    let (scene, state) = (inputs.scene, inputs.state);
+    let edges = LoadedEdges::find(scene, state);
+    let summarise = |(body, peaks): (usize, &BodyPeaks)| {
+        let elastic = inputs
+            .elastic
+            .filter(|_| peaks.peeq_max > 0.0)
+            .and_then(|e| e.get(body));
+        let touches = |peak: Peak| edges.are_near(&peak.at);
+        let summary = BodySummary {
+            mises_max: three(peaks, |peak| peak.value),
+            at: three(peaks, |peak| peak.at),
+            at_singular_edge: Three {
+                centroid: peaks.centroid.is_some_and(touches),
+                integration_point: peaks.integration_point.is_some_and(touches),
+                nodal: peaks.nodal.is_some_and(touches),
+            },
+            elastic_mises_max: elastic.map(|e| three(e, |peak| peak.value)),
+            peeq_max: peaks.peeq_max,
+            yielded_volume: peaks.yielded_volume,
+            volume: peaks.volume,
+        };
+        (peaks.name.clone(), summary)
+    };
+    Named(peaks.iter().enumerate().map(summarise).collect())
+}
+
+fn three<T>(peaks: &BodyPeaks, read: impl Fn(Peak) -> T) -> Three<Option<T>> {
+    Three {
+        centroid: peaks.centroid.map(&read),
+        integration_point: peaks.integration_point.map(&read),
+        nodal: peaks.nodal.map(&read),
+    }
+}
+
+impl From<&BoreStress> for RollerSummary {
+    fn from(stress: &BoreStress) -> Self {
+        Self {
+            bore_mises: stress.mises,
+            bore_mises_at: stress.mises_at,
+            bore_mises_nodal: stress.nodal,
+            bore_mises_nodal_at: stress.nodal_at,
+        }
+    }
+}

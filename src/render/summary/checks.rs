@@ -1,0 +1,68 @@
+//! How well an answer satisfies its own equations.
+
+use super::inputs::SummaryInputs;
+use super::values::Named;
+use crate::answer::results::balance::balances;
+use crate::answer::results::interface::Interface;
+use crate::model::scene::Scene;
+use crate::model::state::State;
+use serde::Serialize;
+
+/// Relative figures that say how well the answer satisfies its own equations.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Checks {
+    /// Largest difference between the load and the force of an interface, relative to the load.
+    /// Right for bodies in series; pass another where they are not.
+    pub force_balance: Option<f64>,
+    /// Largest penetration that the facets do not explain, relative to the descent.
+    pub max_penetration_relative: Option<f64>,
+    /// Largest tangential traction beyond μ p, relative to μ times the largest pressure.
+    pub coulomb_violation: Option<f64>,
+    /// Work of the loads that is neither stored nor spent, relative to all work done.
+    pub energy_imbalance: Option<f64>,
+    /// Share of the load that stabilisation carries.
+    pub stabilisation_share: Option<f64>,
+}
+
+pub(super) fn checks(
+    inputs: &SummaryInputs,
+    measured: &[Interface],
+    load: f64,
+    descent: Option<f64>,
+) -> Checks {
+    let given = &inputs.checks;
+    let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
+    let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
+    let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
+    let penetration = || relative(largest(&|i| i.unexplained_penetration), descent?);
+    Checks {
+        force_balance: given
+            .force_balance
+            .or_else(|| some(relative(largest(&|i| (i.normal_force - load).abs()), load))),
+        max_penetration_relative: given
+            .max_penetration_relative
+            .or_else(|| some(penetration())),
+        coulomb_violation: given
+            .coulomb_violation
+            .or_else(|| some(Some(largest(&|i| i.coulomb_violation)))),
+        energy_imbalance: (given.energy_imbalance)
+            .or_else(|| inputs.state.energy.and_then(|energy| energy.imbalance())),
+        stabilisation_share: given.stabilisation_share,
+    }
+}
+
+/// Sums of the contact forces on a body, and of their moments about its middle; of the whole.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct BalanceSummary {
+    pub force: [f64; 3],
+    pub moment: [f64; 3],
+}
+
+pub(super) fn balance(scene: &Scene, state: &State) -> Named<BalanceSummary> {
+    let bodies = balances(scene, state).into_iter();
+    let summary = bodies.map(|b| {
+        let (force, moment) = (b.force, b.moment);
+        (b.body, BalanceSummary { force, moment })
+    });
+    Named(summary.collect())
+}

@@ -1,0 +1,173 @@
+//! Contact interfaces in the summary.
+
+use super::inputs::SummaryInputs;
+use crate::answer::results::balance::centre_of_force;
+use crate::answer::results::contact_lines::{ContactLine, contact_lines};
+use crate::answer::results::edges::carrier;
+use crate::answer::results::hertz::HeaviestLine;
+use crate::answer::results::interface::{Interface, StatusCounts};
+use crate::answer::results::line_load::{LineLoad, Slices, line_load};
+use crate::answer::results::strip::half_width;
+use crate::model::scene::Scene;
+use serde::{Serialize, Serializer};
+
+/// Line load of an interface.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LineLoadSummary {
+    /// The axis along the carrier body: x, y or z.
+    pub axis: &'static str,
+    /// Ends of the slices.
+    pub edges: Vec<f64>,
+    /// Mean force per length of each slice.
+    pub values: Vec<f64>,
+    /// Each slice stands for two: twice the sum over slices is the load.
+    pub mirrored: bool,
+    /// Force outside the slices.
+    pub outside: f64,
+}
+
+/// An interface in the summary; forces and areas are those of the whole bearing.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct InterfaceSummary {
+    pub force: [f64; 3],
+    pub normal_force: f64,
+    pub pressure_integral: f64,
+    pub max_pressure: f64,
+    pub max_pressure_at: Option<[f64; 3]>,
+    /// Hertz's pressure under the largest load per length; null where the strip is not Hertz's.
+    pub hertz_p0: Option<f64>,
+    /// The largest load per length, normal to the surface.
+    pub largest_line_load: Option<f64>,
+    pub max_penetration: f64,
+    /// Penetration relative to the shortest side of a face that carries pressure.
+    pub penetration_per_element: Option<f64>,
+    pub area: f64,
+    pub half_width: Option<f64>,
+    /// Not measured without friction.
+    pub max_slip: Option<f64>,
+    pub status_counts: StatusCounts,
+    pub q: Option<LineLoadSummary>,
+    /// Where the force along the load acts, on the undeformed surface of the whole.
+    pub centre_of_force: Option<[f64; 3]>,
+    /// The lines of contact along the carrier; empty where its nodes do not stand in rows.
+    pub lines: Vec<LineSummary>,
+}
+
+/// A line of contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LineSummary {
+    /// The axis along which it runs: x, y or z.
+    pub axis: &'static str,
+    /// Mean coordinate across.
+    pub across: f64,
+    /// Lines like this one in the whole bearing.
+    pub images: usize,
+    /// Do its rows stand for those at the opposite coordinates along, too?
+    pub mirrored: bool,
+    /// Coordinates of the rows of nodes along the line.
+    pub at: Vec<f64>,
+    /// Force normal to the surface per length, row by row; its integral by the trapezoidal rule is
+    /// the force.
+    pub load: Vec<f64>,
+    pub peak: f64,
+    pub peak_at: f64,
+    /// Of the strip of pressure where the load is largest.
+    pub half_width: f64,
+    /// The force of the line, spread evenly over the whole length of the carrier.
+    pub mean: f64,
+    /// Length in contact, in the whole, and of the carrier that has lifted off.
+    pub length: f64,
+    pub lifted_off: f64,
+}
+
+pub(super) fn interface_summary(
+    inputs: &SummaryInputs,
+    pair: usize,
+    (measured, heaviest): (&Interface, Option<&HeaviestLine>),
+) -> InterfaceSummary {
+    let (scene, state) = (inputs.scene, inputs.state);
+    let asked = inputs.measures.get(pair);
+    let slices = match asked {
+        Some(measure) => measure.slices.clone(),
+        None => Slices::equal(scene, pair, 10),
+    };
+    let strip = asked.and_then(|measure| measure.strip);
+    let axis = slices.as_ref().map(|s| s.axis);
+    let lines = axis.into_iter().flat_map(|axis| {
+        let lines = contact_lines(scene, state, pair, axis).into_iter();
+        lines.filter_map(move |line| line_summary(scene, line, axis))
+    });
+    InterfaceSummary {
+        force: measured.force,
+        normal_force: measured.normal_force,
+        pressure_integral: measured.pressure_integral,
+        max_pressure: measured.max_pressure,
+        max_pressure_at: measured.max_pressure_at,
+        hertz_p0: heaviest.and_then(HeaviestLine::pressure),
+        largest_line_load: heaviest.map(|h| h.line_load),
+        max_penetration: measured.max_penetration,
+        penetration_per_element: measured
+            .face_side
+            .map(|side| measured.max_penetration / side),
+        area: measured.area,
+        half_width: strip.and_then(|strip| {
+            half_width(
+                &scene.mesh,
+                carrier(scene, pair)?,
+                &state.contacts[pair],
+                &strip,
+            )
+        }),
+        max_slip: (scene.contacts[pair].friction > 0.0).then_some(measured.max_slip),
+        status_counts: measured.status_counts,
+        q: slices
+            .and_then(|s| line_load(scene, state, pair, &s))
+            .map(LineLoadSummary::from),
+        centre_of_force: centre_of_force(scene, state, pair),
+        lines: lines.collect(),
+    }
+}
+
+fn axis_name(axis: usize) -> &'static str {
+    ["x", "y", "z"].get(axis).copied().unwrap_or("?")
+}
+
+fn line_summary(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineSummary> {
+    let (peak, peak_at) = line.peak()?;
+    Some(LineSummary {
+        axis: axis_name(axis),
+        mean: line.mean(),
+        mirrored: scene.mirrors.contains(&axis),
+        across: line.across,
+        images: line.images,
+        at: line.at,
+        load: line.load,
+        peak,
+        peak_at,
+        half_width: line.heaviest.half_width,
+        length: line.length,
+        lifted_off: line.lifted_off,
+    })
+}
+
+impl From<LineLoad> for LineLoadSummary {
+    fn from(load: LineLoad) -> Self {
+        Self {
+            axis: axis_name(load.slices.axis),
+            edges: load.slices.edges,
+            values: load.q,
+            mirrored: load.mirrored,
+            outside: load.outside,
+        }
+    }
+}
+
+impl Serialize for StatusCounts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([
+            ("open", self.open),
+            ("stick", self.stick),
+            ("slip", self.slip),
+        ])
+    }
+}

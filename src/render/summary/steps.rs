@@ -1,0 +1,103 @@
+//! All steps side by side.
+
+use super::inputs::SummaryInputs;
+use super::values::{Named, Three};
+use crate::answer::results::interface::{StatusCounts, interfaces};
+use crate::answer::results::load;
+use crate::answer::results::peaks::{Peak, peaks};
+use crate::answer::results::recovery::recover;
+use crate::model::state::State;
+use serde::Serialize;
+
+/// The end of a step that is done.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StepSummary {
+    pub name: String,
+    /// What every support, rigid plane and traction is multiplied with, by name.
+    pub factors: Named<f64>,
+    /// The load that acts on the whole, as a vector, and its size.
+    pub force: [f64; 3],
+    pub load: f64,
+    pub descent: Option<f64>,
+    /// The largest of all bodies.
+    pub mises_max: Three<Option<f64>>,
+    pub peeq_max: f64,
+    pub interfaces: Named<StepInterface>,
+    /// Are the figures of the summary of this moment?
+    pub reported: bool,
+}
+
+/// An interface at the end of a step.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct StepInterface {
+    /// On the lower body, of the whole.
+    pub force: [f64; 3],
+    pub max_pressure: f64,
+    pub status_counts: StatusCounts,
+}
+
+impl StepSummary {
+    /// Largest pressure of all interfaces.
+    pub fn max_pressure(&self) -> Option<f64> {
+        let all = self.interfaces.0.iter().map(|(_, i)| i.max_pressure);
+        all.reduce(f64::max)
+    }
+
+    /// Nodes of all interfaces that stick, and that slip.
+    pub fn stick_and_slip(&self) -> [usize; 2] {
+        let counts = self.interfaces.0.iter().map(|(_, i)| i.status_counts);
+        counts.fold([0, 0], |[stick, slip], c| [stick + c.stick, slip + c.slip])
+    }
+}
+
+/// One entry for the end of each step that is done, in their order.
+pub(super) fn steps(inputs: &SummaryInputs) -> Vec<StepSummary> {
+    let one = |state: &State| {
+        let reported = state.step == inputs.state.step && state.time == inputs.state.time;
+        step(inputs, state, reported)
+    };
+    inputs.steps.iter().map(one).collect()
+}
+
+fn step(inputs: &SummaryInputs, state: &State, reported: bool) -> StepSummary {
+    let scene = inputs.scene;
+    let bodies = match reported {
+        true => peaks(scene, state, inputs.recovered),
+        false => peaks(scene, state, &recover(scene, state)),
+    };
+    let largest = |peak: &dyn Fn(usize) -> Option<Peak>| {
+        let values = (0..bodies.len()).filter_map(peak).map(|p| p.value);
+        values.reduce(f64::max)
+    };
+    let names = (scene.supports.iter().map(|s| &s.name))
+        .chain(scene.rigid_planes.iter().map(|p| &p.name))
+        .chain(scene.tractions.iter().map(|t| &t.name));
+    let factor = |name: &String| {
+        let factor = scene.factor(name, state.step, state.time);
+        (name.clone(), factor)
+    };
+    let interfaces = interfaces(scene, state).into_iter().map(|i| {
+        let summary = StepInterface {
+            force: i.force,
+            max_pressure: i.max_pressure,
+            status_counts: i.status_counts,
+        };
+        (i.name, summary)
+    });
+    let name = scene.steps.get(state.step).map(|step| step.name.clone());
+    StepSummary {
+        name: name.unwrap_or_default(),
+        factors: Named(names.map(factor).collect()),
+        force: load::resultant(scene, state),
+        load: load::applied(scene, state),
+        descent: load::descent(scene, state),
+        mises_max: Three {
+            centroid: largest(&|i| bodies[i].centroid),
+            integration_point: largest(&|i| bodies[i].integration_point),
+            nodal: largest(&|i| bodies[i].nodal),
+        },
+        peeq_max: bodies.iter().map(|b| b.peeq_max).fold(0.0, f64::max),
+        interfaces: Named(interfaces.collect()),
+        reported,
+    }
+}

@@ -1,0 +1,175 @@
+//! Numbers and columns of plain text.
+
+use crate::ground::units::Quantity;
+use std::borrow::Cow;
+use std::fmt::Write;
+
+/// `value` with `digits` significant digits, trailing zeros kept; a dash for what is no number.
+pub fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "-".to_string();
+    }
+    if value == 0.0 {
+        return "0".to_string();
+    }
+    let digits = digits.max(1);
+    // Rounding may lift the exponent, as of 9.996 to 10.00.
+    let scientific = format!("{value:.*e}", digits - 1);
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, e)| e.parse::<i32>().ok())
+        .unwrap_or(0);
+    if exponent < -4 || exponent > digits.max(5) as i32 {
+        return scientific;
+    }
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// `value` as a percentage of three significant digits.
+pub fn percent(value: f64) -> String {
+    format!("{} %", significant(100.0 * value, 3))
+}
+
+/// A place in the case's coordinates.
+pub fn place(at: [f64; 3]) -> String {
+    let [x, y, z] = at.map(|v| {
+        if v.abs() < 5e-5 {
+            "0".to_string()
+        } else {
+            format!("{v:.4}")
+        }
+    });
+    format!("({x}, {y}, {z})")
+}
+
+/// Rows under a heading, the first column flush left and the others flush right.
+#[derive(Debug, Clone, Default)]
+pub struct Columns {
+    rows: Vec<Vec<String>>,
+}
+
+impl Columns {
+    /// A table with these column headings.
+    pub fn new(headings: &[&str]) -> Self {
+        Self {
+            rows: vec![headings.iter().map(|h| (*h).to_string()).collect()],
+        }
+    }
+
+    /// Adds a row; it may be shorter than the headings.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+
+    /// Is there no row below the headings?
+    pub fn is_empty(&self) -> bool {
+        self.rows.len() < 2
+    }
+
+    /// The table, every line indented by two and ended.
+    pub fn render(&self) -> String {
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let width = |c: usize| {
+            self.rows
+                .iter()
+                .filter_map(|r| r.get(c))
+                .map(|s| s.chars().count())
+                .max()
+                .unwrap_or(0)
+        };
+        let widths: Vec<usize> = (0..columns).map(width).collect();
+        let mut text = String::new();
+        for row in &self.rows {
+            let mut line = String::from("  ");
+            for (c, cell) in row.iter().enumerate() {
+                let width = widths[c];
+                // Writing to a string cannot fail.
+                let _ = match c {
+                    0 => write!(line, "{cell:<width$}"),
+                    _ => write!(line, "  {cell:>width$}"),
+                };
+            }
+            text.push_str(line.trim_end());
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// `text` as a cell that a spreadsheet shows: an apostrophe stands before what it would calculate.
+pub fn shown(text: &str) -> Cow<'_, str> {
+    let is_number = || text.parse::<f64>().is_ok() || Quantity::parse(text).is_ok();
+    let is_formula =
+        text.starts_with(['=', '@', '\t', '\r']) || text.starts_with(['+', '-']) && !is_number();
+    match is_formula {
+        true => Cow::Owned(format!("'{text}")),
+        false => Cow::Borrowed(text),
+    }
+}
+
+/// `text` as the value of an XML attribute.
+pub fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// The text of an XML attribute value that [`escape`] made.
+pub fn unescape(text: &str) -> String {
+    text.replace("&quot;", "\"")
+        .replace("&gt;", ">")
+        .replace("&lt;", "<")
+        .replace("&amp;", "&")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_their_significant_digits() {
+        let of = |v| significant(v, 4);
+        assert_eq!(of(104.25), "104.2");
+        assert_eq!(of(-9.9996), "-10.00");
+        assert_eq!(of(0.010_951), "0.01095");
+        assert_eq!(of(29500.0), "29500");
+        assert_eq!(of(1.234_56e-7), "1.235e-7");
+        assert_eq!(of(1.5e9), "1.500e9");
+        assert_eq!(of(f64::NAN), "-");
+        assert_eq!(of(0.0), "0");
+        assert_eq!(significant(123.4, 2), "123");
+    }
+
+    #[test]
+    fn columns_line_up_by_characters() {
+        let mut columns = Columns::new(&["body", "in³"]);
+        columns.row(["roller".to_string(), "1.5".to_string()]);
+        assert_eq!(columns.render(), "  body    in³\n  roller  1.5\n");
+    }
+
+    #[test]
+    fn formulas_are_shown_and_numbers_stay() {
+        for text in ["=1+1", "@sum(a1)", "+cmd|' /c calc'!a0", "-2+3", "\t=1"] {
+            assert_eq!(shown(text), format!("'{text}"));
+        }
+        for text in ["-0.5 in", "+3", "-1e-3", "upper-lower", "a=b", ""] {
+            assert_eq!(shown(text), text);
+        }
+    }
+
+    #[test]
+    fn attribute_values_survive() {
+        let nasty = "a<b> & \"c\" &lt;";
+        assert!(!escape(nasty).contains('"'));
+        assert_eq!(unescape(&escape(nasty)), nasty);
+    }
+}

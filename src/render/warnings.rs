@@ -1,0 +1,138 @@
+//! What a reader must know before trusting a figure.
+
+use serde::Serialize;
+
+use super::summary::{BodySummary, Summary};
+use super::text::percent;
+use crate::answer::certify::{Claim, unresolved};
+
+/// A sentence of warning.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Warning(pub String);
+
+/// Small-strain theory is good to about this strain.
+const SMALL_STRAIN: f64 = 0.02;
+
+/// Force that does not balance, or that stabilisation carries, is said from this share on.
+pub const NOTABLE_SHARE: f64 = 1e-3;
+
+/// The warnings that the figures of a summary call for.
+pub fn warnings(summary: &Summary) -> Vec<Warning> {
+    let mut list = Vec::new();
+    let mut warn = |text: String| list.push(Warning(text));
+    if !summary.converged {
+        warn("the solution has not converged: no figure here is an answer".to_string());
+    }
+    if let Some(strain) = summary.max_strain.filter(|s| *s > SMALL_STRAIN) {
+        let (strain, limit) = (percent(strain), percent(SMALL_STRAIN));
+        warn(format!(
+            "largest strain {strain}: small-strain theory is in doubt above {limit}"
+        ));
+    }
+    let bodies = summary.bodies.0.iter();
+    for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
+        warn(format!("{}: {text}", names.join(", ")));
+    }
+    if let Some(text) = of_unresolved(&unresolved(&summary.certificate)) {
+        warn(text);
+    }
+    for (name, roller) in &summary.rollers.0 {
+        if roller.bore_mises.is_none() {
+            let why = match roller.bore_mises_nodal {
+                Some(_) => "the wall has yielded under the load or its shape is no bore",
+                None => "the mesh has no such surface",
+            };
+            warn(format!(
+                "{name}: no Mises stress from the strain of the bore: {why}"
+            ));
+        }
+    }
+    for (name, interface) in &summary.interfaces.0 {
+        if interface.max_pressure <= 0.0 {
+            warn(format!(
+                "{name}: the surfaces do not touch, so this contact pair carries nothing"
+            ));
+        }
+        let (Some(q), load) = (&interface.q, interface.normal_force.abs()) else {
+            continue;
+        };
+        if q.outside.abs() > NOTABLE_SHARE * load {
+            let share = percent(q.outside.abs() / load);
+            warn(format!(
+                "{name}: {share} of the load lies outside the slices of the line load"
+            ));
+        }
+    }
+    if let Some(share) = summary.checks.force_balance.filter(|s| *s > NOTABLE_SHARE) {
+        warn(format!(
+            "an interface misses the load by {}",
+            percent(share)
+        ));
+    }
+    if let Some(share) = summary
+        .checks
+        .stabilisation_share
+        .filter(|s| *s > NOTABLE_SHARE)
+    {
+        warn(format!(
+            "stabilisation carries {} of the load",
+            percent(share)
+        ));
+    }
+    list
+}
+
+/// The figures of which this mesh says nothing, in one sentence.
+fn of_unresolved(claims: &[&Claim]) -> Option<String> {
+    let figures = claims
+        .iter()
+        .map(|c| (c.what.name(), vec![c.place.clone()]));
+    let named: Vec<String> = together(figures)
+        .into_iter()
+        .map(|(figures, place)| format!("{} of {place}", figures.join(", ")))
+        .collect();
+    (!named.is_empty()).then(|| {
+        let named = named.join("; ");
+        format!("not resolved by this mesh: {named}")
+    })
+}
+
+/// The sentences, each with all the names that it holds for.
+fn together<'a>(
+    of_names: impl Iterator<Item = (&'a str, Vec<String>)>,
+) -> Vec<(Vec<&'a str>, String)> {
+    let mut list: Vec<(Vec<&str>, String)> = Vec::new();
+    for (name, texts) in of_names {
+        for text in texts {
+            match list.iter_mut().find(|(_, known)| *known == text) {
+                Some((names, _)) => names.push(name),
+                None => list.push((vec![name], text)),
+            }
+        }
+    }
+    list
+}
+
+fn of_body(body: &BodySummary) -> Vec<String> {
+    let mut list = Vec::new();
+    let singular: Vec<&str> = ["centroid", "integration point", "nodal"]
+        .into_iter()
+        .zip(body.at_singular_edge.each())
+        .filter_map(|(measure, singular)| singular.then_some(measure))
+        .collect();
+    if !singular.is_empty() {
+        let measures = singular.join(", ");
+        list.push(format!(
+            "the peak ({measures}) sits on a loaded edge, such as a square roller end; there \
+             elastic stress has no bound, so the value belongs to this mesh, not to the part"
+        ));
+    }
+    if body.peeq_max > 0.0 && body.elastic_mises_max.is_none() {
+        list.push(
+            "the peak has yielded, so it says nothing about the mesh; the elastic peak is not known"
+                .to_string(),
+        );
+    }
+    list
+}

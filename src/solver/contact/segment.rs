@@ -1,0 +1,231 @@
+//! Where a carrier facet and an opposite facet overlap: quadrature points on both.
+//!
+//! Both facets are projected along one direction, their overlap is cut into triangles, and each
+//! triangle gets a Gauss rule (Puso and Laursen 2004). On parallelograms the products of two
+//! bilinear shape functions are integrated exactly.
+
+use super::clip::{self, Point};
+use crate::ground::geometry::{Vec3, add, cross, dot, scale, sub, tangents, unit};
+
+/// A point of a segment.
+#[derive(Debug, Clone, Copy)]
+pub struct SegmentPoint {
+    /// Shape functions of the carrier facet and of the opposite facet.
+    pub carrier: [f64; 4],
+    pub opposite: [f64; 4],
+    /// Area that the point stands for, measured on the carrier facet.
+    pub area: f64,
+}
+
+/// A carrier facet, seen along the direction in which it is projected.
+pub struct View {
+    origin: Vec3,
+    axes: [Vec3; 2],
+    corners: [Point; 4],
+    /// Area of the facet's own plane over that of its view.
+    stretch: f64,
+}
+
+/// Degree-4 rule on a triangle (Dunavant 1985): barycentric coordinates and weights.
+const RULE: [([f64; 3], f64); 6] = {
+    const A: f64 = 0.445_948_490_915_965;
+    const B: f64 = 0.091_576_213_509_771;
+    const C: f64 = 1.0 - 2.0 * A;
+    const D: f64 = 1.0 - 2.0 * B;
+    const V: f64 = 0.223_381_589_678_011;
+    const W: f64 = 0.109_951_743_655_322;
+    [
+        ([A, A, C], V),
+        ([A, C, A], V),
+        ([C, A, A], V),
+        ([B, B, D], W),
+        ([B, D, B], W),
+        ([D, B, B], W),
+    ]
+};
+
+/// Unit normal of a facet's mean plane; `None` for a facet without area.
+pub fn normal(facet: &[Vec3; 4]) -> Option<Vec3> {
+    unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))
+}
+
+impl View {
+    /// Of a facet with the unit normal `normal` along the unit vector `direction`, which must not
+    /// lie in the facet.
+    pub fn new(facet: &[Vec3; 4], normal: Vec3, direction: Vec3) -> Self {
+        let origin = scale(facet.iter().fold([0.0; 3], |sum, p| add(sum, *p)), 0.25);
+        let mut view = Self {
+            origin,
+            axes: tangents(direction),
+            corners: [[0.0; 2]; 4],
+            stretch: dot(normal, direction).recip(),
+        };
+        view.corners = facet.map(|p| view.project(p));
+        view
+    }
+
+    fn project(&self, p: Vec3) -> Point {
+        let r = sub(p, self.origin);
+        [dot(r, self.axes[0]), dot(r, self.axes[1])]
+    }
+
+    /// Hands on the quadrature points of the overlap with `opposite`, whose normal faces the
+    /// carrier's.
+    pub fn overlap(&self, opposite: &[Vec3; 4], each: impl FnMut(SegmentPoint)) {
+        let window = opposite.map(|p| self.project(p));
+        // Seen from the carrier the opposite facet runs clockwise.
+        let mut turned = window;
+        turned.reverse();
+        let polygon = clip::intersect(&self.corners, &turned);
+        let facet_area = clip::area(&self.corners);
+        if polygon.is_empty() || clip::area(&polygon) <= 1e-12 * facet_area {
+            return;
+        }
+        self.points(&polygon, |p| inverse_bilinear(&window, p), each);
+    }
+
+    /// Hands on the quadrature points of the whole facet; the opposite shape functions are zero.
+    pub fn whole(&self, each: impl FnMut(SegmentPoint)) {
+        self.points(&self.corners, |_| Some([0.0; 4]), each);
+    }
+
+    fn points(
+        &self,
+        polygon: &[Point],
+        opposite: impl Fn(Point) -> Option<[f64; 4]>,
+        mut each: impl FnMut(SegmentPoint),
+    ) {
+        let count = polygon.len() as f64;
+        let centre = polygon.iter().fold([0.0; 2], |sum, p| {
+            [sum[0] + p[0] / count, sum[1] + p[1] / count]
+        });
+        for (k, a) in polygon.iter().enumerate() {
+            let b = polygon[(k + 1) % polygon.len()];
+            let area = clip::area(&[centre, *a, b]);
+            for (l, weight) in RULE {
+                let p = [
+                    l[0] * centre[0] + l[1] * a[0] + l[2] * b[0],
+                    l[0] * centre[1] + l[1] * a[1] + l[2] * b[1],
+                ];
+                if let (Some(carrier), Some(opposite)) =
+                    (inverse_bilinear(&self.corners, p), opposite(p))
+                {
+                    each(SegmentPoint {
+                        carrier,
+                        opposite,
+                        area: self.stretch * weight * area,
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// Point of a facet with the given shape functions.
+pub fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
+    facet
+        .iter()
+        .zip(shape)
+        .fold([0.0; 3], |sum, (p, n)| add(sum, scale(*p, *n)))
+}
+
+/// Shape functions of a facet where the line through `p` along the unit vector `direction` meets it;
+/// `None` where it does not.
+pub fn meets(facet: &[Vec3; 4], p: Vec3, direction: Vec3) -> Option<[f64; 4]> {
+    // Beside an edge, by rounding only.
+    const BESIDE: f64 = 1e-6;
+    let axes = tangents(direction);
+    let seen = facet.map(|corner| axes.map(|axis| dot(sub(corner, p), axis)));
+    let shape = inverse_bilinear(&seen, [0.0; 2])?;
+    shape.iter().all(|n| *n >= -BESIDE).then_some(shape)
+}
+
+/// Bilinear shape functions of the quadrilateral `corners` at the point `p`, by Newton.
+fn inverse_bilinear(corners: &[Point; 4], p: Point) -> Option<[f64; 4]> {
+    let mut s = [0.0; 2];
+    for _ in 0..20 {
+        let n = bilinear(s);
+        let dn = [
+            [s[1] - 1.0, 1.0 - s[1], 1.0 + s[1], -1.0 - s[1]],
+            [s[0] - 1.0, -1.0 - s[0], 1.0 + s[0], 1.0 - s[0]],
+        ];
+        let (mut r, mut j) = ([-p[0], -p[1]], [[0.0; 2]; 2]);
+        for (k, c) in corners.iter().enumerate() {
+            for i in 0..2 {
+                r[i] += n[k] * c[i];
+                j[i][0] += 0.25 * dn[0][k] * c[i];
+                j[i][1] += 0.25 * dn[1][k] * c[i];
+            }
+        }
+        let det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+        let step = [
+            (j[1][1] * r[0] - j[0][1] * r[1]) / det,
+            (j[0][0] * r[1] - j[1][0] * r[0]) / det,
+        ];
+        s = [s[0] - step[0], s[1] - step[1]];
+        if !(s[0].abs() < 10.0 && s[1].abs() < 10.0) {
+            return None;
+        }
+        if step[0].abs() + step[1].abs() < 1e-14 {
+            return Some(bilinear(s));
+        }
+    }
+    Some(bilinear(s))
+}
+
+fn bilinear(s: [f64; 2]) -> [f64; 4] {
+    [
+        0.25 * (1.0 - s[0]) * (1.0 - s[1]),
+        0.25 * (1.0 + s[0]) * (1.0 - s[1]),
+        0.25 * (1.0 + s[0]) * (1.0 + s[1]),
+        0.25 * (1.0 - s[0]) * (1.0 + s[1]),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_offset_overlap_integrates_products_of_shape_functions_exactly() {
+        // Carrier looks up (+z), the opposite facet down; overlap is [0.25, 1] x [0, 1].
+        let carrier = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ];
+        let opposite = [
+            [0.25, 0.0, 0.1],
+            [0.25, 1.0, 0.1],
+            [1.25, 1.0, 0.1],
+            [1.25, 0.0, 0.1],
+        ];
+        let up = [0.0, 0.0, 1.0];
+        let mut points = Vec::new();
+        View::new(&carrier, up, up).overlap(&opposite, |p| points.push(p));
+        let area: f64 = points.iter().map(|p| p.area).sum();
+        assert!((area - 0.75).abs() < 1e-14);
+        // ∫ (1-x)(1-y) * (1-(x-0.25))(1-y) over the overlap; the y part is 1/3.
+        let f = |x: f64| 1.25 * x - 1.125 * x * x + x.powi(3) / 3.0;
+        let exact = (f(1.0) - f(0.25)) / 3.0;
+        let sum: f64 = points
+            .iter()
+            .map(|p| p.area * p.carrier[0] * p.opposite[0])
+            .sum();
+        assert!((sum - exact).abs() < 1e-14, "{sum} {exact}");
+    }
+    #[test]
+    fn area_is_measured_on_the_facet_whatever_the_view() {
+        let facet = [
+            [0.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [2.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ];
+        let view = View::new(&facet, [0.0, 0.0, 1.0], [0.6, 0.0, 0.8]);
+        let mut area = 0.0;
+        view.whole(|p| area += p.area);
+        assert!((area - 2.0).abs() < 1e-14, "{area}");
+    }
+}

@@ -1,0 +1,74 @@
+//! Nodal forces: of surface tractions, and gathered from elements.
+
+use crate::ground::geometry::Vec3;
+use crate::model::mesh::{Mesh, Surface};
+use crate::model::scene::TractionValue;
+
+/// Nodes of an element, and the force on each of them.
+pub type ElementForce = ([u32; 8], [Vec3; 8]);
+
+/// The sum of the forces of elements at each of `count` nodes.
+pub fn at_nodes(count: usize, elements: impl IntoIterator<Item = ElementForce>) -> Vec<Vec3> {
+    let mut sum = vec![[0.0; 3]; count];
+    for (nodes, forces) in elements {
+        for (node, force) in nodes.iter().zip(forces) {
+            let at = &mut sum[*node as usize];
+            at.iter_mut().zip(force).for_each(|(s, f)| *s += f);
+        }
+    }
+    sum
+}
+
+/// Adds the consistent nodal forces of a traction on `surface` to `force`.
+pub fn add_traction(
+    mesh: &Mesh,
+    surface: &Surface,
+    value: TractionValue,
+    factor: f64,
+    force: &mut [[f64; 3]],
+) {
+    for face in &surface.faces {
+        let x = face.nodes.map(|n| mesh.points[n as usize]);
+        for (n, normal) in face_points(&x) {
+            let traction = match value {
+                TractionValue::Pressure(p) => normal.map(|c| -p * c),
+                TractionValue::Vector(t) => {
+                    let area = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
+                    t.map(|c| c * area)
+                }
+            };
+            for (node, n) in face.nodes.iter().zip(n) {
+                for axis in 0..3 {
+                    force[*node as usize][axis] += factor * n * traction[axis];
+                }
+            }
+        }
+    }
+}
+
+/// Area of a surface.
+pub fn area(mesh: &Mesh, surface: &Surface) -> f64 {
+    let faces = surface.faces.iter();
+    faces
+        .flat_map(|f| face_points(&f.nodes.map(|n| mesh.points[n as usize])))
+        .map(|(_, n)| (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt())
+        .sum()
+}
+
+/// The 2×2 Gauss points of a face: shape functions and the outward normal times the area that
+/// the point stands for.
+fn face_points(x: &[[f64; 3]; 4]) -> [([f64; 4], [f64; 3]); 4] {
+    const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    CORNERS.map(|point| {
+        let s = point.map(|c| c * super::hex8::GAUSS);
+        let n = CORNERS.map(|c| 0.25 * (1.0 + c[0] * s[0]) * (1.0 + c[1] * s[1]));
+        let mut tangents = [[0.0; 3]; 2];
+        for (c, x) in CORNERS.iter().zip(x) {
+            for i in 0..3 {
+                tangents[0][i] += 0.25 * c[0] * (1.0 + c[1] * s[1]) * x[i];
+                tangents[1][i] += 0.25 * c[1] * (1.0 + c[0] * s[0]) * x[i];
+            }
+        }
+        (n, crate::ground::geometry::cross(tangents[0], tangents[1]))
+    })
+}

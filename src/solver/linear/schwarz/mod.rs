@@ -1,0 +1,232 @@
+//! Two-level overlapping Schwarz preconditioner, for models too large for one factor.
+//!
+//! Vertices are split into small subdomains, each extended by one layer of neighbours. Each
+//! subdomain's part of the matrix is factored by itself, in single precision, and corrects its own
+//! vertices (restricted additive Schwarz, Cai and Sarkis 1999); before that a coarse system of
+//! affine motions carries what subdomains cannot see of each other (Toselli and Widlund 2005,
+//! chapters 2 and 3). Work and memory grow with the number of unknowns, and only what has changed
+//! since the last matrix is factored anew.
+
+mod coarse;
+mod local;
+mod partition;
+
+use super::cholesky::FactorError;
+use super::sparse::{Pattern, SymmetricMatrix};
+use crate::ground::geometry::Vec3;
+use coarse::{Coarse, CoarseFactor};
+use local::{Local, LocalFactor};
+use rayon::prelude::*;
+
+/// Point and axis of the displacement component that an equation stands for; none for a motion that
+/// many nodes share.
+pub type Place = Option<(Vec3, usize)>;
+
+/// Subdomains and their structure, found once a pattern.
+pub struct Schwarz {
+    locals: Vec<Local>,
+    coarse: Coarse,
+}
+
+/// The factors of one matrix.
+pub struct SchwarzFactor {
+    locals: Vec<LocalFactor>,
+    coarse: CoarseFactor,
+    /// Diagonal of the matrix that each equation's subdomains were factored for,
+    diagonal: Vec<f64>,
+    /// and of the one that the coarse system was made for.
+    coarse_diagonal: Vec<f64>,
+}
+
+/// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each and
+/// need more modes in the coarse system.
+const SIZES: (usize, usize) = (200, 600);
+/// How many subdomains there are between these sizes.
+const SUBDOMAINS: usize = 100;
+
+/// A subdomain is factored anew where an entry of its diagonal has changed by more than this share.
+const CHANGE: f64 = 0.05;
+
+impl Schwarz {
+    /// Splits the graph of `pattern` across its weak couplings in `guide`, the matrix without
+    /// contact. Equations that hang together in `guide` belong to one body.
+    ///
+    /// # Errors
+    /// [`FactorError::Memory`].
+    pub fn new(
+        pattern: &Pattern,
+        guide: &SymmetricMatrix,
+        places: &[Place],
+    ) -> Result<Self, FactorError> {
+        let vertices = pattern.vertex_start.len() - 1;
+        let size = (vertices / SUBDOMAINS).clamp(SIZES.0, SIZES.1);
+        let division = partition::divide(pattern, guide, places, size);
+        let coarse = Coarse::new(pattern, places, &division)?;
+        let locals = (division.subdomains.par_iter().enumerate())
+            .map(|(index, vertices)| {
+                let owns = |v: u32| division.owner[v as usize] == index as u32;
+                Local::new(pattern, vertices, owns)
+            })
+            .collect::<Result<_, _>>()?;
+        Ok(Self { locals, coarse })
+    }
+
+    /// Factors `matrix`; of `old` what still holds is kept.
+    ///
+    /// # Errors
+    /// [`FactorError`] where memory runs out or a subdomain is not positive definite.
+    pub fn factorise(
+        &self,
+        pattern: &Pattern,
+        matrix: &SymmetricMatrix,
+        old: Option<SchwarzFactor>,
+    ) -> Result<SchwarzFactor, FactorError> {
+        let diagonal = pattern.diagonal(matrix);
+        let Some(mut old) = old else {
+            let make = |local: &Local| local.factorise(pattern, matrix);
+            return Ok(SchwarzFactor {
+                locals: self.locals.par_iter().map(make).collect::<Result<_, _>>()?,
+                coarse: self.coarse.factorise(pattern, matrix, None, |_| true)?,
+                coarse_diagonal: diagonal.clone(),
+                diagonal,
+            });
+        };
+        let changed: Vec<bool> = (diagonal.iter().zip(&old.diagonal))
+            .map(|(now, then)| (now - then).abs() > CHANGE * now.abs().min(then.abs()))
+            .collect();
+        (self.locals.par_iter())
+            .zip(&mut old.locals)
+            .filter(|(local, _)| local.equations.iter().any(|e| changed[*e as usize]))
+            .try_for_each(|(local, factor)| {
+                *factor = local.factorise(pattern, matrix)?;
+                Ok(())
+            })?;
+        // In the coarse system old and new must not mix: next to stiff contact what is little beside
+        // a diagonal is much beside the stiffness of a motion.
+        let renewed: Vec<bool> = (diagonal.iter().zip(&old.coarse_diagonal))
+            .map(|(now, then)| now != then)
+            .collect();
+        if renewed.iter().any(|r| *r) {
+            let is_changed = |e: u32| renewed[e as usize];
+            old.coarse = (self.coarse).factorise(pattern, matrix, Some(old.coarse), is_changed)?;
+        }
+        for ((then, now), changed) in old.diagonal.iter_mut().zip(&diagonal).zip(&changed) {
+            if *changed {
+                *then = *now;
+            }
+        }
+        old.coarse_diagonal = diagonal;
+        Ok(old)
+    }
+
+    /// Replaces `x` by the preconditioned x; `multiply(x, y)` sets y = A x.
+    pub fn apply(
+        &self,
+        pattern: &Pattern,
+        factor: &SchwarzFactor,
+        multiply: impl Fn(&[f64], &mut [f64]),
+        x: &mut [f64],
+    ) {
+        let smooth = self.coarse.solve(pattern, &factor.coarse, x);
+        let mut product = vec![0.0; x.len()];
+        multiply(&smooth, &mut product);
+        x.iter_mut().zip(&product).for_each(|(x, p)| *x -= p);
+        let residual = &*x;
+        let parts: Vec<Vec<f32>> = (self.locals.par_iter())
+            .zip(&factor.locals)
+            .map(|(local, factor)| local.solve(factor, residual))
+            .collect();
+        x.copy_from_slice(&smooth);
+        for (local, part) in self.locals.iter().zip(parts) {
+            let own = local.equations.iter().zip(&local.own).zip(part);
+            for ((e, _), value) in own.filter(|((_, own), _)| **own) {
+                x[*e as usize] += f64::from(value);
+            }
+        }
+    }
+
+    /// Entries of all factors.
+    pub fn factor_entries(&self) -> usize {
+        let locals = self.locals.iter().map(Local::factor_entries);
+        locals.sum::<usize>() + self.coarse.factor_entries()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::linear::krylov;
+
+    /// A cube of springs between neighbours, every vertex with three equations, held at one face.
+    fn cube(n: usize) -> (Pattern, SymmetricMatrix, Vec<Place>) {
+        let at = |i: usize, j: usize, k: usize| (i + n * (j + n * k)) as u32;
+        let (mut cliques, mut places, mut held) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, j, i) in (0..n * n * n).map(|m| (m / (n * n), m / n % n, m % n)) {
+            let point = [i as f64, j as f64, k as f64];
+            places.extend((0..3).map(|axis| Some((point, axis))));
+            let next = [(i + 1, j, k), (i, j + 1, k), (i, j, k + 1)];
+            let inside = next.into_iter().filter(|(i, j, k)| *i.max(j).max(k) < n);
+            cliques.extend(inside.map(|(a, b, c)| vec![at(i, j, k), at(a, b, c)]));
+            if k == 0 {
+                held.push(at(i, j, k));
+            }
+        }
+        let starts = (0..=(n * n * n) as u32).map(|v| 3 * v).collect();
+        let pattern = Pattern::new(starts, cliques.iter().map(Vec::as_slice));
+        let mut matrix = pattern.zeros();
+        for pair in &cliques {
+            for axis in 0..3 {
+                let equations = [3 * pair[0] + axis, 3 * pair[1] + axis];
+                pattern.add_block(&mut matrix, &equations, |i, j| match i == j {
+                    true => 1.0,
+                    false => -1.0,
+                });
+            }
+        }
+        for v in held {
+            let own = [3 * v, 3 * v + 1, 3 * v + 2];
+            pattern.add_block(&mut matrix, &own, |i, j| f64::from(u8::from(i == j)));
+        }
+        (pattern, matrix, places)
+    }
+
+    #[test]
+    fn few_directions_are_needed_and_few_more_after_a_change() {
+        let (pattern, mut matrix, places) = cube(20);
+        let schwarz = Schwarz::new(&pattern, &matrix, &places).unwrap();
+        let b: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
+        let mut factor = schwarz.factorise(&pattern, &matrix, None).unwrap();
+        for change in [1.0, 50.0] {
+            // A stiff corner.
+            let start = pattern.columns[pattern.len() - 1] as usize;
+            matrix.values[start] *= change;
+            factor = schwarz.factorise(&pattern, &matrix, Some(factor)).unwrap();
+            let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(&matrix, x, y);
+            let precondition = |x: &mut [f64]| schwarz.apply(&pattern, &factor, multiply, x);
+            let (x, outcome) = krylov::solve(multiply, precondition, &b, 1e-8, 40);
+            assert!(
+                outcome.residual <= 1e-8 && outcome.iterations <= 25,
+                "{outcome:?}"
+            );
+            let mut product = vec![0.0; x.len()];
+            multiply(&x, &mut product);
+            assert!(product.iter().zip(&b).all(|(p, b)| (p - b).abs() < 1e-6));
+        }
+    }
+
+    #[test]
+    fn little_changes_reach_the_coarse_system() {
+        let (pattern, mut matrix, places) = cube(12);
+        let schwarz = Schwarz::new(&pattern, &matrix, &places).unwrap();
+        let factor = schwarz.factorise(&pattern, &matrix, None).unwrap();
+        // Two corners change, one by less than a subdomain is factored anew for.
+        for (equation, change) in [(0, 1.01), (pattern.len() - 1, 50.0)] {
+            matrix.values[pattern.columns[equation] as usize] *= change;
+        }
+        let kept = schwarz.factorise(&pattern, &matrix, Some(factor)).unwrap();
+        let fresh = schwarz.factorise(&pattern, &matrix, None).unwrap();
+        let r: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).cos()).collect();
+        let solve = |f: &SchwarzFactor| schwarz.coarse.solve(&pattern, &f.coarse, &r);
+        assert_eq!(solve(&kept), solve(&fresh));
+    }
+}

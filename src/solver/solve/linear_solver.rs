@@ -1,0 +1,246 @@
+//! Corrections of Newton's method: the tangent system and the factor that is carried from iteration to iteration.
+//!
+//! The system itself is solved by a Krylov method in double precision. A factor only preconditions it: one that has
+//! aged, brought up to date for contact, or a new one, in single precision where that is enough.
+
+use super::anchor::Anchor;
+use super::counters::Counters;
+use super::evaluate::Evaluation;
+use super::model::Model;
+use super::timers::Phase;
+use super::update::Update;
+use crate::solver::linear::cholesky::FactorError;
+use crate::solver::linear::krylov::{self, Outcome};
+use crate::solver::linear::preconditioner::{Precision, Prepared};
+use crate::solver::linear::sparse::SymmetricMatrix;
+
+/// The linear solver with the factor that it carries from iteration to iteration.
+#[derive(Default)]
+pub struct LinearSolver {
+    factor: Option<Prepared>,
+    /// Number of flowing points that the factor was made for.
+    flowing: usize,
+    /// The last tangent, for its memory.
+    matrix: SymmetricMatrix,
+    /// Contact that has changed since.
+    update: Update,
+    /// Corrections for which an aged factor is not tried, after it was not good enough.
+    distrust: usize,
+    /// Of the factor: double once single has not been enough.
+    precision: Precision,
+}
+
+/// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
+/// of a body that is free for a moment positive definite. The system that is solved does not
+/// contain it, so that no force ever passes through it.
+pub const SHIFT: f64 = 1e-10;
+
+/// An aged factor, brought up to date for contact, is tried while no more than this many integration points have begun
+/// or ceased to flow, for this many directions: about what a new factor costs.
+const CHANGES: usize = 48;
+const TRIES: usize = 12;
+
+/// Where that was in vain, so many corrections are found with new factors before it is tried again: nodes that slip
+/// change the matrix though their statuses stay.
+const PAUSE: usize = 3;
+
+/// Error of a correction, in the energy norm, that is left to the next iteration.
+const INEXACT: f64 = 1e-2;
+
+/// Directions with a fresh factor in single precision; where they are not enough double precision takes over.
+const POOR: usize = 8;
+
+/// Directions with a fresh factor.
+const DIRECTIONS: usize = 150;
+
+/// How a correction was found.
+pub struct Correction {
+    pub dx: Vec<f64>,
+    pub directions: usize,
+    pub refactored: bool,
+}
+
+impl LinearSolver {
+    /// Solves the tangent at `evaluation` for its residual, down to the share `tolerance` of it.
+    ///
+    /// # Errors
+    /// [`FactorError`] where memory runs out or the tangent is not positive definite.
+    pub fn solve(
+        &mut self,
+        model: &Model,
+        evaluation: &Evaluation,
+        (tolerance, anchor): (f64, Option<&Anchor>),
+        counters: &mut Counters,
+    ) -> Result<Correction, FactorError> {
+        let last = std::mem::take(&mut self.matrix);
+        let assemble = || model.tangent(evaluation, last);
+        let mut matrix = counters.timers.time(Phase::Assemble, assemble);
+        anchor.inspect(|anchor| anchor.stiffen(model, &mut matrix));
+        let correction = self.correct(model, evaluation, (&mut matrix, tolerance), counters);
+        self.matrix = matrix;
+        correction.inspect(|found| counters.krylov_directions += found.directions)
+    }
+
+    /// The same with the tangent `matrix`.
+    fn correct(
+        &mut self,
+        model: &Model,
+        evaluation: &Evaluation,
+        (matrix, tolerance): (&mut SymmetricMatrix, f64),
+        counters: &mut Counters,
+    ) -> Result<Correction, FactorError> {
+        counters.linear_solves += 1;
+        counters.element_tangents += (evaluation.plastic.iter().filter(|a| a.flows())).count();
+        let mut sought = Sought {
+            residual: evaluation.residual.clone(),
+            tolerance,
+            found: Correction {
+                dx: vec![0.0; model.dofs.len()],
+                directions: 0,
+                refactored: false,
+            },
+        };
+        if self.try_aged(model, evaluation, matrix, &mut sought, counters) {
+            return Ok(sought.found);
+        }
+        self.distrust = self.distrust.saturating_sub(1);
+        sought.found.refactored = true;
+        let mut enough = false;
+        while !enough {
+            let factor = self.factorise(model, matrix, counters)?;
+            let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
+            let precondition =
+                |x: &mut [f64]| (model.preconditioner).apply(&model.pattern, &factor, multiply, x);
+            let is_single = matches!(factor, Prepared::Single(_));
+            let (residual, tolerance) = (&sought.residual, sought.tolerance);
+            let directions = if is_single { POOR } else { DIRECTIONS };
+            let solve = || match model.is_soft() {
+                // Every direction costs as much as the last: no more than the next iteration can use.
+                true => krylov::minimise(
+                    multiply,
+                    precondition,
+                    residual,
+                    INEXACT,
+                    tolerance,
+                    DIRECTIONS,
+                ),
+                false => krylov::solve(multiply, precondition, residual, tolerance, directions),
+            };
+            let (dx, outcome) = counters.timers.time(Phase::LinearSolve, solve);
+            enough = sought.take(&dx, &outcome, multiply) || !is_single;
+            if !enough {
+                self.precision = Precision::Double;
+            }
+            self.factor = Some(factor);
+        }
+        self.flowing = flowing(evaluation);
+        self.update = Update::new(model, evaluation);
+        Ok(sought.found)
+    }
+
+    /// Solves with the factor of an earlier tangent, if there is one that is worth it. Returns whether that is enough.
+    fn try_aged(
+        &mut self,
+        model: &Model,
+        evaluation: &Evaluation,
+        matrix: &SymmetricMatrix,
+        sought: &mut Sought,
+        counters: &mut Counters,
+    ) -> bool {
+        let timers = &mut counters.timers;
+        let little_flow = flowing(evaluation).abs_diff(self.flowing) <= CHANGES;
+        let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
+        // Renewing the parts that changed costs next to nothing.
+        let Some(factor) = self.factor.as_ref().filter(|_| trusted) else {
+            return false;
+        };
+        let update = &mut self.update;
+        let solve = |x: &mut [f64], count| model.preconditioner.solve_many(factor, x, count);
+        let prepare = || update.prepare(model, evaluation, solve);
+        if !timers.time(Phase::LinearSolve, prepare) {
+            return false;
+        }
+        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
+        let precondition = |x: &mut [f64]| {
+            (model.preconditioner).apply(&model.pattern, factor, multiply, x);
+            update.correct(model, x);
+        };
+        let (residual, tolerance) = (&sought.residual, sought.tolerance);
+        let solve = || krylov::solve(multiply, precondition, residual, tolerance, TRIES);
+        let (dx, outcome) = timers.time(Phase::LinearSolve, solve);
+        let enough = sought.take(&dx, &outcome, multiply);
+        if !enough {
+            self.distrust = PAUSE;
+        }
+        enough
+    }
+
+    /// A factor of `matrix`, of a diagonal that is [`SHIFT`] larger.
+    fn factorise(
+        &mut self,
+        model: &Model,
+        matrix: &mut SymmetricMatrix,
+        counters: &mut Counters,
+    ) -> Result<Prepared, FactorError> {
+        let diagonal = model.pattern.diagonal(matrix);
+        let starts = || model.pattern.columns.iter().zip(&diagonal);
+        for (start, d) in starts() {
+            matrix.values[*start as usize] = d * (1.0 + SHIFT);
+        }
+        let (old, precision) = (self.factor.take(), self.precision);
+        let factorise = || (model.preconditioner).factorise(&model.pattern, matrix, precision, old);
+        let factor = counters.timers.time(Phase::Factorise, factorise)?;
+        for (start, d) in starts() {
+            matrix.values[*start as usize] = *d;
+        }
+        counters.factorisations += 1;
+        Ok(factor)
+    }
+
+    /// Forgets all factors, but not how precise they have to be.
+    pub fn forget(&mut self) {
+        *self = Self {
+            precision: self.precision,
+            ..Self::default()
+        };
+    }
+}
+
+/// A correction that is being sought: the sum of what has been found, and what is left to be solved for.
+struct Sought {
+    residual: Vec<f64>,
+    /// As a share of the residual.
+    tolerance: f64,
+    found: Correction,
+}
+
+impl Sought {
+    /// Takes what was found for the residual. Is it enough?
+    fn take(
+        &mut self,
+        dx: &[f64],
+        outcome: &Outcome,
+        multiply: impl Fn(&[f64], &mut [f64]),
+    ) -> bool {
+        (self.found.dx.iter_mut().zip(dx)).for_each(|(x, d)| *x += d);
+        self.found.directions += outcome.iterations;
+        let enough = outcome.residual <= self.tolerance;
+        if !enough {
+            let mut product = vec![0.0; dx.len()];
+            multiply(dx, &mut product);
+            (self.residual.iter_mut().zip(&product)).for_each(|(r, p)| *r -= p);
+            self.tolerance /= outcome.residual;
+        }
+        enough
+    }
+}
+
+/// Integration points that flow.
+pub fn flowing(evaluation: &Evaluation) -> usize {
+    evaluation
+        .plastic
+        .iter()
+        .flat_map(|a| &a.flows)
+        .filter(|f| f.is_some())
+        .count()
+}

@@ -1,7 +1,7 @@
 //! What an answer is worth where contact grows beyond all that was prepared for it, where one side is
 //! much the stiffer, where a strip ends anywhere between two nodes, and where a shape is not resolved.
 
-use brinell::answer::certify::{Claim, Quantity, claim};
+use brinell::answer::certify::{Figure, Quantity};
 use brinell::case;
 use brinell::product::job::{self, Options};
 use brinell::render::Summary;
@@ -15,18 +15,18 @@ fn solve(text: &str) -> Summary {
     let text = text.replace("FIXTURES/", fixtures);
     let case = case::parse("scene.toml", &text).unwrap();
     let outcome = job::run(&case, &Options::default(), &mut Silent).unwrap();
-    assert!(outcome.summary.converged);
+    assert!(outcome.summary.answer.converged);
     assert_eq!(outcome.missed_limits(&case), Vec::<String>::new());
     outcome.summary
 }
 
-fn figure<'s>(summary: &'s Summary, what: Quantity, pair: &str) -> &'s Claim {
-    claim(&summary.certificate, what, pair).unwrap()
+fn figure<'s>(summary: &'s Summary, what: Quantity, pair: &str) -> &'s Figure {
+    summary.answer.figure(what, pair).unwrap()
 }
 
 /// The figure is `value` within `within`, relative, and inside its bar.
 #[track_caller]
-fn check(claim: &Claim, value: f64, within: f64) {
+fn check(claim: &Figure, value: f64, within: f64) {
     let off = (claim.value - value).abs();
     assert!(
         off <= within * value,
@@ -231,7 +231,11 @@ fn a_stiff_side_does_not_carry() {
 fn friction_beside_a_stiff_side_settles() {
     let share = |softer: f64| {
         let (summary, p0) = problem_h(2, 1.0, softer, "friction = 0.2");
-        assert!(summary.iterations < 60, "{softer}: {}", summary.iterations);
+        assert!(
+            summary.counters.iterations < 60,
+            "{softer}: {}",
+            summary.counters.iterations
+        );
         figure(&summary, Quantity::PeakPressure, "contact").value / p0
     };
     assert!((share(1.0) - 1.0).abs() < 0.01);
@@ -489,8 +493,12 @@ surface = "low_z0"
 fixed = "xyz"
 "#
         ));
-        assert!(summary.iterations < 300, "{mesh}: {}", summary.iterations);
-        assert!(summary.checks.energy_imbalance.unwrap() < 1e-6);
+        assert!(
+            summary.counters.iterations < 300,
+            "{mesh}: {}",
+            summary.counters.iterations
+        );
+        assert!(summary.answer.checks.energy_imbalance.unwrap() < 1e-6);
     }
 }
 
@@ -535,5 +543,9 @@ factor = 0.001
         "cylinder_contact-block_contact",
     );
     assert!((peak.value / 198.0 - 1.0).abs() < 0.02, "{}", peak.value);
-    assert!(summary.iterations < 120, "{}", summary.iterations);
+    assert!(
+        summary.counters.iterations < 120,
+        "{}",
+        summary.counters.iterations
+    );
 }

@@ -1,6 +1,5 @@
 //! What the size of the increments does to an answer, and what is claimed that it does.
 
-use brinell::answer::certify::claim;
 use brinell::case;
 use brinell::product::job::{self, Options};
 use brinell::render::Summary;
@@ -61,7 +60,7 @@ fn solved(mesh: &str, loads: &str, first: &str) -> Summary {
     let text = text.replace("FIXTURES", fixtures).replace("MESH", mesh);
     let case = case::parse("scene.toml", &text.replace("FIRST", first)).unwrap();
     let outcome = job::run(&case, &Options::default(), &mut Silent).unwrap();
-    assert!(outcome.summary.converged);
+    assert!(outcome.summary.answer.converged);
     outcome.summary
 }
 
@@ -73,10 +72,10 @@ fn increments_move_what_is_claimed_for_them() {
     let (mut held, mut all) = (0, 0);
     for (mesh, loads) in [("two-blocks", TWO), ("three-blocks", THREE)] {
         let [usual, fine] = ["0.25", "0.02"].map(|first| solved(mesh, loads, first));
-        for one in &usual.certificate {
+        for one in &usual.answer.certificate {
             let (Some(claimed), Some(other)) = (
                 one.error.increment,
-                claim(&fine.certificate, one.what, &one.place),
+                fine.answer.figure(one.what, &one.place),
             ) else {
                 continue;
             };

@@ -1,6 +1,5 @@
 //! The way to an answer does not decide it.
 
-use brinell::answer::certify::claim;
 use brinell::case::{self, Case};
 use brinell::model::scene::{Scene, TractionValue};
 use brinell::model::state::State;
@@ -77,7 +76,7 @@ fn case_of(keys: &[(&str, &str)]) -> Case {
 fn solved(keys: &[(&str, &str)]) -> Summary {
     let case = case_of(keys);
     let outcome = job::run(&case, &Options::default(), &mut Silent).unwrap();
-    assert!(outcome.summary.converged);
+    assert!(outcome.summary.answer.converged);
     outcome.summary
 }
 
@@ -93,8 +92,8 @@ fn penalties_and_division_move_no_figure() {
         let own = with("1.0", "direct");
         for (penalty, solver) in [("0.01", "direct"), ("100.0", "direct"), ("1.0", "divided")] {
             let other = with(penalty, solver);
-            for one in &own.certificate {
-                let same = claim(&other.certificate, one.what, &one.place).unwrap();
+            for one in &own.answer.certificate {
+                let same = other.answer.figure(one.what, &one.place).unwrap();
                 let off = (one.value - same.value).abs();
                 assert!(
                     off <= SAME * one.value.abs(),

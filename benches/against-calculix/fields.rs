@@ -52,7 +52,7 @@ pub fn run(options: &Options, folder: &Path, subject: &Subject) -> Result<String
         ..job::Options::default()
     };
     let ours = job::run(&case, &settings, &mut Silent).map_err(|e| e.to_string())?;
-    println!("Brinell is done: {} unknowns", ours.summary.dofs);
+    println!("Brinell is done: {} unknowns", ours.summary.counters.dofs);
     let mut more = vec!["--increment", INCREMENT];
     if let Some(stiffness) = &options.stiffness {
         more.extend(["--contact-stiffness", stiffness]);
@@ -197,7 +197,7 @@ impl Compared {
             if let Some(force_on) = forces.sets.get(&support.surface.to_uppercase())
                 && support.components.iter().all(Option::is_some)
             {
-                let load = ours.summary.applied_load / load::copies(scene);
+                let load = ours.summary.answer.applied_load / load::copies(scene);
                 let name = format!("`{}`, against the load, {force}", support.surface);
                 let against = -dot(*force_on, load::direction(scene));
                 table.row(&beside(name, load, against));

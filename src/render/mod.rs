@@ -21,10 +21,8 @@ pub mod series;
 pub mod summary;
 pub mod table;
 pub mod text;
-pub mod units;
 pub mod warnings;
 
 pub use error::OutputError;
 pub use series::Series;
-pub use summary::{Summary, SummaryInputs};
-pub use units::UnitLabels;
+pub use summary::Summary;

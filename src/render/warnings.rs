@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use super::summary::{BodySummary, Summary};
 use super::text::percent;
-use crate::answer::certify::{Claim, unresolved};
+use crate::answer::Answer;
+use crate::answer::BodyFigures;
+use crate::answer::certify::{Figure, unresolved};
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -17,27 +18,27 @@ const SMALL_STRAIN: f64 = 0.02;
 /// Force that does not balance, or that stabilisation carries, is said from this share on.
 pub const NOTABLE_SHARE: f64 = 1e-3;
 
-/// The warnings that the figures of a summary call for.
-pub fn warnings(summary: &Summary) -> Vec<Warning> {
+/// The warnings that the figures of an answer call for.
+pub fn warnings(answer: &Answer) -> Vec<Warning> {
     let mut list = Vec::new();
     let mut warn = |text: String| list.push(Warning(text));
-    if !summary.converged {
+    if !answer.converged {
         warn("the solution has not converged: no figure here is an answer".to_string());
     }
-    if let Some(strain) = summary.max_strain.filter(|s| *s > SMALL_STRAIN) {
+    if let Some(strain) = answer.max_strain.filter(|s| *s > SMALL_STRAIN) {
         let (strain, limit) = (percent(strain), percent(SMALL_STRAIN));
         warn(format!(
             "largest strain {strain}: small-strain theory is in doubt above {limit}"
         ));
     }
-    let bodies = summary.bodies.0.iter();
+    let bodies = answer.bodies.0.iter();
     for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
         warn(format!("{}: {text}", names.join(", ")));
     }
-    if let Some(text) = of_unresolved(&unresolved(&summary.certificate)) {
+    if let Some(text) = of_unresolved(&unresolved(&answer.certificate)) {
         warn(text);
     }
-    for (name, roller) in &summary.rollers.0 {
+    for (name, roller) in &answer.rollers.0 {
         if roller.bore_mises.is_none() {
             let why = match roller.bore_mises_nodal {
                 Some(_) => "the wall has yielded under the load or its shape is no bore",
@@ -48,7 +49,7 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
             ));
         }
     }
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &answer.interfaces.0 {
         if interface.max_pressure <= 0.0 {
             warn(format!(
                 "{name}: the surfaces do not touch, so this contact pair carries nothing"
@@ -64,13 +65,13 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
             ));
         }
     }
-    if let Some(share) = summary.checks.force_balance.filter(|s| *s > NOTABLE_SHARE) {
+    if let Some(share) = answer.checks.force_balance.filter(|s| *s > NOTABLE_SHARE) {
         warn(format!(
             "an interface misses the load by {}",
             percent(share)
         ));
     }
-    if let Some(share) = summary
+    if let Some(share) = answer
         .checks
         .stabilisation_share
         .filter(|s| *s > NOTABLE_SHARE)
@@ -84,7 +85,7 @@ pub fn warnings(summary: &Summary) -> Vec<Warning> {
 }
 
 /// The figures of which this mesh says nothing, in one sentence.
-fn of_unresolved(claims: &[&Claim]) -> Option<String> {
+fn of_unresolved(claims: &[&Figure]) -> Option<String> {
     let figures = claims
         .iter()
         .map(|c| (c.what.name(), vec![c.place.clone()]));
@@ -114,7 +115,7 @@ fn together<'a>(
     list
 }
 
-fn of_body(body: &BodySummary) -> Vec<String> {
+fn of_body(body: &BodyFigures) -> Vec<String> {
     let mut list = Vec::new();
     let singular: Vec<&str> = ["centroid", "integration point", "nodal"]
         .into_iter()

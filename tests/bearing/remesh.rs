@@ -64,7 +64,7 @@ fn a_guess_that_is_right_is_kept() {
     let (outcome, heard) = run(&centre(None), folder.path(), false);
     assert_eq!(heard.count("meshed once more"), 0, "{:?}", heard.0);
     assert!(!folder.path().join("mesh-strips.txt").exists());
-    assert!(outcome.summary.converged);
+    assert!(outcome.summary.answer.converged);
     // Statics, and a solution 350 thousand unknowns fine: 0.0329 and 0.0323 in.
     let guess = strips(&centre(None));
     assert!((guess.narrowest / 0.0323 - 1.0).abs() < 0.1, "{guess:?}");
@@ -81,7 +81,7 @@ fn a_guess_that_is_wrong_is_mended_once() {
         let (outcome, heard) = run(&case, folder.path(), false);
         assert_eq!(heard.count("meshed once more"), 1, "{:?}", heard.0);
         assert_eq!(heard.count("calling gmsh"), 2);
-        assert!(outcome.summary.converged);
+        assert!(outcome.summary.answer.converged);
         let text = std::fs::read_to_string(folder.path().join("mesh-strips.txt")).unwrap();
         let widths: Vec<f64> = (text.split_whitespace())
             .map(|word| word.parse().unwrap())
@@ -95,7 +95,7 @@ fn a_guess_that_is_wrong_is_mended_once() {
         let (again, heard) = run(&case, folder.path(), true);
         assert_eq!(heard.count("meshed once more"), 0, "{:?}", heard.0);
         assert_eq!(heard.count("calling gmsh"), 0);
-        assert_eq!(again.summary.dofs, outcome.summary.dofs);
-        assert_eq!(again.summary.descent, outcome.summary.descent);
+        assert_eq!(again.summary.counters.dofs, outcome.summary.counters.dofs);
+        assert_eq!(again.summary.answer.descent, outcome.summary.answer.descent);
     }
 }

@@ -61,7 +61,10 @@ fn the_file_sums_to_the_force_of_the_interface() {
         // Four rows of nodes and the images of three.
         assert_eq!(rows.len(), 7 * lines);
         assert_eq!([rows[0][1], rows[3][1], rows[6][1]], [-1.0, 0.0, 1.0]);
-        close(force(&rows), summary.interfaces.0[0].1.pressure_integral);
+        close(
+            force(&rows),
+            summary.answer.interfaces.0[0].1.pressure_integral,
+        );
         let total: f64 = whole_lines(&summary).iter().map(|l| 2.0 * l.mean).sum();
         close(total, force(&rows));
     }

@@ -2,7 +2,8 @@
 
 use crate::block::{fill_stress, pressed, stack};
 use brinell::answer::results::recovery::recover;
-use brinell::render::{Series, UnitLabels, paraview};
+use brinell::ground::units::UnitLabels;
+use brinell::render::{Series, paraview};
 use std::path::Path;
 use std::process::{Command, Output};
 

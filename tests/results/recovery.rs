@@ -116,7 +116,9 @@ fn peaks_are_found_per_body_and_ties_go_to_the_lowest_index() {
     state.peeq[third][5] = 1e-3;
     state.peeq[third][6] = 2e-3;
     let recovered = recover(&scene, &state);
-    let [block, plate] = peaks(&scene, &state, &recovered).try_into().unwrap();
+    let [block, plate] = peaks(&scene, &state, &recovered, &LoadedEdges::default())
+        .try_into()
+        .unwrap();
     assert_eq!(block.name, "block");
     assert_eq!(block.centroid.map(|p| p.place), Some(Place::Element(0)));
     let first = Place::IntegrationPoint {
@@ -180,8 +182,11 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
                 [100.0 / (0.01 + d), 0.0, 0.0, 0.0, 0.0, 0.0]
             });
             let recovered = recover(scene, &stress);
-            let peak = peaks(scene, &stress, &recovered)[body].nodal.unwrap();
-            LoadedEdges::find(scene, state).are_near(&peak.at)
+            let edges = LoadedEdges::find(scene, state);
+            let peak = peaks(scene, &stress, &recovered, &edges)[body]
+                .nodal
+                .unwrap();
+            edges.are_near(&peak.at)
         };
     assert!(touches(&scene, &state, [0.5, 1.0, 0.0], 0));
     assert!(touches(&scene, &state, [0.4, 0.7, 0.0], 1));

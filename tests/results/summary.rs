@@ -1,24 +1,26 @@
 use crate::block::{close, fill_stress, pressed, stack};
 use brinell::answer::results::bore::Bore;
+use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::line_load::Slices;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
+use brinell::answer::{Answer, Checks, Measured, Named, Solved};
+use brinell::ground::units::UnitLabels;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
 use brinell::render::left_out::LeftOut;
-use brinell::render::summary::{
-    Checks, Comparison, Counters, Figure, Measure, Named, Summary, SummaryInputs, Timing,
-};
-use brinell::render::{UnitLabels, table};
+use brinell::render::summary::{Comparison, Counters, Reported, Summary, Timing};
+use brinell::render::table;
+use brinell::render::warnings::warnings;
 use serde_json::Value;
 
 pub fn summarise(scene: &Scene, state: &State) -> Summary {
     let recovered = recover(scene, state);
-    let elastic = peaks(scene, state, &recovered);
+    let elastic = peaks(scene, state, &recovered, &LoadedEdges::find(scene, state));
     let comparison = [Comparison {
         what: "Mises, centroid, ksi".to_string(),
         place: "overall".to_string(),
-        report: Some(Figure::Value(70.0)),
+        report: Some(Reported::Value(70.0)),
         report_like: Some(33.2),
         value: Some(93.125),
         error: Some(1.25),
@@ -34,18 +36,32 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         axis: 1,
         edges: vec![0.0, 0.24, 1.0],
     };
-    Summary::new(&SummaryInputs {
-        case: "initial-centre",
-        units: UnitLabels::new("in", "kip", "ksi"),
-        scene,
-        state,
+    let answer = Answer::of(&Solved {
         unloaded: Some(state),
-        stays: None,
         steps: &steps,
-        recovered: &recovered,
         elastic: Some(&elastic),
-        doubled: None,
-        converged: true,
+        measures: &[Measured {
+            slices: Some(slices),
+            strip: None,
+        }],
+        bores: &[Bore {
+            body: "block".to_string(),
+            surface: "none".to_string(),
+            axis: 1,
+        }],
+        checks: Checks {
+            stabilisation_share: Some(0.02),
+            ..Checks::default()
+        },
+        ..Solved::new(scene, state, &recovered)
+    })
+    .unwrap();
+    Summary {
+        case: "initial-centre".to_string(),
+        units: UnitLabels::new("in", "kip", "ksi"),
+        brinell_version: "0".to_string(),
+        warnings: warnings(&answer),
+        answer,
         counters: Counters {
             dofs: 120,
             iterations: 7,
@@ -62,26 +78,13 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
             ..Timing::default()
         },
         peak_memory_bytes: Some(123_000_000),
-        measures: &[Measure {
-            slices: Some(slices),
-            strip: None,
-        }],
-        bores: &[Bore {
-            body: "block".to_string(),
-            surface: "none".to_string(),
-            axis: 1,
-        }],
-        checks: Checks {
-            stabilisation_share: Some(0.02),
-            ..Checks::default()
-        },
-        comparison: &comparison,
-        assumptions: &["plates L x L".to_string()],
-        left_out: &[
-            LeftOut::new("friction 0: no tangential unknowns").saving(12, "friction updates")
+        comparison: comparison.to_vec(),
+        sizing: None,
+        assumptions: vec!["plates L x L".to_string()],
+        left_out: vec![
+            LeftOut::new("friction 0: no tangential unknowns").saving(12, "friction updates"),
         ],
-    })
-    .unwrap()
+    }
 }
 
 fn loaded() -> (Scene, State) {
@@ -219,7 +222,7 @@ fn the_checks_are_computed_where_they_are_not_given() {
         .iter_mut()
         .for_each(|f| f[2] *= 0.99);
     state.contacts[0].unexplained = 2e-7;
-    let checks = summarise(&scene, &state).checks;
+    let checks = summarise(&scene, &state).answer.checks;
     assert!((checks.force_balance.unwrap() - 0.01).abs() < 1e-12);
     // What the facets do not explain.
     close(checks.max_penetration_relative.unwrap(), 2e-7 / 0.01);
@@ -270,11 +273,11 @@ fn the_slopes_of_a_load_in_stages() {
         assert!(text.lines().any(row), "{slope} is missing in\n{text}");
     }
     let mut once = summary.clone();
-    once.load_line.remove(0);
+    once.answer.load_line.remove(0);
     assert!(!table::render(&once, false).contains("slope"));
     // Unloading alone is no load line.
     let mut unloaded = summary;
-    unloaded.load_line.swap(0, 1);
+    unloaded.answer.load_line.swap(0, 1);
     assert!(!table::render(&unloaded, false).contains("slope"));
 }
 
@@ -282,9 +285,9 @@ fn the_slopes_of_a_load_in_stages() {
 fn an_unconverged_run_says_so_first() {
     let (scene, state) = loaded();
     let mut summary = summarise(&scene, &state);
-    summary.converged = false;
+    summary.answer.converged = false;
     assert!(table::render(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
-    let warnings = brinell::render::warnings::warnings(&summary);
+    let warnings = warnings(&summary.answer);
     assert!(warnings[0].0.contains("has not converged"));
 }
 
@@ -292,13 +295,13 @@ fn an_unconverged_run_says_so_first() {
 fn what_holds_for_two_bodies_is_said_once() {
     let (scene, state) = loaded();
     let mut summary = summarise(&scene, &state);
-    for (index, (_, body)) in summary.bodies.0.iter_mut().enumerate() {
+    for (index, (_, body)) in summary.answer.bodies.0.iter_mut().enumerate() {
         body.at_singular_edge.nodal = index < 2;
         body.at_singular_edge.centroid = false;
         body.at_singular_edge.integration_point = false;
     }
-    let [first, second] = [0, 1].map(|b| summary.bodies.0[b].0.clone());
-    let warnings = brinell::render::warnings::warnings(&summary);
+    let [first, second] = [0, 1].map(|b| summary.answer.bodies.0[b].0.clone());
+    let warnings = warnings(&summary.answer);
     let edges = warnings.iter().filter(|w| w.0.contains("loaded edge"));
     let edges: Vec<_> = edges.collect();
     assert_eq!(edges.len(), 1, "{warnings:?}");

@@ -27,9 +27,9 @@ fn run(preset: &str) -> Outcome {
 }
 
 fn check_forces(summary: &Summary) {
-    assert!(summary.converged);
-    assert_eq!(summary.interfaces.0.len(), 4);
-    for (name, interface) in &summary.interfaces.0 {
+    assert!(summary.answer.converged);
+    assert_eq!(summary.answer.interfaces.0.len(), 4);
+    for (name, interface) in &summary.answer.interfaces.0 {
         assert!((interface.normal_force / 65.0 - 1.0).abs() < 1e-3, "{name}");
         let q = interface.q.as_ref().expect("a line load");
         let lengths = q.edges.windows(2).map(|e| e[1] - e[0]);
@@ -45,14 +45,14 @@ fn h025_balances_yields_and_descends_as_the_study_says() {
     let outcome = run("h025");
     let summary = &outcome.summary;
     check_forces(summary);
-    let descent = summary.descent.expect("a descent");
+    let descent = summary.answer.descent.expect("a descent");
     assert!((0.0105..=0.0113).contains(&descent), "{descent}");
-    let bodies = summary.bodies.0.iter();
+    let bodies = summary.answer.bodies.0.iter();
     let peak = bodies
         .filter_map(|(_, b)| b.mises_max.integration_point)
         .fold(0.0, f64::max);
     assert!((100.0..=101.0).contains(&peak), "{peak}");
-    let bodies = summary.bodies.0.iter();
+    let bodies = summary.answer.bodies.0.iter();
     let strain = bodies.map(|(_, b)| b.peeq_max).fold(0.0, f64::max);
     assert!((3e-4..=5e-3).contains(&strain), "{strain}");
     check_line_load(&outcome);
@@ -101,7 +101,7 @@ fn check_lines(summary: &Summary, in_valley: usize) {
     let half = 0.5 * 65.0 / 4f64.to_radians().cos();
     let lines = whole_lines(summary);
     assert_eq!(lines.len(), 2 + 2 * in_valley);
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &summary.answer.interfaces.0 {
         let lines: Vec<&WholeLine> = lines.iter().filter(|l| l.interface == name).collect();
         let of = |line: &WholeLine| -> f64 {
             let steps = line.rows.windows(2);
@@ -137,7 +137,11 @@ fn check_sizing(summary: &Summary, in_valley: usize) {
     let p0 = |q: f64| (q * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
     assert_eq!(sizing.lines.len(), 4);
     for line in &sizing.lines {
-        let interface = summary.interfaces.get(&line.interface).expect("known");
+        let interface = summary
+            .answer
+            .interfaces
+            .get(&line.interface)
+            .expect("known");
         assert_eq!(line.peak_line_load, interface.lines[0].peak);
         for (q, found) in [
             (line.peak_line_load, line.hertz_pressure),

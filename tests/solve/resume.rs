@@ -73,7 +73,10 @@ fn a_run_that_was_stopped_goes_on_as_if_it_had_not_been() {
 
     // What is done is read, not solved again.
     let again = run(&case, &stopped, true, usize::MAX).unwrap();
-    assert_eq!(again.summary.iterations, resumed.summary.iterations);
+    assert_eq!(
+        again.summary.counters.iterations,
+        resumed.summary.counters.iterations
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Peak stress and strain of bodies.
 
-use super::{Claim, Errors, Quantity, claim_of};
+use super::{Errors, Figure, Quantity, figure_of};
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -49,7 +49,7 @@ pub(super) fn claims(
     own: &[BodyPeaks],
     elastic: Option<&[BodyPeaks]>,
     strips: &[Strip],
-) -> Vec<Claim> {
+) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
         let yielded = body.peeq_max > 0.0;
@@ -77,7 +77,7 @@ pub(super) fn claims(
 
 /// The peak plastic strain. Near its beginning it is what the elastic stress exceeds the yield limit
 /// by, over the stiffness: it is known as well as that excess is.
-fn plastic_strain(body: &BodyPeaks, elastic: Option<&Claim>) -> Claim {
+fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
     let value = body.peeq_max;
     let spread = (value - body.peeq_mean) / value;
     let excess = elastic.map(|peak| {
@@ -94,13 +94,13 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Claim>) -> Claim {
         Some(share) => share.map(|share| share.max(spread)),
     };
     let share = share.filter(|share| *share <= 1.0);
-    Claim {
+    Figure {
         error: Errors {
             discretisation: share.map(|share| share * value),
             ..Errors::default()
         },
         note: share.is_none().then_some(UNCERTAIN_FLOW),
-        ..claim_of(Quantity::PeakPlasticStrain, &body.name, value)
+        ..figure_of(Quantity::PeakPlasticStrain, &body.name, value)
     }
 }
 
@@ -156,7 +156,7 @@ impl Strip {
 }
 
 /// The nodal peak of a body, and that away from loaded edges where it lies at one.
-fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Vec<Claim> {
+fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Vec<Figure> {
     let Some([nodal, centroid]) = body.nodal.zip(body.centroid).map(<[Peak; 2]>::from) else {
         return Vec::new();
     };
@@ -176,13 +176,13 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
             }
             None => (Some(spread + SMOOTH * nodal.value), None),
         };
-        Claim {
+        Figure {
             error: Errors {
                 discretisation: error,
                 ..Errors::default()
             },
             note,
-            ..claim_of(what, &body.name, nodal.value)
+            ..figure_of(what, &body.name, nodal.value)
         }
     };
     let overshoot = body
@@ -191,9 +191,9 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
     match body.away {
         None => vec![claim(peak, [nodal, centroid], overshoot)],
         Some(regular) => {
-            let singular = Claim {
+            let singular = Figure {
                 note: Some(SINGULAR),
-                ..claim_of(peak, &body.name, nodal.value)
+                ..figure_of(peak, &body.name, nodal.value)
             };
             vec![singular, claim(away, regular, 0.0)]
         }

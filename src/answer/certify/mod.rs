@@ -1,12 +1,12 @@
 //! What an answer is worth: figures with their estimated errors.
 //!
-//! A [`Claim`] is a figure of a run and how far it may be off, by cause. The estimates come from
+//! A [`Figure`] is a figure of a run and how far it may be off, by cause. The estimates come from
 //! the one mesh that was solved: from the stress that a smoother field would have
 //! ([`energy`]), from readings that tend to the same value (`mises`), and from how well the nodes
 //! resolve the pressure (`pressure`). A bar is meant to hold in 95 of 100 cases.
 
-mod claim;
 pub mod energy;
+mod figure;
 mod increments;
 mod mises;
 mod other;
@@ -25,10 +25,10 @@ use mises::Strip;
 use pressure::Contact;
 use std::f64::consts::PI;
 
-pub use claim::{Claim, Errors, Measure, Quantity, claim, unresolved};
+pub use figure::{Errors, Figure, Quantity, figure, unresolved};
 pub use increments::DOUBLING;
 
-use claim::claim_of;
+use figure::figure_of;
 
 /// What is certified.
 #[derive(Debug, Clone, Copy)]
@@ -49,11 +49,11 @@ pub struct Evidence<'a> {
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,
     /// The claims of the solution in increments twice as large.
-    pub doubled: Option<&'a [Claim]>,
+    pub doubled: Option<&'a [Figure]>,
 }
 
 /// The claims of a state: descent, bodies, interfaces.
-pub fn certify(evidence: &Evidence) -> Vec<Claim> {
+pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let Evidence {
         scene,
         state,
@@ -61,7 +61,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Claim> {
         interfaces,
         ..
     } = *evidence;
-    let mut claims: Vec<Claim> = descent_claim(evidence).into_iter().collect();
+    let mut claims: Vec<Figure> = descent_claim(evidence).into_iter().collect();
     let flowing = mises::claims(peaks, evidence.elastic, &Strip::all(scene, evidence.lines));
     claims.extend(other::bores(evidence.bores));
     for (pair, interface) in interfaces.iter().enumerate() {
@@ -97,7 +97,7 @@ const MARGIN: f64 = 1.05;
 
 /// Travel of the loaded plane. A displacement method finds too little of it: the work of the load
 /// on what is missing is the energy of the error.
-fn descent_claim(evidence: &Evidence) -> Option<Claim> {
+fn descent_claim(evidence: &Evidence) -> Option<Figure> {
     let Evidence { scene, state, .. } = *evidence;
     let value = descent(scene, state)?;
     let load = applied(scene, state);
@@ -105,7 +105,7 @@ fn descent_claim(evidence: &Evidence) -> Option<Claim> {
     let by_force = !scene.tractions.is_empty()
         || (scene.rigid_planes.iter()).any(|plane| plane.motion.iter().any(driven));
     let energy = MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
-    Some(Claim {
+    Some(Figure {
         what: Quantity::Descent,
         place: "overall".to_owned(),
         value,
@@ -138,7 +138,7 @@ fn unseen_approach(evidence: &Evidence) -> f64 {
 
 /// What penetration does to a figure: all of it to the descent, and to stresses and pressures the
 /// stress of a strain of penetration over element size.
-fn penetration(claim: &Claim, scene: &Scene, measured: &[Interface]) -> Option<f64> {
+fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<f64> {
     // What is left is pressed together by both sides, the softer one most of all.
     let pressed = measured
         .iter()

@@ -1,6 +1,6 @@
 //! Bores, horizontal forces and dents.
 
-use super::{Claim, Errors, Quantity, claim_of};
+use super::{Errors, Figure, Quantity, figure_of};
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::direction;
@@ -19,11 +19,11 @@ const YIELDED: &str =
     "the wall has yielded below the load: the strain of its surface says no stress";
 
 /// Mises stress on the inner walls of rollers.
-pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Claim> {
+pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Figure> {
     let claim = |(body, stress): &(String, BoreStress)| {
         let nodal = stress.nodal?;
         let value = stress.mises.unwrap_or(nodal);
-        Some(Claim {
+        Some(Figure {
             error: Errors {
                 discretisation: stress.mises.map(|mises| {
                     READINGS * (mises - nodal).abs() + DEPTH * stress.coarseness * mises
@@ -31,7 +31,7 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Claim> {
                 ..Errors::default()
             },
             note: stress.mises.is_none().then_some(YIELDED),
-            ..claim_of(Quantity::BoreMises, body, value)
+            ..figure_of(Quantity::BoreMises, body, value)
         })
     };
     bores.iter().filter_map(claim).collect()
@@ -42,7 +42,7 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Claim> {
 const SHEAR: f64 = 0.025;
 
 /// The force of an interface across the load, where there is one.
-pub(super) fn horizontal_force(scene: &Scene, interface: &Interface) -> Option<Claim> {
+pub(super) fn horizontal_force(scene: &Scene, interface: &Interface) -> Option<Figure> {
     /// Of the force along the load, what counts as none.
     const NONE: f64 = 1e-6;
     let along = direction(scene);
@@ -50,32 +50,32 @@ pub(super) fn horizontal_force(scene: &Scene, interface: &Interface) -> Option<C
         interface.force,
         scale(along, dot(interface.force, along)),
     ));
-    (across > NONE * interface.normal_force.abs()).then(|| Claim {
+    (across > NONE * interface.normal_force.abs()).then(|| Figure {
         error: Errors {
             discretisation: Some(SHEAR * across),
             ..Errors::default()
         },
-        ..claim_of(Quantity::HorizontalForce, &interface.name, across)
+        ..figure_of(Quantity::HorizontalForce, &interface.name, across)
     })
 }
 
 const UNKNOWN_FLOW: &str = "the plastic strain that makes it is not resolved";
 
 /// Depths of dents: as good as the plastic strain of their body.
-pub(super) fn dents(dents: &[(String, String, f64)], flow: &[Claim]) -> Vec<Claim> {
+pub(super) fn dents(dents: &[(String, String, f64)], flow: &[Figure]) -> Vec<Figure> {
     let claim = |(surface, body, depth): &(String, String, f64)| {
-        let strain = super::claim(flow, Quantity::PeakPlasticStrain, body)?;
+        let strain = super::figure(flow, Quantity::PeakPlasticStrain, body)?;
         let error = strain
             .error
             .total()
             .map(|error| error / strain.value * depth);
-        Some(Claim {
+        Some(Figure {
             error: Errors {
                 discretisation: error,
                 ..Errors::default()
             },
             note: error.is_none().then_some(UNKNOWN_FLOW),
-            ..claim_of(Quantity::Dent, surface, *depth)
+            ..figure_of(Quantity::Dent, surface, *depth)
         })
     };
     dents.iter().filter_map(claim).collect()

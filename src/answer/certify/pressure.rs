@@ -5,7 +5,7 @@
 //! across; what the nodes make of such a profile can then be worked out for the very places where they
 //! stand, and what they read beyond that is an error that one sees.
 
-use super::{Claim, Errors, Quantity, claim_of};
+use super::{Errors, Figure, Quantity, figure_of};
 use crate::answer::results::contact_lines::StripRow;
 use crate::answer::results::edges::{LoadedEdges, carrier};
 use crate::answer::results::hertz::{Departure, HeaviestLine};
@@ -79,7 +79,7 @@ impl Contact<'_> {
     }
 
     /// Peak pressure, Hertz's pressure, largest line load, half-width, area and length.
-    pub(super) fn claims(&self) -> Vec<Claim> {
+    pub(super) fn claims(&self) -> Vec<Figure> {
         let Some(field) = self.state.contacts.get(self.pair) else {
             return Vec::new();
         };
@@ -102,7 +102,7 @@ impl Contact<'_> {
     }
 
     /// With a relative error, where that says anything.
-    fn claim(&self, what: Quantity, value: f64, error: Option<f64>, why: &'static str) -> Claim {
+    fn claim(&self, what: Quantity, value: f64, error: Option<f64>, why: &'static str) -> Figure {
         // The rim of an area is never known better than to an element.
         let most = if what == Quantity::ContactArea {
             0.5
@@ -110,17 +110,17 @@ impl Contact<'_> {
             WORTHLESS
         };
         let error = error.filter(|e| e.is_finite() && *e <= most);
-        Claim {
+        Figure {
             error: Errors {
                 discretisation: error.map(|e| e * value),
                 ..Errors::default()
             },
             note: error.is_none().then_some(why),
-            ..claim_of(what, &self.interface.name, value)
+            ..figure_of(what, &self.interface.name, value)
         }
     }
 
-    fn peak_pressure(&self, field: &ContactField) -> Claim {
+    fn peak_pressure(&self, field: &ContactField) -> Figure {
         let value = self.interface.max_pressure;
         let claim = |error, why| self.claim(Quantity::PeakPressure, value, error, why);
         let falls = fall(self.scene, field, self.pair);
@@ -177,13 +177,13 @@ impl Contact<'_> {
         field.sagitta[top] / (compliance * pressure * side)
     }
 
-    fn line_load(&self, line: &HeaviestLine) -> Claim {
+    fn line_load(&self, line: &HeaviestLine) -> Figure {
         let error = Some(load_error(line)).filter(|_| line.departs != Some(Departure::Width));
         self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
     }
 
     /// `None` where the strip is not Hertz's.
-    fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Claim> {
+    fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Figure> {
         let value = line.pressure()?;
         Some(self.claim(
             Quantity::HertzPressure,
@@ -193,7 +193,7 @@ impl Contact<'_> {
         ))
     }
 
-    fn half_width(&self, line: &HeaviestLine) -> Claim {
+    fn half_width(&self, line: &HeaviestLine) -> Figure {
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
@@ -210,7 +210,7 @@ impl Contact<'_> {
     }
 
     /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.
-    fn length(&self, line: &HeaviestLine) -> Claim {
+    fn length(&self, line: &HeaviestLine) -> Figure {
         let unseen = if line.line.lifted_off > 0.0 {
             unseen(line)
         } else {

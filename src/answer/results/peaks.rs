@@ -64,11 +64,15 @@ fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f
 }
 
 /// Finds the peaks of every body, in the order of the mesh.
-pub fn peaks(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<BodyPeaks> {
+pub fn peaks(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    edges: &LoadedEdges,
+) -> Vec<BodyPeaks> {
     let mesh = &scene.mesh;
     let rule = GaussRule::new();
     let copies = copies(scene);
-    let edges = LoadedEdges::find(scene, state);
     let nodal = nodal_peaks(scene, recovered, |_| true);
     let far = |at: &[f64; 3]| !edges.are_near(at);
     // Few scenes have a peak at an edge, and then it is worth a second look.

@@ -6,10 +6,12 @@
 //! 1 kgf = 9.80665 N; converting a unit to itself leaves a number bit for bit as it was.
 
 mod dimension;
+mod labels;
 mod quantity;
 mod symbol;
 mod system;
 
 pub use dimension::Dimension;
+pub use labels::{Measure, UnitLabels};
 pub use quantity::{Quantity, UnitError};
 pub use system::UnitSystem;

@@ -1,10 +1,10 @@
 //! What is read from every level.
 
 use super::ConvergeError;
+use crate::answer::Three;
 use crate::case::Case;
 use crate::product::job::Outcome;
 use crate::proof::verify::{energy, problem_h};
-use crate::render::summary::Three;
 use serde::Serialize;
 
 /// A value from elsewhere.
@@ -128,7 +128,7 @@ fn of_summary(case: &Case, outcome: &Outcome) -> Vec<Quantity> {
             });
         }
     };
-    add("descent".into(), length, summary.descent, false);
+    add("descent".into(), length, summary.answer.descent, false);
     let yielded = outcome.state().peeq.iter().flatten().any(|p| *p > 0.0);
     let energy = energy::strain_energy(&outcome.scene, outcome.state());
     add(
@@ -137,11 +137,11 @@ fn of_summary(case: &Case, outcome: &Outcome) -> Vec<Quantity> {
         (!yielded).then_some(energy),
         false,
     );
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &summary.answer.interfaces.0 {
         let pressure = Some(interface.max_pressure);
         add(format!("peak pressure {name}"), stress, pressure, false);
     }
-    for (name, body) in &summary.bodies.0 {
+    for (name, body) in &summary.answer.bodies.0 {
         let edges = places(&body.at_singular_edge);
         for ((place, value), (_, edge)) in places(&body.mises_max).into_iter().zip(edges) {
             add(format!("Mises {name}, {place}"), stress, value, edge);
@@ -151,7 +151,7 @@ fn of_summary(case: &Case, outcome: &Outcome) -> Vec<Quantity> {
             add(format!("plastic strain {name}"), "", strain, false);
         }
     }
-    for (name, roller) in &summary.rollers.0 {
+    for (name, roller) in &summary.answer.rollers.0 {
         let mises = roller.bore_mises;
         add(format!("bore Mises {name}"), stress, mises, false);
     }

@@ -4,7 +4,7 @@
 //! [`Restart`] as `postcard` writes it. A checkpoint is only used for the scene that it was made
 //! for, apart from its numerical controls: whoever goes on may change them.
 
-use super::JobError;
+use super::error::JobError;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use crate::ground::hash::Fnv;

@@ -1,32 +1,34 @@
 //! Printed values and Hertz's figures beside those of a run. They decide nothing.
 
-use super::JobError;
+use super::error::JobError;
 use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
-use crate::answer::certify::{Claim, Quantity};
+use crate::answer::certify::{Figure, Quantity};
+use crate::answer::{Answer, Three};
 use crate::case::{BearingCase, Case, Kind, Measure, MisesRead, Printed};
+use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
-use crate::render::Summary;
-use crate::render::summary::{Comparison, Figure, Three};
+use crate::render::summary::{Comparison, Reported};
 
 /// One row a printed value, then Hertz's figures of a bearing under an even line load.
-pub fn rows(case: &Case, scene: &Scene, summary: &Summary) -> Result<Vec<Comparison>, JobError> {
+pub fn rows(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<Comparison>, JobError> {
     let hertz = match &case.kind {
         Kind::Bearing(bearing) => Some(even_load(bearing, scene)?),
         Kind::General(_) => None,
     };
+    let units = UnitLabels::of(case.units);
     let mut rows = Vec::new();
     if let Some(comparison) = &case.comparison {
         for printed in &comparison.values {
             rows.push(printed_row(
                 printed,
                 comparison.mises_read,
-                summary,
+                (answer, &units),
                 hertz.as_ref(),
             ));
         }
     }
     if let Some(hertz) = &hertz {
-        rows.extend(hertz_rows(hertz, summary));
+        rows.extend(hertz_rows(hertz, (answer, &units)));
     }
     Ok(rows)
 }
@@ -34,7 +36,7 @@ pub fn rows(case: &Case, scene: &Scene, summary: &Summary) -> Result<Vec<Compari
 fn printed_row(
     printed: &Printed,
     read: MisesRead,
-    summary: &Summary,
+    (answer, units): (&Answer, &UnitLabels),
     hertz: Option<&HandbookAnswer>,
 ) -> Comparison {
     let place = printed.place.as_str();
@@ -48,40 +50,32 @@ fn printed_row(
                 _ => plates.into_iter().chain(rollers).reduce(f64::max),
             };
             let (name, value) = match read {
-                MisesRead::Centroid => ("centroid", mises(summary, place, |m| m.centroid)),
+                MisesRead::Centroid => ("centroid", mises(answer, place, |m| m.centroid)),
                 MisesRead::IntegrationPoint => (
                     "integration point",
-                    mises(summary, place, |m| m.integration_point),
+                    mises(answer, place, |m| m.integration_point),
                 ),
-                MisesRead::Nodal => ("nodal", mises(summary, place, |m| m.nodal)),
+                MisesRead::Nodal => ("nodal", mises(answer, place, |m| m.nodal)),
             };
-            (
-                format!("Mises, {name}, {}", summary.units.stress),
-                value,
-                hertz,
-            )
+            (format!("Mises, {name}, {}", units.stress), value, hertz)
         }
         Measure::MaxPressure => {
             let at = |name: &str| place == "overall" || place == name;
-            let pressures = summary.interfaces.0.iter().filter(|(name, _)| at(name));
+            let pressures = answer.interfaces.0.iter().filter(|(name, _)| at(name));
             let value = pressures.map(|(_, i)| i.max_pressure).reduce(f64::max);
-            let what = format!("peak pressure, {}", summary.units.stress);
+            let what = format!("peak pressure, {}", units.stress);
             (what, value, hertz.map(|h| h.peak_pressure))
         }
-        Measure::Descent => (
-            format!("descent, {}", summary.units.length),
-            summary.descent,
-            None,
-        ),
+        Measure::Descent => (format!("descent, {}", units.length), answer.descent, None),
     };
-    let certified = certified(printed.what, read, place, summary);
+    let certified = certified(printed.what, read, place, answer);
     Comparison {
         what,
         place: place.to_owned(),
-        report: Some(Figure::Value(printed.value)),
+        report: Some(Reported::Value(printed.value)),
         value,
-        error: certified.and_then(Claim::bar),
-        resolved: certified.map(Claim::is_resolved),
+        error: certified.and_then(Figure::bar),
+        resolved: certified.map(Figure::is_resolved),
         hertz,
         ..Comparison::default()
     }
@@ -92,15 +86,15 @@ fn certified<'s>(
     what: Measure,
     read: MisesRead,
     place: &str,
-    summary: &'s Summary,
-) -> Option<&'s Claim> {
+    answer: &'s Answer,
+) -> Option<&'s Figure> {
     let what = match what {
         Measure::Mises if read == MisesRead::Nodal => Quantity::PeakMises,
         Measure::Mises => return None,
         Measure::MaxPressure => Quantity::PeakPressure,
         Measure::Descent => Quantity::Descent,
     };
-    let claims = summary.certificate.iter();
+    let claims = answer.certificate.iter();
     let meant = claims.filter(|c| c.what == what && means(place, &c.place));
     meant.max_by(|a, b| a.value.total_cmp(&b.value))
 }
@@ -117,11 +111,11 @@ fn means(place: &str, name: &str) -> bool {
 
 /// Largest value over the bodies that `place` means.
 fn mises(
-    summary: &Summary,
+    answer: &Answer,
     place: &str,
     read: impl Fn(&Three<Option<f64>>) -> Option<f64>,
 ) -> Option<f64> {
-    let bodies = summary
+    let bodies = answer
         .bodies
         .0
         .iter()
@@ -165,8 +159,8 @@ fn even_load(bearing: &BearingCase, scene: &Scene) -> Result<HandbookAnswer, Job
     })
 }
 
-fn hertz_rows(hertz: &HandbookAnswer, summary: &Summary) -> Vec<Comparison> {
-    let stress = &summary.units.stress;
+fn hertz_rows(hertz: &HandbookAnswer, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
+    let stress = &units.stress;
     let row = |what: &str, place: &str, value: Option<f64>, hertz: f64| Comparison {
         what: format!("{what}, {stress}"),
         place: place.to_owned(),
@@ -174,21 +168,21 @@ fn hertz_rows(hertz: &HandbookAnswer, summary: &Summary) -> Vec<Comparison> {
         hertz: Some(hertz),
         ..Comparison::default()
     };
-    let pressures = summary.interfaces.0.iter().map(|(name, interface)| {
+    let pressures = answer.interfaces.0.iter().map(|(name, interface)| {
         let on_v = name.contains("intermediate");
         let even = match (&hertz.groove, on_v && hertz.displaced.is_none()) {
             (Some(groove), true) => groove.peak_pressure,
             _ => hertz.peak_pressure,
         };
         let printed = row("peak pressure", name, Some(interface.max_pressure), even);
-        let certified = certified(Measure::MaxPressure, MisesRead::Nodal, name, summary);
+        let certified = certified(Measure::MaxPressure, MisesRead::Nodal, name, answer);
         Comparison {
-            error: certified.and_then(Claim::bar),
-            resolved: certified.map(Claim::is_resolved),
+            error: certified.and_then(Figure::bar),
+            resolved: certified.map(Figure::is_resolved),
             ..printed
         }
     });
-    let bores = summary.rollers.0.iter().filter_map(|(name, roller)| {
+    let bores = answer.rollers.0.iter().filter_map(|(name, roller)| {
         let ring = hertz.bore.as_ref()?;
         Some(row(
             "bore Mises",

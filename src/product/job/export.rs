@@ -1,6 +1,7 @@
 //! A case as a deck for another program, on the mesh that Brinell would solve it on.
 
-use super::{JobError, find_mesh};
+use super::error::JobError;
+use super::mesh::find_mesh;
 use crate::answer::results::load;
 use crate::case::Case;
 use crate::ground::file::write_atomically;

@@ -1,7 +1,9 @@
 //! The folder that a run writes into: one run at a time, and nothing of an earlier one that could be
 //! taken for the answer of this one.
 
-use super::{JobError, SUMMARY, checkpoint, mesh};
+use super::error::JobError;
+use super::files::{SUMMARY, forget};
+use super::{checkpoint, mesh};
 use crate::ground::file::lock;
 use crate::render::pvd::Collection;
 use crate::render::{line_load, paraview, report};
@@ -55,7 +57,7 @@ pub fn clear(folder: &Path, resume: bool) -> Result<(), JobError> {
             forget_series(&path)?;
         }
     }
-    mesh::take_fresh(folder)
+    take_fresh(folder)
 }
 
 /// Removes a collection, its files and its views, if it is of our making: all of its files are called by it.
@@ -79,9 +81,10 @@ fn forget_series(path: &Path) -> Result<(), JobError> {
     forget(path)
 }
 
-pub(super) fn forget(path: &Path) -> Result<(), JobError> {
-    match std::fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(path, error)),
+/// Puts a mesh that was made for this run in the place of that of an earlier one.
+fn take_fresh(out: &Path) -> Result<(), JobError> {
+    match std::fs::rename(out.join(mesh::FRESH), out.join(mesh::FILE)) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(out, error)),
         _ => Ok(()),
     }
 }

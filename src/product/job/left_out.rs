@@ -1,6 +1,6 @@
 //! What a run did not need to do: drawn from the scene, and from what the solver counted.
 
-use super::Options;
+use super::options::Options;
 use crate::case::{Case, Kind};
 use crate::ground::geometry::AXES;
 use crate::model::material::j2::PlasticPoint;

@@ -1,7 +1,7 @@
 //! What an answer must keep to, whatever the case.
 
+use crate::answer::Checks;
 use crate::case::{Case, Kind};
-use crate::render::summary::Checks;
 use crate::render::text::percent;
 use crate::render::warnings::NOTABLE_SHARE;
 

@@ -1,6 +1,7 @@
 //! The mesh of a case: its file, the one that is shipped with it, or a new one by gmsh.
 
-use super::{JobError, folder};
+use super::error::JobError;
+use super::files::forget;
 use crate::case::bearing::{gmsh_parameters, write_template, write_with_fingerprint};
 use crate::case::{BearingCase, Case, Family, Kind, MeshOrigin};
 use crate::ground::file::write_atomically;
@@ -9,7 +10,6 @@ use crate::model::mesh::family::problem_h;
 use crate::model::mesh::{Mesh, gmsh, msh};
 use crate::solver::fem::dofs::DofMap;
 use crate::solver::solve::{self, Forecast};
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -45,7 +45,7 @@ pub fn find_mesh(
             && mesh.fingerprint.as_deref() == Some(&wanted)
         {
             if let Some(fresh) = fresh.filter(|fresh| *fresh != path) {
-                folder::forget(&fresh)?;
+                forget(&fresh)?;
             }
             say(&format!("mesh {}", path.display()));
             return Ok(mesh);
@@ -59,14 +59,6 @@ pub fn find_mesh(
     // The mesh of an earlier run stays as long as its results do.
     let kept = fresh.filter(|_| kept.exists()).unwrap_or(kept);
     make(bearing, &kept)
-}
-
-/// Puts a mesh that was made for this run in the place of that of an earlier one.
-pub(super) fn take_fresh(out: &Path) -> Result<(), JobError> {
-    match std::fs::rename(out.join(FRESH), out.join(FILE)) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(JobError::folder(out, error)),
-        _ => Ok(()),
-    }
 }
 
 /// The mesh of the bearing of `case` in the file `kept`: as it is there, copied from where one is at
@@ -169,7 +161,7 @@ fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
 pub const FILE: &str = "mesh.msh.gz";
 
 /// The same while results of an earlier run, on another mesh, are still there.
-const FRESH: &str = "mesh-new.msh.gz";
+pub(super) const FRESH: &str = "mesh-new.msh.gz";
 
 /// Where a run keeps what its second mesh is made for, in its folder.
 pub(super) fn strips_file(out: &Path) -> PathBuf {

@@ -1,17 +1,19 @@
 //! Writes each accepted increment to disk, and what a run can go on from, and keeps the history of
 //! the iterations, while it passes the observer on.
 
-use super::JobError;
 use super::checkpoint::Checkpoint;
 use super::clock::{Clock, Spent};
+use super::error::JobError;
+use super::files::forget;
 use super::folder;
 use super::mesh::STRIPS;
 use crate::answer::results::recovery::recover;
 use crate::case::{Case, Kind};
+use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::render::report::history::Iterate;
-use crate::render::{Series, UnitLabels, paraview};
+use crate::render::{Series, paraview};
 use crate::solver::solve::{Iteration, Observer, Restart};
 use std::path::{Path, PathBuf};
 
@@ -39,7 +41,7 @@ impl Files {
         if let Some(earlier) = self.earlier.take() {
             folder::clear(&self.folder, earlier.resumed)?;
             if !earlier.resumed && !earlier.strips {
-                folder::forget(&self.folder.join(STRIPS))?;
+                forget(&self.folder.join(STRIPS))?;
             }
             let name = self.series.name();
             paraview::write(&self.folder, name, &self.title, &self.units, scene)?;

@@ -1,6 +1,7 @@
 //! The page of a run.
 
-use super::{JobError, limits};
+use super::error::JobError;
+use super::limits;
 use crate::answer::results::recovery::Recovered;
 use crate::case::Case;
 use crate::model::scene::Scene;
@@ -26,7 +27,7 @@ pub fn write(
             state,
             recovered,
             history,
-            missed: &limits::missed(case, &summary.checks),
+            missed: &limits::missed(case, &summary.answer.checks),
             case: (case.source.name(), case.source.text()),
             setting: &[(
                 "threads".to_owned(),

@@ -4,24 +4,25 @@
 //! each line carries and where: (2-49) is asked of each line under its largest load per length,
 //! and under its even one. A line that misses is told, and decides nothing.
 
-use super::JobError;
+use super::error::JobError;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::sizing::{
     Constants, PRESSURE_LIMIT, PRINTED, effective_length, equivalent_modulus, exact, final_length,
     within_limit,
 };
 use crate::analytic::{DomainError, Elastic, contact_compliance};
+use crate::answer::Answer;
+use crate::answer::LineFigures;
 use crate::case::bearing::BearingGeometry;
 use crate::case::{BearingCase, Case, Kind};
 use crate::model::material::Steel;
 use crate::model::scene::Scene;
-use crate::render::Summary;
-use crate::render::summary::{Demand, EvenLoad, LineSummary, SizedLine, Sizing, SizingRule};
+use crate::render::summary::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
 
 /// What the rules say of a bearing; nothing of a general scene.
-pub fn sizing(case: &Case, scene: &Scene, summary: &Summary) -> Result<Option<Sizing>, JobError> {
+pub fn sizing(case: &Case, scene: &Scene, answer: &Answer) -> Result<Option<Sizing>, JobError> {
     match &case.kind {
-        Kind::Bearing(bearing) => sized(bearing, scene, summary).map(Some),
+        Kind::Bearing(bearing) => sized(bearing, scene, answer).map(Some),
         Kind::General(_) => Ok(None),
     }
     .map_err(|error: DomainError| JobError::ClosedForm {
@@ -30,10 +31,10 @@ pub fn sizing(case: &Case, scene: &Scene, summary: &Summary) -> Result<Option<Si
     })
 }
 
-fn sized(bearing: &BearingCase, scene: &Scene, summary: &Summary) -> Result<Sizing, DomainError> {
+fn sized(bearing: &BearingCase, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainError> {
     let mut rule: Option<SizingRule> = None;
     let mut lines = Vec::new();
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &answer.interfaces.0 {
         let Some(steels) = steels(scene, name) else {
             continue;
         };
@@ -62,7 +63,7 @@ fn steels<'s>(scene: &'s Scene, interface: &str) -> Option<[&'s Steel; 2]> {
 }
 
 /// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
-fn is_merged(interface: &str, line: &LineSummary, geometry: &BearingGeometry) -> bool {
+fn is_merged(interface: &str, line: &LineFigures, geometry: &BearingGeometry) -> bool {
     let in_valley = geometry.is_centred() && interface.contains("intermediate_plate");
     in_valley && line.across.abs() < 0.5 * geometry.v_line()
 }
@@ -107,7 +108,7 @@ impl Pair {
     fn line(
         &self,
         interface: &str,
-        line: &LineSummary,
+        line: &LineFigures,
         roller: f64,
     ) -> Result<SizedLine, DomainError> {
         let peak = self.pressed(line.peak)?;

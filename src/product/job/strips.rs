@@ -1,7 +1,7 @@
 //! Are the fine elements of a bearing's mesh where its lines of contact are? Asked of the preset
 //! `auto`, whose first mesh rests on statics, as soon as an increment tells.
 
-use super::JobError;
+use super::error::JobError;
 use super::mesh::strips_file;
 use crate::analytic::hertz::LineContact;
 use crate::answer::results::contact_lines::contact_lines;

@@ -5,7 +5,7 @@ use super::assumption::{Assumption, assumptions};
 use super::candidate::{Candidate, SLENDEREST, STOUT, square_diameter};
 use super::practical::diameters;
 use super::request::{Request, Rule};
-use crate::render::UnitLabels;
+use crate::ground::units::UnitLabels;
 use crate::render::text::significant;
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! The figures of a run that go into the table, by name.
 
-use crate::answer::certify::{Quantity, claim, unresolved};
+use crate::answer::certify::{Quantity, unresolved};
+use crate::answer::{BodyFigures, InterfaceFigures};
 use crate::render::Summary;
-use crate::render::summary::{BodySummary, InterfaceSummary};
 use serde_json::Value;
 
 /// Figures under their names, in the order of the columns.
@@ -26,28 +26,28 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
         "units",
         format!("{}-{}-{}", units.length, units.force, units.stress),
     );
-    out.add("dofs", summary.dofs);
-    out.add("iterations", summary.iterations);
+    out.add("dofs", summary.counters.dofs);
+    out.add("iterations", summary.counters.iterations);
     out.add("memory_bytes", summary.peak_memory_bytes);
-    out.add("applied_load", summary.applied_load);
-    out.add("descent", summary.descent);
+    out.add("applied_load", summary.answer.applied_load);
+    out.add("descent", summary.answer.descent);
     out.add(
         "descent_error",
         error(summary, Quantity::Descent, "overall"),
     );
     overall(summary, &mut out);
-    let unsure = unresolved(&summary.certificate).into_iter();
+    let unsure = unresolved(&summary.answer.certificate).into_iter();
     let names: Vec<String> = unsure
         .map(|claim| format!("{} of {}", claim.what.name(), claim.place))
         .collect();
     out.add("unresolved", names.join("; "));
-    for (name, body) in &summary.bodies.0 {
+    for (name, body) in &summary.answer.bodies.0 {
         add_body(summary, name, body, &mut out);
     }
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &summary.answer.interfaces.0 {
         add_interface(summary, name, interface, &mut out);
     }
-    for (name, roller) in &summary.rollers.0 {
+    for (name, roller) in &summary.answer.rollers.0 {
         out.add(format!("{name}.bore_mises"), roller.bore_mises);
         out.add(format!("{name}.bore_mises_nodal"), roller.bore_mises_nodal);
     }
@@ -56,7 +56,7 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
 
 /// The largest of all bodies and lines.
 fn overall(summary: &Summary, out: &mut Figures) {
-    let bodies = &summary.bodies.0;
+    let bodies = &summary.answer.bodies.0;
     let centroid = bodies.iter().filter_map(|(_, b)| b.mises_max.centroid);
     out.add("mises_centroid", centroid.reduce(f64::max));
     let nodal = bodies
@@ -95,7 +95,7 @@ fn add_largest<'s>(
     out.add(format!("{name}_at"), largest.map(|(at, _)| at.as_str()));
 }
 
-fn add_body(summary: &Summary, name: &str, body: &BodySummary, out: &mut Figures) {
+fn add_body(summary: &Summary, name: &str, body: &BodyFigures, out: &mut Figures) {
     let mut add = |figure: &str, value: Option<f64>| out.add(format!("{name}.{figure}"), value);
     add("mises_centroid", body.mises_max.centroid);
     add("mises_nodal", body.mises_max.nodal);
@@ -112,7 +112,7 @@ fn add_body(summary: &Summary, name: &str, body: &BodySummary, out: &mut Figures
     add("peeq_max", Some(body.peeq_max));
 }
 
-fn add_interface(summary: &Summary, name: &str, contact: &InterfaceSummary, out: &mut Figures) {
+fn add_interface(summary: &Summary, name: &str, contact: &InterfaceFigures, out: &mut Figures) {
     let mut add = |figure: &str, value: Option<f64>| out.add(format!("{name}.{figure}"), value);
     add("p_max", Some(contact.max_pressure));
     add("p_max_error", error(summary, Quantity::PeakPressure, name));
@@ -130,13 +130,14 @@ fn add_interface(summary: &Summary, name: &str, contact: &InterfaceSummary, out:
 
 fn nothing_yielded(summary: &Summary) -> bool {
     summary
+        .answer
         .bodies
         .0
         .iter()
         .all(|(_, body)| body.peeq_max == 0.0)
 }
 
-fn elastic(body: &BodySummary) -> Option<f64> {
+fn elastic(body: &BodyFigures) -> Option<f64> {
     match &body.elastic_mises_max {
         Some(elastic) => elastic.nodal,
         None => body.mises_max.nodal.filter(|_| body.peeq_max == 0.0),
@@ -145,6 +146,7 @@ fn elastic(body: &BodySummary) -> Option<f64> {
 
 fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
     let yielded = summary
+        .answer
         .bodies
         .get(body)
         .is_some_and(|b| b.elastic_mises_max.is_some());
@@ -157,5 +159,5 @@ fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
 
 /// The estimated error of a claim of the certificate.
 fn error(summary: &Summary, what: Quantity, place: &str) -> Option<f64> {
-    claim(&summary.certificate, what, place)?.bar()
+    summary.answer.figure(what, place)?.bar()
 }

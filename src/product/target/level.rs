@@ -1,7 +1,7 @@
 //! A mesh on the way to a target.
 
 use super::{Goal, Target};
-use crate::answer::certify::{Claim, Quantity};
+use crate::answer::certify::{self, Quantity};
 use crate::product::converge::cost::Cost;
 use crate::render::Summary;
 use crate::render::text::{Columns, significant};
@@ -61,7 +61,7 @@ impl Level {
         before: Option<&Self>,
         cost: Cost,
     ) -> Self {
-        let figures = figures(target.goal, &summary.certificate).into_iter();
+        let figures = figures(target.goal, &summary.answer.certificate).into_iter();
         let figures = figures.map(|claim| {
             let mut figure = Figure {
                 what: claim.what,
@@ -76,7 +76,7 @@ impl Level {
         });
         Self {
             level,
-            unknowns: summary.dofs,
+            unknowns: summary.counters.dofs,
             figures: figures.collect(),
             cost,
             summary: summary.clone(),
@@ -92,7 +92,7 @@ impl Level {
 }
 
 /// The claims that a goal is about.
-fn figures(goal: Goal, certificate: &[Claim]) -> Vec<&Claim> {
+fn figures(goal: Goal, certificate: &[certify::Figure]) -> Vec<&certify::Figure> {
     let largest = |what: Quantity| {
         let claims = certificate.iter().filter(|c| c.what == what);
         claims.max_by(|a, b| a.value.total_cmp(&b.value))

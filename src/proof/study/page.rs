@@ -5,7 +5,7 @@ use super::quantities::{ROWS, Reading};
 use crate::ground::file::{FileError, write_atomically};
 use crate::render::Summary;
 use crate::render::page::{PageError, between, insert};
-use crate::render::summary::{Comparison, Figure};
+use crate::render::summary::{Comparison, Reported};
 use crate::render::text::significant;
 use std::path::Path;
 
@@ -153,7 +153,7 @@ pub(super) fn cell(reading: Option<Reading>) -> String {
 /// What the study prints of a quantity.
 pub(super) fn printed(row: &Comparison) -> Option<f64> {
     match row.report {
-        Some(Figure::Value(value)) => Some(value),
+        Some(Reported::Value(value)) => Some(value),
         _ => None,
     }
 }

@@ -1,8 +1,9 @@
 //! What is read from each run of the study.
 
-use crate::answer::certify::{Claim, Quantity, claim};
+use crate::answer::certify::{Figure, Quantity};
+use crate::answer::{BodyFigures, LineFigures, RollerFigures};
 use crate::render::Summary;
-use crate::render::summary::{BodySummary, Demand, LineSummary, RollerSummary};
+use crate::render::summary::Demand;
 
 /// A figure and, where the certificate has one, its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,14 +39,20 @@ pub const ROWS: [Row; 26] = [
         scaled(largest(s, &[Quantity::PeakPlasticStrain]), 100.0).or(plain(Some(0.0)))
     }),
     row("yielded share of all volume, %", |s| {
-        let sum =
-            |of: fn(&BodySummary) -> f64| s.bodies.0.iter().map(|(_, body)| of(body)).sum::<f64>();
+        let sum = |of: fn(&BodyFigures) -> f64| {
+            s.answer
+                .bodies
+                .0
+                .iter()
+                .map(|(_, body)| of(body))
+                .sum::<f64>()
+        };
         plain(Some(100.0 * sum(|b| b.yielded_volume) / sum(|b| b.volume)))
     }),
     row("descent, 1e-3 in", |s| {
-        scaled(claim(&s.certificate, Quantity::Descent, "overall"), 1e3)
+        scaled(s.answer.figure(Quantity::Descent, "overall"), 1e3)
     }),
-    row("stiffness, kip/in", |s| plain(s.stiffness)),
+    row("stiffness, kip/in", |s| plain(s.answer.stiffness)),
     row("bore Mises, recovered, ksi", |s| {
         bore(s, |roller| roller.bore_mises)
     }),
@@ -53,16 +60,16 @@ pub const ROWS: [Row; 26] = [
         bore(s, |roller| roller.bore_mises_nodal)
     }),
     row("p0, flat side, ksi", |s| {
-        scaled(claim(&s.certificate, Quantity::PeakPressure, FLAT), 1.0)
+        scaled(s.answer.figure(Quantity::PeakPressure, FLAT), 1.0)
     }),
     row("p0, V side, ksi", |s| {
-        scaled(claim(&s.certificate, Quantity::PeakPressure, VALLEY), 1.0)
+        scaled(s.answer.figure(Quantity::PeakPressure, VALLEY), 1.0)
     }),
     row("half-width, flat side, in", |s| {
-        scaled(claim(&s.certificate, Quantity::HalfWidth, FLAT), 1.0)
+        scaled(s.answer.figure(Quantity::HalfWidth, FLAT), 1.0)
     }),
     row("contact area, flat side, in²", |s| {
-        scaled(claim(&s.certificate, Quantity::ContactArea, FLAT), 1.0)
+        scaled(s.answer.figure(Quantity::ContactArea, FLAT), 1.0)
     }),
     row("largest line load, flat side, kip/in", |s| {
         line(s, FLAT, |l| l.peak)
@@ -91,7 +98,7 @@ pub const ROWS: [Row; 26] = [
     row("dent in the plates, 1e-3 in", |s| dent(s, "plate")),
     row("dent in the rollers, 1e-3 in", |s| dent(s, "roller")),
     row("descent left after unloading, 1e-3 in", |s| {
-        let left = s.unloaded.as_ref().and_then(|u| u.descent);
+        let left = s.answer.unloaded.as_ref().and_then(|u| u.descent);
         plain(left.map(|d| 1e3 * d))
     }),
 ];
@@ -101,7 +108,7 @@ fn plain(value: Option<f64>) -> Option<Reading> {
 }
 
 /// A claim in a unit `scale` times as small.
-fn scaled(claim: Option<&Claim>, scale: f64) -> Option<Reading> {
+fn scaled(claim: Option<&Figure>, scale: f64) -> Option<Reading> {
     claim.map(|claim| Reading {
         value: scale * claim.value,
         error: claim.bar().map(|error| scale * error),
@@ -109,20 +116,20 @@ fn scaled(claim: Option<&Claim>, scale: f64) -> Option<Reading> {
 }
 
 /// The largest of some claims.
-fn largest<'s>(summary: &'s Summary, of: &[Quantity]) -> Option<&'s Claim> {
-    let claims = summary.certificate.iter();
+fn largest<'s>(summary: &'s Summary, of: &[Quantity]) -> Option<&'s Figure> {
+    let claims = summary.answer.certificate.iter();
     let asked = claims.filter(|c| of.contains(&c.what));
     asked.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
 /// The largest elastic Mises stress that no loaded edge makes.
-fn elastic(summary: &Summary) -> Option<&Claim> {
+fn elastic(summary: &Summary) -> Option<&Figure> {
     let yielded = largest(summary, &[Quantity::PeakPlasticStrain]).is_some();
     let names = match yielded {
         true => [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway],
         false => [Quantity::PeakMises, Quantity::MisesAway],
     };
-    let claims = summary.certificate.iter();
+    let claims = summary.answer.certificate.iter();
     let regular = claims.filter(|c| names.contains(&c.what) && c.is_resolved());
     regular.max_by(|a, b| a.value.total_cmp(&b.value))
 }
@@ -130,6 +137,7 @@ fn elastic(summary: &Summary) -> Option<&Claim> {
 /// The largest Mises stress of the bodies whose names hold `part`, in reading `reading` of three.
 fn mises(summary: &Summary, part: &str, reading: usize) -> Option<Reading> {
     let bodies = summary
+        .answer
         .bodies
         .0
         .iter()
@@ -138,14 +146,14 @@ fn mises(summary: &Summary, part: &str, reading: usize) -> Option<Reading> {
     plain(values.reduce(f64::max))
 }
 
-fn bore(summary: &Summary, read: fn(&RollerSummary) -> Option<f64>) -> Option<Reading> {
-    let values = summary.rollers.0.iter().filter_map(|(_, r)| read(r));
+fn bore(summary: &Summary, read: fn(&RollerFigures) -> Option<f64>) -> Option<Reading> {
+    let values = summary.answer.rollers.0.iter().filter_map(|(_, r)| read(r));
     plain(values.reduce(f64::max))
 }
 
 /// Of the line that carries most per length.
-fn line(summary: &Summary, interface: &str, read: fn(&LineSummary) -> f64) -> Option<Reading> {
-    let lines = summary.interfaces.get(interface)?.lines.iter();
+fn line(summary: &Summary, interface: &str, read: fn(&LineFigures) -> f64) -> Option<Reading> {
+    let lines = summary.answer.interfaces.get(interface)?.lines.iter();
     let heaviest = lines.max_by(|a, b| a.peak.total_cmp(&b.peak));
     plain(heaviest.map(read))
 }
@@ -163,7 +171,7 @@ fn provided(demand: &Demand) -> Option<Reading> {
 }
 
 fn dent(summary: &Summary, part: &str) -> Option<Reading> {
-    let dents = summary.unloaded.as_ref()?.dents.0.iter();
+    let dents = summary.answer.unloaded.as_ref()?.dents.0.iter();
     let depths = dents
         .filter(|(_, d)| d.body.contains(part))
         .map(|(_, d)| 1e3 * d.depth);

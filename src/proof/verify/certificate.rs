@@ -88,7 +88,7 @@ fn sphere() -> Result<Vec<Claim>, VerifyError> {
     Ok(claims)
 }
 
-pub(super) fn certified(run: &Run) -> Vec<certify::Claim> {
+pub(super) fn certified(run: &Run) -> Vec<certify::Figure> {
     let (scene, state) = (&run.scene, run.state());
     let recovered = recover(scene, state);
     let edges = LoadedEdges::find(scene, state);
@@ -100,7 +100,7 @@ pub(super) fn certified(run: &Run) -> Vec<certify::Claim> {
         scene,
         state,
         recovered: &recovered,
-        peaks: &peaks(scene, state, &recovered),
+        peaks: &peaks(scene, state, &recovered, &edges),
         interfaces: &interfaces(scene, state),
         lines: &lines,
         edges: &edges,
@@ -115,11 +115,11 @@ pub(super) fn certified(run: &Run) -> Vec<certify::Claim> {
 pub(super) fn judged(
     problem: &str,
     run: &Run,
-    certificate: &[certify::Claim],
+    certificate: &[certify::Figure],
     known: &[Known],
 ) -> Vec<Claim> {
     let judge = |(what, place, truth): &Known| {
-        let claim = certify::claim(certificate, *what, place)?;
+        let claim = certify::figure(certificate, *what, place)?;
         let error = (claim.value - truth).abs();
         let estimate = claim.error.total()?;
         let short = error / estimate;

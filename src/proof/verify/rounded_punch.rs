@@ -7,7 +7,7 @@ use super::certificate::{certified, judged};
 use super::kit::{self, Run};
 use super::{Claim, Extent, VerifyError};
 use crate::analytic::rounded_punch::RoundedPunch;
-use crate::answer::certify::{Quantity, claim};
+use crate::answer::certify::{Quantity, figure};
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::Block;
@@ -36,7 +36,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     for (facet, expected) in MESHES {
         let run = pressed(load, facet)?;
         let certificate = certified(&run);
-        let pressure = claim(&certificate, Quantity::PeakPressure, "contact");
+        let pressure = figure(&certificate, Quantity::PeakPressure, "contact");
         let read = pressure.ok_or(VerifyError::Missing("pressure"))?;
         let problem = format!("rounded punch, R/h = {}", RADIUS / facet);
         let off = 100.0 * (read.value / peak - 1.0).abs();

@@ -2,7 +2,7 @@
 
 mod table;
 
-use super::UnitLabels;
+use crate::ground::units::UnitLabels;
 use serde::Serialize;
 
 pub use table::render;

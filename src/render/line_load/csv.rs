@@ -1,8 +1,8 @@
 //! Line loads as comma-separated values.
 
 use super::WholeLine;
+use crate::ground::units::UnitLabels;
 use crate::render::text::shown;
-use crate::render::units::UnitLabels;
 use std::fmt::Write;
 
 /// One row for each row of nodes of each line, in full precision, under a line of headings with

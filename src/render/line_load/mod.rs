@@ -7,7 +7,8 @@ pub use csv::csv;
 pub use svg::figure;
 
 use super::plot;
-use super::summary::{LineSummary, Summary};
+use super::summary::Summary;
+use crate::answer::LineFigures;
 use crate::ground::file::write_atomically;
 use crate::render::OutputError;
 use std::path::Path;
@@ -33,7 +34,7 @@ pub struct WholeLine<'a> {
 /// The lines of every interface, by their place across; images in mirror planes are written out.
 pub fn whole_lines(summary: &Summary) -> Vec<WholeLine<'_>> {
     let mut all = Vec::new();
-    for (interface, measured) in &summary.interfaces.0 {
+    for (interface, measured) in &summary.answer.interfaces.0 {
         let mut lines: Vec<WholeLine> = Vec::new();
         for line in &measured.lines {
             let across = [Some(line.across), (line.images > 1).then_some(-line.across)];
@@ -52,7 +53,7 @@ pub fn whole_lines(summary: &Summary) -> Vec<WholeLine<'_>> {
 }
 
 /// The rows of the whole line: a row in the mirror plane is its own image.
-fn whole_rows(line: &LineSummary) -> Vec<(f64, f64)> {
+fn whole_rows(line: &LineFigures) -> Vec<(f64, f64)> {
     let rows = || line.at.iter().copied().zip(line.load.iter().copied());
     let reach = line.at.iter().fold(0.0f64, |most, at| most.max(at.abs()));
     let images: Vec<(f64, f64)> = match line.mirrored {

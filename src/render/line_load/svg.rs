@@ -1,9 +1,9 @@
 //! Line loads as a figure.
 
 use super::WholeLine;
+use crate::ground::units::UnitLabels;
 use crate::render::plot::{Figure, Line, Panel, Scale};
 use crate::render::text::significant;
-use crate::render::units::UnitLabels;
 
 /// A panel for each interface with a curve for each of its lines, in the order of their places
 /// across, and dashed the loads of the lines spread evenly.

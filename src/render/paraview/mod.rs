@@ -1,9 +1,9 @@
 //! A Python file beside the collection of a run that opens its useful views in ParaView, and draws
 //! them to pictures where it is run by `pvbatch`.
 
-use super::units::UnitLabels;
 use crate::answer::results::load;
 use crate::ground::file::{FileError, write_atomically};
+use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use std::path::{Path, PathBuf};
 

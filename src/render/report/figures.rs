@@ -1,8 +1,8 @@
 //! Figures as an engineer reads them: no more digits than they are worth.
 
-use crate::answer::certify::{Claim, Quantity};
+use crate::answer::certify::{Figure, Quantity};
+use crate::ground::units::UnitLabels;
 use crate::render::text::significant;
-use crate::render::units::UnitLabels;
 
 /// Digits of a figure of which no error is known.
 pub const DIGITS: usize = 4;
@@ -49,12 +49,12 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
 pub const NOT_RESOLVED: &str = "not resolved";
 
 /// A figure that is certified, with its error; without digits that this mesh does not resolve.
-pub fn certified(value: f64, claim: Option<&Claim>) -> String {
+pub fn certified(value: f64, claim: Option<&Figure>) -> String {
     match claim {
         Some(claim) if !claim.is_resolved() => {
             format!("{}, {NOT_RESOLVED}", significant(value, 2))
         }
-        claim => with_error(value, claim.and_then(Claim::bar)),
+        claim => with_error(value, claim.and_then(Figure::bar)),
     }
 }
 

@@ -1,9 +1,10 @@
 //! The small types that a summary is put together from.
 
-use serde::{Serialize, Serializer};
+use crate::answer::Named;
+use serde::Serialize;
 
 /// Counts of the solver.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Counters {
     pub dofs: usize,
     pub iterations: usize,
@@ -36,7 +37,7 @@ pub struct Timing {
 /// A figure of a reference.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Figure {
+pub enum Reported {
     Value(f64),
     /// Smallest and largest.
     Range([f64; 2]),
@@ -51,7 +52,7 @@ pub struct Comparison {
     #[serde(rename = "where")]
     pub place: String,
     /// What the reference study prints.
-    pub report: Option<Figure>,
+    pub report: Option<Reported>,
     /// The same quantity on the report-like mesh.
     pub report_like: Option<f64>,
     /// This run.
@@ -62,39 +63,4 @@ pub struct Comparison {
     pub resolved: Option<bool>,
     /// Hertz's figure for the same load.
     pub hertz: Option<f64>,
-}
-
-/// One value for each of the three ways to read a Mises peak.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
-pub struct Three<T> {
-    pub centroid: T,
-    pub integration_point: T,
-    pub nodal: T,
-}
-
-impl<T: Copy> Three<T> {
-    /// The three in the order of their printing.
-    pub fn each(&self) -> [T; 3] {
-        [self.centroid, self.integration_point, self.nodal]
-    }
-}
-
-/// Named values in the order of the scene; an object in JSON.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Named<T>(pub Vec<(String, T)>);
-
-impl<T: Serialize> Serialize for Named<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
-    }
-}
-
-impl<T> Named<T> {
-    /// The value called `name`.
-    pub fn get(&self, name: &str) -> Option<&T> {
-        self.0
-            .iter()
-            .find(|(n, _)| n == name)
-            .map(|(_, value)| value)
-    }
 }

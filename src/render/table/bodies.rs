@@ -1,7 +1,8 @@
 //! Bodies and bores of rollers in the table.
 
 use super::{DIGITS, SINGULAR_DIGITS, number};
-use crate::render::summary::{BodySummary, Summary, Three};
+use crate::answer::{BodyFigures, Three};
+use crate::render::summary::Summary;
 use crate::render::text::{Columns, percent, place, significant};
 
 pub(super) fn bodies(summary: &Summary) -> String {
@@ -16,7 +17,7 @@ pub(super) fn bodies(summary: &Summary) -> String {
     ]);
     let mut places = Columns::new(&["where", "centroid", "integration pt", "nodal"]);
     let mut singular = false;
-    for (name, body) in &summary.bodies.0 {
+    for (name, body) in &summary.answer.bodies.0 {
         singular |= body.at_singular_edge.each().contains(&true);
         let mut row = vec![name.clone()];
         row.extend(peaks(&body.mises_max, &body.at_singular_edge));
@@ -71,7 +72,7 @@ fn peaks(values: &Three<Option<f64>>, singular: &Three<bool>) -> Vec<String> {
         .collect()
 }
 
-fn elastic_row(body: &BodySummary) -> Option<Vec<String>> {
+fn elastic_row(body: &BodyFigures) -> Option<Vec<String>> {
     let elastic = body.elastic_mises_max?;
     let mut row = vec!["  elastic".to_string()];
     row.extend(peaks(&elastic, &body.at_singular_edge));
@@ -81,7 +82,7 @@ fn elastic_row(body: &BodySummary) -> Option<Vec<String>> {
 pub(super) fn rollers(summary: &Summary) -> String {
     let mut table = Columns::new(&["roller", "from strain", "at", "nodal", "at"]);
     let at = |at: Option<[f64; 3]>| at.map_or_else(|| "-".to_string(), place);
-    for (name, roller) in &summary.rollers.0 {
+    for (name, roller) in &summary.answer.rollers.0 {
         table.row([
             name.clone(),
             number(roller.bore_mises),

@@ -1,7 +1,7 @@
 //! What the figures are worth, in the table.
 
 use super::{DIGITS, number};
-use crate::answer::certify::Claim;
+use crate::answer::certify::Figure;
 use crate::render::summary::Summary;
 use crate::render::text::{Columns, significant};
 
@@ -16,7 +16,7 @@ pub(super) fn certificate(summary: &Summary) -> String {
         "penetration",
         "increments",
     ]);
-    for claim in &summary.certificate {
+    for claim in &summary.answer.certificate {
         let unit = match units.of_measure(claim.what.measure()) {
             unit if unit.is_empty() => unit,
             unit => format!(", {unit}"),
@@ -36,17 +36,17 @@ pub(super) fn certificate(summary: &Summary) -> String {
     }
     let text = table.render().replacen("  Certificate", "Certificate", 1);
     let units = "  The error in the unit of the figure, its causes relative to the figure.\n";
-    text + units + &notes(&summary.certificate)
+    text + units + &notes(&summary.answer.certificate)
 }
 
 /// The whole error, or that none is known.
-fn bar(claim: &Claim) -> String {
+fn bar(claim: &Figure) -> String {
     let known = claim.bar().map(|error| significant(error, 2));
     known.unwrap_or_else(|| "unresolved".to_owned())
 }
 
 /// An error relative to its figure.
-fn share(claim: &Claim, error: Option<f64>) -> String {
+fn share(claim: &Figure, error: Option<f64>) -> String {
     match error.filter(|_| claim.value != 0.0) {
         Some(error) => format!("{} %", significant(100.0 * error / claim.value.abs(), 2)),
         None => number(None),
@@ -54,7 +54,7 @@ fn share(claim: &Claim, error: Option<f64>) -> String {
 }
 
 /// Each remark once, with the figures that it is about.
-fn notes(claims: &[Claim]) -> String {
+fn notes(claims: &[Figure]) -> String {
     let mut remarks: Vec<(&str, Vec<String>)> = Vec::new();
     for claim in claims {
         let Some(note) = claim.note else { continue };

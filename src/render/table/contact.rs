@@ -1,12 +1,13 @@
 //! Contact interfaces in the table.
 
 use super::{DIGITS, number};
-use crate::render::summary::{InterfaceSummary, Summary};
+use crate::answer::InterfaceFigures;
+use crate::render::summary::Summary;
 use crate::render::text::{Columns, percent, place, significant};
 use std::fmt::Write;
 
 pub(super) fn interfaces(summary: &Summary) -> String {
-    if summary.interfaces.0.is_empty() {
+    if summary.answer.interfaces.0.is_empty() {
         return String::new();
     }
     let units = &summary.units;
@@ -21,8 +22,8 @@ pub(super) fn interfaces(summary: &Summary) -> String {
         "of descent",
         "open/stick/slip",
     ]);
-    for (name, interface) in &summary.interfaces.0 {
-        let share = interface.normal_force / summary.applied_load;
+    for (name, interface) in &summary.answer.interfaces.0 {
+        let share = interface.normal_force / summary.answer.applied_load;
         let mut row = vec![name.clone(), significant(interface.normal_force, DIGITS)];
         row.push(if share.is_finite() {
             percent(share)
@@ -32,7 +33,7 @@ pub(super) fn interfaces(summary: &Summary) -> String {
         row.extend(interface.force.map(|f| rounded(f, interface.normal_force)));
         row.push(significant(interface.pressure_integral, DIGITS));
         forces.row(row);
-        contact.row(contact_row(name, interface, summary.descent));
+        contact.row(contact_row(name, interface, summary.answer.descent));
     }
     format!(
         "Force on the lower body, {}\n{}\nContact\n{}",
@@ -50,7 +51,7 @@ fn rounded(component: f64, whole: f64) -> String {
     significant(component, DIGITS)
 }
 
-fn contact_row(name: &str, interface: &InterfaceSummary, descent: Option<f64>) -> Vec<String> {
+fn contact_row(name: &str, interface: &InterfaceFigures, descent: Option<f64>) -> Vec<String> {
     let relative = descent
         .filter(|d| *d != 0.0)
         .map(|d| interface.max_penetration / d.abs());
@@ -71,7 +72,7 @@ fn contact_row(name: &str, interface: &InterfaceSummary, descent: Option<f64>) -
 /// Line loads of interfaces with the same slices stand under one heading.
 pub(super) fn line_loads(summary: &Summary) -> String {
     let mut groups: Vec<(&[f64], Columns)> = Vec::new();
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &summary.answer.interfaces.0 {
         let Some(q) = &interface.q else { continue };
         let known = groups
             .iter()
@@ -114,7 +115,7 @@ pub(super) fn contact_lines(summary: &Summary) -> String {
         &format!("in contact {}", units.length),
         "lifted off",
     ]);
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &summary.answer.interfaces.0 {
         for line in &interface.lines {
             table.row([
                 name.clone(),
@@ -137,7 +138,7 @@ pub(super) fn contact_lines(summary: &Summary) -> String {
 pub(super) fn statics(summary: &Summary) -> String {
     let units = &summary.units;
     let mut centres = Columns::new(&[&format!("resultant acts at, {}", units.length), ""]);
-    for (name, interface) in &summary.interfaces.0 {
+    for (name, interface) in &summary.answer.interfaces.0 {
         let at = interface.centre_of_force;
         centres.row([name.clone(), at.map_or_else(|| "-".to_string(), place)]);
     }
@@ -148,7 +149,7 @@ pub(super) fn statics(summary: &Summary) -> String {
         &format!("of moments, {moment}"),
     ]);
     let largest = |v: &[f64; 3]| v.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-    for (name, body) in &summary.balance.0 {
+    for (name, body) in &summary.answer.balance.0 {
         let [force, moment] = [&body.force, &body.moment].map(|v| format!("{:.1e}", largest(v)));
         balance.row([name.clone(), force, moment]);
     }

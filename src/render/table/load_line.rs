@@ -6,7 +6,7 @@ use crate::render::text::{Columns, significant};
 
 /// Loads, descents and the secant slopes between them, where the load pauses on its way up.
 pub(super) fn load_line(summary: &Summary) -> String {
-    let points = &summary.load_line;
+    let points = &summary.answer.load_line;
     if !points.windows(2).any(|pair| pair[1].load > pair[0].load) {
         return String::new();
     }

@@ -9,8 +9,9 @@ mod steps;
 mod unloaded;
 
 use super::left_out::{LeftOut, Saving};
-use super::summary::{Checks, Figure, Summary};
+use super::summary::{Reported, Summary};
 use super::text::{Columns, percent, significant};
+use crate::answer::Checks;
 use bodies::{bodies, rollers};
 use certificate::certificate;
 use contact::{contact_lines, interfaces, line_loads, statics};
@@ -40,7 +41,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         steps(summary),
         load_line(summary),
         unloaded(summary),
-        checks(&summary.checks),
+        checks(&summary.answer.checks),
         certificate(summary),
         list("Assumed", summary.assumptions.iter()),
         left_out(&summary.left_out, explain),
@@ -59,7 +60,7 @@ fn number(value: Option<f64>) -> String {
 
 fn header(summary: &Summary) -> String {
     let units = &summary.units;
-    let state = if summary.converged {
+    let state = if summary.answer.converged {
         "converged"
     } else {
         "NOT CONVERGED"
@@ -69,36 +70,43 @@ fn header(summary: &Summary) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {name:<16}{value}");
     };
-    if !summary.step.is_empty() {
+    if !summary.answer.step.is_empty() {
         line(
             "step",
-            format!("{}, {} done", summary.step, percent(summary.step_done)),
+            format!(
+                "{}, {} done",
+                summary.answer.step,
+                percent(summary.answer.step_done)
+            ),
         );
     }
-    let load = significant(summary.applied_load, DIGITS);
+    let load = significant(summary.answer.applied_load, DIGITS);
     line(
         "load",
         format!("{load} {}{}", units.force, oblique(summary)),
     );
     line(
         "descent",
-        format!("{} {}", number(summary.descent), units.length),
+        format!("{} {}", number(summary.answer.descent), units.length),
     );
     line(
         "largest strain",
-        summary.max_strain.map_or_else(|| "-".to_string(), percent),
+        summary
+            .answer
+            .max_strain
+            .map_or_else(|| "-".to_string(), percent),
     );
     let stiffness = format!("{}/{}", units.force, units.length);
     line(
         "stiffness",
         format!(
             "{} {stiffness}, load over descent",
-            number(summary.stiffness)
+            number(summary.answer.stiffness)
         ),
     );
-    let (dofs, elements) = (summary.dofs, summary.elements);
+    let (dofs, elements) = (summary.counters.dofs, summary.answer.elements);
     line("model", format!("{dofs} unknowns, {elements} elements"));
-    let (iterations, factors) = (summary.iterations, summary.factorisations);
+    let (iterations, factors) = (summary.counters.iterations, summary.counters.factorisations);
     line(
         "work",
         format!("{iterations} iterations, {factors} factorisations"),
@@ -117,7 +125,7 @@ fn header(summary: &Summary) -> String {
 
 /// The components of a load that is not along an axis, in brackets.
 fn oblique(summary: &Summary) -> String {
-    let components = components(summary.applied_force);
+    let components = components(summary.answer.applied_force);
     match components.iter().filter(|c| *c != "0").count() {
         0 | 1 => String::new(),
         _ => format!(" ({})", components.join(", ")),
@@ -143,8 +151,8 @@ fn comparison(summary: &Summary) -> String {
             (value, _) => number(value),
         };
         let report = match row.report {
-            Some(Figure::Value(value)) => number(Some(value)),
-            Some(Figure::Range([low, high])) => {
+            Some(Reported::Value(value)) => number(Some(value)),
+            Some(Reported::Range([low, high])) => {
                 format!("{} to {}", number(Some(low)), number(Some(high)))
             }
             None => "-".to_string(),

@@ -1,12 +1,13 @@
 //! All steps side by side, in the table.
 
 use super::{DIGITS, number};
-use crate::render::summary::{StepSummary, Summary};
+use crate::answer::StepFigures;
+use crate::render::summary::Summary;
 use crate::render::text::{Columns, significant};
 
 /// The ends of the steps; nothing for a single one.
 pub(super) fn steps(summary: &Summary) -> String {
-    if summary.steps.len() < 2 {
+    if summary.answer.steps.len() < 2 {
         return String::new();
     }
     let units = &summary.units;
@@ -22,7 +23,7 @@ pub(super) fn steps(summary: &Summary) -> String {
         "plastic strain",
         "stick/slip",
     ]);
-    for step in &summary.steps {
+    for step in &summary.answer.steps {
         let mut row = vec![step.name.clone(), significant(step.load, DIGITS)];
         row.extend(components(step.force));
         let [stick, slip] = step.stick_and_slip();
@@ -50,16 +51,19 @@ pub(super) fn components(force: [f64; 3]) -> [String; 3] {
 
 /// The moment that the figures are of, in words.
 fn moment(summary: &Summary) -> String {
-    let reported = summary.steps.iter().position(|step| step.reported);
-    let name = |step: &StepSummary| format!("the end of step \u{201c}{}\u{201d}", step.name);
+    let reported = summary.answer.steps.iter().position(|step| step.reported);
+    let name = |step: &StepFigures| format!("the end of step \u{201c}{}\u{201d}", step.name);
     match reported {
-        Some(index) if summary.unloaded.is_some() => {
-            format!("{}, the last before unloading", name(&summary.steps[index]))
+        Some(index) if summary.answer.unloaded.is_some() => {
+            format!(
+                "{}, the last before unloading",
+                name(&summary.answer.steps[index])
+            )
         }
-        Some(index) => name(&summary.steps[index]),
+        Some(index) => name(&summary.answer.steps[index]),
         None => format!(
             "step \u{201c}{}\u{201d}, as far as it is done",
-            summary.step
+            summary.answer.step
         ),
     }
 }

@@ -5,7 +5,7 @@ use crate::render::summary::Summary;
 use crate::render::text::{Columns, place, significant};
 
 pub(super) fn unloaded(summary: &Summary) -> String {
-    let Some(unloaded) = &summary.unloaded else {
+    let Some(unloaded) = &summary.answer.unloaded else {
         return String::new();
     };
     let units = &summary.units;

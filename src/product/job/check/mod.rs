@@ -3,12 +3,15 @@
 mod held;
 mod strip;
 
-use super::{JobError, assumptions, find_mesh, left_out, limits};
+use super::error::JobError;
+use super::mesh::find_mesh;
+use super::summarise::assumptions;
+use super::{left_out, limits};
 use crate::case::{Case, Kind};
 use crate::ground::memory;
+use crate::ground::units::UnitLabels;
 use crate::model::mesh::Mesh;
 use crate::model::scene::Scene;
-use crate::render::UnitLabels;
 use crate::render::check::{BodyCheck, Check, ContactCheck, Cost, Machine, MeshCheck};
 use crate::render::text::{percent, significant};
 use crate::solver::solve::{Forecast, forecast};

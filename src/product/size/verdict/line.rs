@@ -1,9 +1,10 @@
 //! (2-49) on every line of contact, under the largest load per length that it carries.
 
 use super::{Check, Kind, Standing};
+use crate::answer::LineFigures;
 use crate::product::size::Proposal;
 use crate::render::Summary;
-use crate::render::summary::{LineSummary, SizedLine};
+use crate::render::summary::SizedLine;
 
 /// Nearer to the end of a roller than this share of its radius, a peak is made by the end.
 const AT_THE_END: f64 = 0.02;
@@ -16,7 +17,7 @@ pub fn checks(proposal: &Proposal, summary: &Summary) -> Vec<Check> {
 fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> Check {
     let request = &proposal.request;
     let limit = request.limit.value * request.yield_stress;
-    let rows = summary.interfaces.get(&line.interface);
+    let rows = summary.answer.interfaces.get(&line.interface);
     let rows = rows.and_then(|i| i.lines.iter().find(|l| l.across == line.across));
     // p0 goes with the root of the load per length.
     let error = rows.and_then(missed_between_rows);
@@ -49,7 +50,7 @@ fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> Check {
 /// What the rows of nodes may miss of the largest load per length, relative to it: how far the
 /// parabola through the row of the peak and its neighbours bends away from straight pieces between
 /// them. None at the end of a line, where there is one neighbour.
-fn missed_between_rows(line: &LineSummary) -> Option<f64> {
+fn missed_between_rows(line: &LineFigures) -> Option<f64> {
     let peak = line.load.iter().position(|q| *q == line.peak)?;
     let mirrored = || (line.mirrored && line.at.get(peak) == Some(&0.0)).then_some(peak + 1);
     let before = peak.checked_sub(1).or_else(mirrored)?;
@@ -68,8 +69,8 @@ fn missed_between_rows(line: &LineSummary) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn line(at: &[f64], load: &[f64], mirrored: bool) -> LineSummary {
-        LineSummary {
+    fn line(at: &[f64], load: &[f64], mirrored: bool) -> LineFigures {
+        LineFigures {
             axis: "y",
             across: 0.0,
             images: 1,

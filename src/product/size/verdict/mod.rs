@@ -11,8 +11,8 @@ use super::proposal::Proposal;
 use super::{Candidate, SizeError};
 use crate::case::Case;
 use crate::ground::file::{FileError, write_atomically};
+use crate::ground::units::UnitLabels;
 use crate::product::job::Outcome;
-use crate::render::UnitLabels;
 pub use advice::Advice;
 use serde::Serialize;
 use std::path::Path;
@@ -166,9 +166,9 @@ impl Placed {
                 Position::Centre => 0.0,
                 Position::Displaced => proposal.request.roller_displacement(),
             },
-            unknowns: summary.dofs,
+            unknowns: summary.counters.dofs,
             seconds: summary.timing.total_s,
-            descent: summary.descent,
+            descent: summary.answer.descent,
             checks,
         }
     }

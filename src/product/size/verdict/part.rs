@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, flows};
 use super::{Check, Kind, Standing};
-use crate::answer::certify::{Claim, Quantity, claim};
+use crate::answer::certify::{Figure, Quantity};
 use crate::product::job::Outcome;
 use crate::product::size::Proposal;
 use crate::render::Summary;
@@ -22,8 +22,8 @@ pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
 }
 
 /// The first of some kinds of claim that there is.
-fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s Claim> {
-    let of = |kind: &Quantity| claim(&summary.certificate, *kind, body);
+fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s Figure> {
+    let of = |kind: &Quantity| summary.answer.figure(*kind, body);
     kinds.iter().find_map(of)
 }
 
@@ -69,7 +69,10 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
         return check;
     }
     if judged.what == away {
-        let edge = claim(&summary.certificate, peak, body).map(|claim| significant(claim.value, 2));
+        let edge = summary
+            .answer
+            .figure(peak, body)
+            .map(|claim| significant(claim.value, 2));
         check.remark = Some(format!(
             "away from loaded edges; on this mesh it is {} at all, which grows with every refinement",
             edge.unwrap_or_default()
@@ -88,12 +91,12 @@ const RESOLVED: f64 = 0.9;
 /// Plastic strain away from loaded edges, and what there is beside them.
 fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> {
     let resolved = flow.mean_mises >= RESOLVED * limit;
-    let certified = claim(&summary.certificate, Quantity::PeakPlasticStrain, body);
+    let certified = summary.answer.figure(Quantity::PeakPlasticStrain, body);
     // The certificate is about the largest of all.
     let own = certified.filter(|_| flow.away >= flow.at_edges);
     let mut checks = vec![Check {
         value: Some(flow.away),
-        error: own.and_then(Claim::bar),
+        error: own.and_then(Figure::bar),
         limit: Some(0.0),
         standing: match (flow.away > 0.0, resolved) {
             (false, _) => Standing::Met,

@@ -1,6 +1,6 @@
 //! A bearing, solved on one mesh, and what is claimed of it.
 
-use crate::answer::certify::{self, Claim};
+use crate::answer::certify::{self, Figure};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::case::Case;
@@ -105,10 +105,10 @@ pub fn solve(
     Ok(Solved {
         readings: readings(summary),
         strips: strips(&outcome),
-        flow: (summary.bodies.0.iter())
+        flow: (summary.answer.bodies.0.iter())
             .map(|(name, body)| (name.clone(), body.peeq_max))
             .collect(),
-        unknowns: summary.dofs,
+        unknowns: summary.counters.dofs,
         cpu_s: meter.stop().cpu_s,
     })
 }
@@ -125,13 +125,13 @@ fn remove_fields(folder: &Path) {
 /// The claims of a summary. A peak at a loaded edge has no limit, and is none where another stands in
 /// its place.
 fn readings(summary: &Summary) -> Vec<Reading> {
-    let unresolved = certify::unresolved(&summary.certificate);
-    let counts = |c: &&Claim| c.is_resolved() || unresolved.contains(c);
-    let claims = summary.certificate.iter().filter(counts);
+    let unresolved = certify::unresolved(&summary.answer.certificate);
+    let counts = |c: &&Figure| c.is_resolved() || unresolved.contains(c);
+    let claims = summary.answer.certificate.iter().filter(counts);
     claims.filter_map(reading).collect()
 }
 
-fn reading(claim: &Claim) -> Option<Reading> {
+fn reading(claim: &Figure) -> Option<Reading> {
     Some(Reading {
         what: serde_json::to_value(claim.what).ok()?.as_str()?.to_owned(),
         place: claim.place.clone(),
@@ -143,7 +143,7 @@ fn reading(claim: &Claim) -> Option<Reading> {
 
 fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
     let (scene, state) = (&outcome.scene, outcome.state());
-    let pairs = outcome.summary.interfaces.0.iter().enumerate();
+    let pairs = outcome.summary.answer.interfaces.0.iter().enumerate();
     let edges = LoadedEdges::find(scene, state);
     let strip = |pair: usize| {
         let heaviest = HeaviestLine::find(scene, state, pair, &edges)?;

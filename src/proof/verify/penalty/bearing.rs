@@ -3,7 +3,7 @@
 use super::super::VerifyError;
 use super::super::kit::Run;
 use super::Figures;
-use crate::answer::results::edges::carrier;
+use crate::answer::results::edges::{LoadedEdges, carrier};
 use crate::answer::results::interface::interfaces;
 use crate::answer::results::line_load::{Slices, line_load};
 use crate::answer::results::load::descent;
@@ -33,7 +33,8 @@ fn centre_case() -> Result<Scene, JobError> {
 /// The largest over bodies or interfaces, and the line load in its slices.
 pub fn figures(run: &Run) -> Result<Figures, VerifyError> {
     let (scene, state) = (&run.scene, run.state());
-    let bodies = peaks(scene, state, &recover(scene, state));
+    let edges = LoadedEdges::find(scene, state);
+    let bodies = peaks(scene, state, &recover(scene, state), &edges);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let mut pressures = interfaces(scene, state).into_iter().map(|i| i.max_pressure);
     let mut mises = bodies

@@ -1,6 +1,7 @@
 //! What is read from a solution of problem H.
 
 use super::{HALF_WIDTH, LOAD, PRESSURE};
+use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::peaks::{BodyPeaks, peaks};
 use crate::answer::results::recovery::recover;
 use crate::answer::results::strip::{Strip, half_width};
@@ -58,7 +59,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
         |s| Ok(hertz(s.at[0])),
     )?;
     let recovered = recover(scene, state);
-    let bodies = peaks(scene, state, &recovered);
+    let bodies = peaks(scene, state, &recovered, &LoadedEdges::find(scene, state));
     let of = |name: &str| {
         bodies
             .iter()

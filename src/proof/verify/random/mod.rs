@@ -77,7 +77,7 @@ fn solve_bearing(seed: u64, number: usize, watch: &mut Watch) -> Verdict {
         Err(error) => return outcome::refused(&known, &error),
     };
     match job::run(&case, &Options::default(), watch) {
-        Ok(outcome) if outcome.interrupted || !outcome.summary.converged => outcome::late(),
+        Ok(outcome) if outcome.interrupted || !outcome.summary.answer.converged => outcome::late(),
         Ok(outcome) => {
             let overlap = |limit: &String| limit.starts_with("penetration");
             let missed = outcome.missed_limits(&case).into_iter();

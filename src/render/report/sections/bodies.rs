@@ -1,22 +1,23 @@
 //! The largest Mises stress of each body, read in three ways, and of the bores of rollers.
 
-use crate::answer::certify::{Quantity, claim};
+use crate::answer::certify::Quantity;
+use crate::answer::{BodyFigures, Three};
 use crate::render::report::Inputs;
 use crate::render::report::figures::{number, share, with_error};
 use crate::render::report::html::table;
-use crate::render::summary::{BodySummary, Summary, Three};
+use crate::render::summary::Summary;
 use crate::render::text::{place, significant};
 use maud::{Markup, html};
 
 pub fn bodies(inputs: &Inputs) -> Markup {
     let summary = inputs.summary;
-    if summary.bodies.0.is_empty() {
+    if summary.answer.bodies.0.is_empty() {
         return Markup::default();
     }
     let units = &summary.units;
     let mut rows = Vec::new();
     let mut marked = false;
-    for (name, body) in &summary.bodies.0 {
+    for (name, body) in &summary.answer.bodies.0 {
         marked |= body.at_singular_edge.each().contains(&true);
         rows.push(body_row(name, body, summary));
         if let Some(elastic) = &body.elastic_mises_max {
@@ -54,10 +55,10 @@ pub fn bodies(inputs: &Inputs) -> Markup {
 }
 
 fn total(summary: &Summary, what: Quantity, place: &str) -> Option<f64> {
-    claim(&summary.certificate, what, place).and_then(|c| c.bar())
+    summary.answer.figure(what, place).and_then(|c| c.bar())
 }
 
-fn body_row(name: &str, body: &BodySummary, summary: &Summary) -> Vec<Markup> {
+fn body_row(name: &str, body: &BodyFigures, summary: &Summary) -> Vec<Markup> {
     let error = total(summary, Quantity::PeakMises, name);
     let strain_error = total(summary, Quantity::PeakPlasticStrain, name);
     let mut row = vec![html! { (name) }];
@@ -91,7 +92,7 @@ fn peaks(
 }
 
 fn bores(summary: &Summary) -> Markup {
-    let rows: Vec<Vec<Markup>> = (summary.rollers.0.iter())
+    let rows: Vec<Vec<Markup>> = (summary.answer.rollers.0.iter())
         .map(|(name, roller)| {
             let at = roller.bore_mises_at.map_or_else(|| "–".to_string(), place);
             [

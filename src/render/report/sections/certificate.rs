@@ -1,6 +1,6 @@
 //! The certificate: figures with their estimated errors, by cause.
 
-use crate::answer::certify::Claim;
+use crate::answer::certify::Figure;
 use crate::render::report::figures::{NOT_RESOLVED, number, unit_of, with_error};
 use crate::render::report::html::{row, table};
 use crate::render::summary::Summary;
@@ -8,10 +8,10 @@ use crate::render::text::significant;
 use maud::{Markup, html};
 
 pub fn certificate(summary: &Summary) -> Markup {
-    if summary.certificate.is_empty() {
+    if summary.answer.certificate.is_empty() {
         return Markup::default();
     }
-    let rows: Vec<Vec<Markup>> = (summary.certificate.iter())
+    let rows: Vec<Vec<Markup>> = (summary.answer.certificate.iter())
         .map(|claim| {
             row([
                 html! { (claim.what.name()) },
@@ -45,14 +45,14 @@ pub fn certificate(summary: &Summary) -> Markup {
 }
 
 /// The figure with its error, or as one that this mesh does not resolve.
-fn figure(claim: &Claim) -> Markup {
+fn figure(claim: &Figure) -> Markup {
     match claim.bar() {
         Some(error) => html! { (with_error(claim.value, Some(error))) },
         None => html! { (significant(claim.value, 2)) " " b class="care" { (NOT_RESOLVED) } },
     }
 }
 
-fn relative(claim: &Claim, error: Option<f64>) -> String {
+fn relative(claim: &Figure, error: Option<f64>) -> String {
     match error.filter(|_| claim.value != 0.0) {
         Some(error) => format!("{} %", significant(100.0 * error / claim.value.abs(), 2)),
         None => number(None),

@@ -2,7 +2,7 @@
 
 use crate::render::report::figures::{NOT_RESOLVED, number, with_error};
 use crate::render::report::html::{row, table};
-use crate::render::summary::{Figure, Summary};
+use crate::render::summary::{Reported, Summary};
 use crate::render::text::significant;
 use maud::{Markup, html};
 
@@ -15,8 +15,8 @@ pub fn compared(summary: &Summary) -> Markup {
                 (None, _) => "–".to_string(),
             };
             let report = match c.report {
-                Some(Figure::Value(value)) => number(Some(value)),
-                Some(Figure::Range([low, high])) => {
+                Some(Reported::Value(value)) => number(Some(value)),
+                Some(Reported::Range([low, high])) => {
                     format!("{} to {}", number(Some(low)), number(Some(high)))
                 }
                 None => "–".to_string(),

@@ -1,14 +1,15 @@
 //! Forces, pressures and lines of the interfaces.
 
-use crate::answer::certify::{Quantity, claim};
+use crate::answer::InterfaceFigures;
+use crate::answer::certify::Quantity;
 use crate::render::report::figures::{certified, share};
 use crate::render::report::html::{row, table};
-use crate::render::summary::{InterfaceSummary, Summary};
+use crate::render::summary::Summary;
 use crate::render::text::{place, significant};
 use maud::{Markup, html};
 
 pub fn contact(summary: &Summary) -> Markup {
-    if summary.interfaces.0.is_empty() {
+    if summary.answer.interfaces.0.is_empty() {
         return Markup::default();
     }
     html! {
@@ -21,11 +22,10 @@ pub fn contact(summary: &Summary) -> Markup {
 
 fn pressures(summary: &Summary) -> Markup {
     let units = &summary.units;
-    let figure =
-        |what, name: &str, value: f64| certified(value, claim(&summary.certificate, what, name));
-    let rows: Vec<Vec<Markup>> = (summary.interfaces.0.iter())
+    let figure = |what, name: &str, value: f64| certified(value, summary.answer.figure(what, name));
+    let rows: Vec<Vec<Markup>> = (summary.answer.interfaces.0.iter())
         .map(|(name, i)| {
-            let half = claim(&summary.certificate, Quantity::HalfWidth, name);
+            let half = summary.answer.figure(Quantity::HalfWidth, name);
             let half = half.map(|c| certified(c.value, Some(c)));
             let counts = &i.status_counts;
             row([
@@ -34,7 +34,7 @@ fn pressures(summary: &Summary) -> Markup {
                 html! { (i.max_pressure_at.map_or_else(|| "–".to_string(), place)) },
                 html! { (half.unwrap_or_else(|| "–".to_string())) },
                 html! { (figure(Quantity::ContactArea, name, i.area)) },
-                html! { (share(summary.descent.filter(|d| *d != 0.0).map(|d| i.max_penetration / d.abs()))) },
+                html! { (share(summary.answer.descent.filter(|d| *d != 0.0).map(|d| i.max_penetration / d.abs()))) },
                 html! { (i.max_slip.map_or_else(|| "–".to_string(), |s| significant(s, 3))) },
                 html! { (counts.open) " / " (counts.stick) " / " (counts.slip) },
             ])
@@ -60,13 +60,13 @@ fn pressures(summary: &Summary) -> Markup {
 
 fn forces(summary: &Summary) -> Markup {
     let units = &summary.units;
-    let rows: Vec<Vec<Markup>> = (summary.interfaces.0.iter())
+    let rows: Vec<Vec<Markup>> = (summary.answer.interfaces.0.iter())
         .map(|(name, i)| {
             let [x, y, z] = i.force.map(|f| rounded(f, i.normal_force));
             row([
                 html! { (name) },
                 html! { (significant(i.normal_force, 4)) },
-                html! { (share(Some(i.normal_force / summary.applied_load))) },
+                html! { (share(Some(i.normal_force / summary.answer.applied_load))) },
                 html! { (x) },
                 html! { (y) },
                 html! { (z) },
@@ -90,7 +90,7 @@ fn forces(summary: &Summary) -> Markup {
     table(&caption, &headings, &rows)
 }
 
-fn acts_at(interface: &InterfaceSummary) -> String {
+fn acts_at(interface: &InterfaceFigures) -> String {
     (interface.centre_of_force).map_or_else(|| "–".to_string(), place)
 }
 
@@ -104,7 +104,7 @@ fn rounded(component: f64, whole: f64) -> String {
 
 fn lines(summary: &Summary) -> Markup {
     let units = &summary.units;
-    let interfaces = summary.interfaces.0.iter();
+    let interfaces = summary.answer.interfaces.0.iter();
     let lines = interfaces.flat_map(|(name, i)| i.lines.iter().map(move |line| (name, line)));
     let rows: Vec<Vec<Markup>> = lines
         .map(|(name, line)| {
@@ -144,7 +144,7 @@ fn lines(summary: &Summary) -> Markup {
 }
 
 fn checks(summary: &Summary) -> Markup {
-    let checks = &summary.checks;
+    let checks = &summary.answer.checks;
     let rows: Vec<Vec<Markup>> = [
         ("force balance, of the load", checks.force_balance),
         (

@@ -1,15 +1,16 @@
 //! Load and descent at the ends of the steps, and what stays after unloading.
 
+use crate::answer::Unloaded;
 use crate::render::report::figures::number;
 use crate::render::report::html::{row, table};
-use crate::render::summary::{Summary, Unloaded};
+use crate::render::summary::Summary;
 use crate::render::text::{place, significant};
 use maud::{Markup, html};
 
 pub fn loading(summary: &Summary) -> Markup {
     let units = &summary.units;
     let mut before = (0.0, Some(0.0));
-    let rows: Vec<Vec<Markup>> = (summary.load_line.iter())
+    let rows: Vec<Vec<Markup>> = (summary.answer.load_line.iter())
         .map(|point| {
             let slope = point
                 .descent
@@ -29,15 +30,15 @@ pub fn loading(summary: &Summary) -> Markup {
     let slope = format!("slope, {}/{}", units.force, units.length);
     html! {
         (table("", &["end of step", &load, &descent, &slope], &rows))
-        @if summary.steps.len() > 1 { (steps(summary)) }
-        @if let Some(unloaded) = &summary.unloaded { (stays(unloaded, summary)) }
+        @if summary.answer.steps.len() > 1 { (steps(summary)) }
+        @if let Some(unloaded) = &summary.answer.unloaded { (stays(unloaded, summary)) }
     }
 }
 
 /// All steps at their ends, the one that the page is of in bold.
 fn steps(summary: &Summary) -> Markup {
     let units = &summary.units;
-    let rows: Vec<Vec<Markup>> = (summary.steps.iter())
+    let rows: Vec<Vec<Markup>> = (summary.answer.steps.iter())
         .map(|step| {
             let [stick, slip] = step.stick_and_slip();
             let [x, y, z] = step.force.map(|f| significant(f, 4));
@@ -70,8 +71,8 @@ fn steps(summary: &Summary) -> Markup {
     html! {
         (table("All steps", &headings, &rows))
         p class="note" {
-            "All other figures and pictures are of step “" (summary.step) "”"
-            @if summary.unloaded.is_some() { ", the last before unloading" }
+            "All other figures and pictures are of step “" (summary.answer.step) "”"
+            @if summary.answer.unloaded.is_some() { ", the last before unloading" }
             "."
         }
     }

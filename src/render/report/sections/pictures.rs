@@ -89,10 +89,10 @@ fn views(inputs: &Inputs, lines: &[Line]) -> Vec<View> {
 }
 
 fn hottest(inputs: &Inputs) -> Option<[f64; 3]> {
-    let interfaces = inputs.summary.interfaces.0.iter();
+    let interfaces = inputs.summary.answer.interfaces.0.iter();
     let pressed = interfaces.max_by(|a, b| a.1.max_pressure.total_cmp(&b.1.max_pressure));
     let largest = |v: Option<f64>| v.unwrap_or(0.0);
-    let bodies = inputs.summary.bodies.0.iter();
+    let bodies = inputs.summary.answer.bodies.0.iter();
     let stressed =
         bodies.max_by(|a, b| largest(a.1.mises_max.nodal).total_cmp(&largest(b.1.mises_max.nodal)));
     pressed

@@ -64,10 +64,10 @@ fn settings(inputs: &Inputs) -> Markup {
     let symmetry: Vec<&str> = scene.mirrors.iter().map(|m| AXES[*m % 3]).collect();
     let controls = &scene.controls;
     let mut rows: Vec<[String; 2]> = vec![
-        ["unknowns".into(), summary.dofs.to_string()],
+        ["unknowns".into(), summary.counters.dofs.to_string()],
         [
             "elements".into(),
-            format!("{} ({:?})", summary.elements, controls.element),
+            format!("{} ({:?})", summary.answer.elements, controls.element),
         ],
         [
             "symmetric about".into(),
@@ -136,7 +136,7 @@ fn times(summary: &Summary) -> Markup {
     html! {
         (table("", &["", "seconds"], &rows))
         p class="note" {
-            (summary.iterations) " iterations, " (summary.factorisations) " factorisations"
+            (summary.counters.iterations) " iterations, " (summary.counters.factorisations) " factorisations"
             @if let Some(memory) = memory { ", " (format!("{memory:.0}")) " MB at most" }
             ". This page is made afterwards and not counted."
         }

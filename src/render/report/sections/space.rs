@@ -57,7 +57,7 @@ pub fn space(inputs: &Inputs) -> Result<Space, OutputError> {
 /// Where every interface presses hardest, the hardest of all first.
 fn places(inputs: &Inputs) -> Vec<Spot> {
     let mut found: Vec<(f64, Spot)> = Vec::new();
-    for (name, interface) in &inputs.summary.interfaces.0 {
+    for (name, interface) in &inputs.summary.answer.interfaces.0 {
         let Some(at) = interface.max_pressure_at else {
             continue;
         };

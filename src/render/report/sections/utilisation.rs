@@ -1,6 +1,6 @@
 //! How much of what the steel can take is used: figure, limit, share and its error.
 
-use crate::answer::certify::{Quantity, claim};
+use crate::answer::certify::Quantity;
 use crate::render::report::Inputs;
 use crate::render::text::significant;
 
@@ -44,13 +44,13 @@ pub fn largest(all: &[Utilisation]) -> Option<&Utilisation> {
 
 /// The elastic peak where the body has yielded, away from loaded edges where it lies at one.
 fn mises(inputs: &Inputs) -> Vec<Utilisation> {
-    let claims = &inputs.summary.certificate;
+    let answer = &inputs.summary.answer;
     let mut all = Vec::new();
     for (body, steel) in inputs.scene.mesh.bodies.iter().zip(&inputs.scene.materials) {
         if !steel.yield_stress.is_finite() {
             continue;
         }
-        let of = |what| claim(claims, what, &body.name);
+        let of = |what| answer.figure(what, &body.name);
         let (peak, away) = match of(Quantity::ElasticPeakMises) {
             Some(peak) => (Some(peak), of(Quantity::ElasticMisesAway)),
             None => (of(Quantity::PeakMises), of(Quantity::MisesAway)),

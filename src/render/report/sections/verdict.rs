@@ -1,7 +1,7 @@
 //! The verdict: may the answer be used, are the sizing rules met, what is used most.
 
 use super::utilisation::{Utilisation, largest, utilisations};
-use crate::answer::certify::{Claim, Quantity, claim, unresolved};
+use crate::answer::certify::{Figure, Quantity, unresolved};
 use crate::render::report::Inputs;
 use crate::render::report::figures::{NOT_RESOLVED, number, share, with_error};
 use crate::render::report::html::{list, row, table};
@@ -54,13 +54,13 @@ pub fn verdict(inputs: &Inputs) -> Markup {
 
 /// The figures of which no error is known, with the reason where there is one.
 fn unsure(summary: &Summary) -> Vec<String> {
-    let said = |claim: &Claim| {
+    let said = |claim: &Figure| {
         let why = claim
             .note
             .map_or_else(String::new, |note| format!(": {note}"));
         format!("{} of {}{why}", claim.what.name(), claim.place)
     };
-    unresolved(&summary.certificate)
+    unresolved(&summary.answer.certificate)
         .into_iter()
         .map(said)
         .collect()
@@ -69,12 +69,12 @@ fn unsure(summary: &Summary) -> Vec<String> {
 /// How good, the first sentence and the others.
 fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
     let summary = inputs.summary;
-    if !summary.converged {
-        let done = share(Some(summary.step_done));
+    if !summary.answer.converged {
+        let done = share(Some(summary.answer.step_done));
         let why = format!(
             "The solution has not converged: what follows is the last increment that was done, {done} of \
              step “{}”.",
-            summary.step
+            summary.answer.step
         );
         return (Grade::Bad, "No answer.", vec![why]);
     }
@@ -87,7 +87,8 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
         );
     }
     let missed = missed_rules(summary);
-    let flows = (summary.bodies.0.iter()).max_by(|a, b| a.1.peeq_max.total_cmp(&b.1.peeq_max));
+    let flows =
+        (summary.answer.bodies.0.iter()).max_by(|a, b| a.1.peeq_max.total_cmp(&b.1.peeq_max));
     let flows = flows.filter(|(_, body)| body.peeq_max > 0.0);
     let yields = inputs.scene.materials.iter().any(|m| !m.is_elastic());
     let mut rest = Vec::new();
@@ -107,11 +108,11 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
         None => rest.push("Steel is taken as elastic.".to_string()),
     }
     rest.push("The solution has converged, and every check of it is within its limit.".to_string());
-    let unsure = unresolved(&summary.certificate).len();
+    let unsure = unresolved(&summary.answer.certificate).len();
     if unsure > 0 {
         rest.push(format!(
             "This mesh does not resolve {unsure} of {} certified figures: they are named below.",
-            summary.certificate.len()
+            summary.answer.certificate.len()
         ));
     }
     let (grade, head) = match (missed.is_empty(), flows) {
@@ -178,11 +179,11 @@ fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
 fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     let summary = inputs.summary;
     let units = &summary.units;
-    let (solution, grade) = match summary.converged {
+    let (solution, grade) = match summary.answer.converged {
         true => ("converged", Grade::Good),
         false => ("NOT CONVERGED", Grade::Bad),
     };
-    let checks = &summary.checks;
+    let checks = &summary.answer.checks;
     let balance = checks.force_balance.map_or_else(String::new, |b| {
         format!("force balance {b:.0e} of the load, ")
     });
@@ -195,15 +196,15 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
         true => ("within limits".to_string(), Grade::Good),
         false => (format!("{} missed", inputs.missed.len()), Grade::Bad),
     };
-    let descent = summary.descent.map_or_else(
+    let descent = summary.answer.descent.map_or_else(
         || "–".to_string(),
         |value| {
-            let error = claim(&summary.certificate, Quantity::Descent, "overall");
+            let error = summary.answer.figure(Quantity::Descent, "overall");
             match error.is_some_and(|c| !c.is_resolved()) {
                 true => NOT_RESOLVED.to_string(),
                 false => format!(
                     "{} {}",
-                    with_error(value, error.and_then(Claim::bar)),
+                    with_error(value, error.and_then(Figure::bar)),
                     units.length
                 ),
             }
@@ -212,7 +213,7 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     html! {
         div class="cards" {
             (card("Solution", Some(grade), solution,
-                &format!("{} iterations, {} unknowns", summary.iterations, summary.dofs)))
+                &format!("{} iterations, {} unknowns", summary.counters.iterations, summary.counters.dofs)))
             (card("Checks", Some(limits_grade), &limits, &format!("{balance}{penetration}")))
             @if summary.sizing.is_some() { (sizing_card(summary)) }
             @if let Some(most) = largest {
@@ -224,15 +225,15 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
                 ))
             }
             (card("Descent", None, &descent,
-                &format!("under {} {}{}", significant(summary.applied_load, 4), units.force, at_end_of(summary))))
+                &format!("under {} {}{}", significant(summary.answer.applied_load, 4), units.force, at_end_of(summary))))
         }
     }
 }
 
 /// Of which step, where there are several.
 fn at_end_of(summary: &Summary) -> String {
-    match summary.steps.len() > 1 {
-        true => format!(", step “{}”", summary.step),
+    match summary.answer.steps.len() > 1 {
+        true => format!(", step “{}”", summary.answer.step),
         false => String::new(),
     }
 }

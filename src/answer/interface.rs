@@ -1,6 +1,7 @@
-//! Contact interfaces in the summary.
+//! Figures of contact interfaces.
 
-use super::inputs::SummaryInputs;
+use super::named::Named;
+use super::solved::Solved;
 use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::contact_lines::{ContactLine, contact_lines};
 use crate::answer::results::edges::carrier;
@@ -13,7 +14,7 @@ use serde::{Serialize, Serializer};
 
 /// Line load of an interface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LineLoadSummary {
+pub struct LineLoadFigures {
     /// The axis along the carrier body: x, y or z.
     pub axis: &'static str,
     /// Ends of the slices.
@@ -26,9 +27,9 @@ pub struct LineLoadSummary {
     pub outside: f64,
 }
 
-/// An interface in the summary; forces and areas are those of the whole bearing.
+/// An interface; forces and areas are those of the whole bearing.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct InterfaceSummary {
+pub struct InterfaceFigures {
     pub force: [f64; 3],
     pub normal_force: f64,
     pub pressure_integral: f64,
@@ -46,16 +47,16 @@ pub struct InterfaceSummary {
     /// Not measured without friction.
     pub max_slip: Option<f64>,
     pub status_counts: StatusCounts,
-    pub q: Option<LineLoadSummary>,
+    pub q: Option<LineLoadFigures>,
     /// Where the force along the load acts, on the undeformed surface of the whole.
     pub centre_of_force: Option<[f64; 3]>,
     /// The lines of contact along the carrier; empty where its nodes do not stand in rows.
-    pub lines: Vec<LineSummary>,
+    pub lines: Vec<LineFigures>,
 }
 
 /// A line of contact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LineSummary {
+pub struct LineFigures {
     /// The axis along which it runs: x, y or z.
     pub axis: &'static str,
     /// Mean coordinate across.
@@ -80,13 +81,27 @@ pub struct LineSummary {
     pub lifted_off: f64,
 }
 
-pub(super) fn interface_summary(
-    inputs: &SummaryInputs,
+/// The figures of every interface; `measured` and `lines` are in the order of the contact pairs.
+pub fn all(
+    solved: &Solved,
+    measured: &[Interface],
+    lines: &[Option<HeaviestLine>],
+) -> Named<InterfaceFigures> {
+    let both = measured.iter().zip(lines).enumerate();
+    let of = |(pair, (measured, heaviest)): (usize, (&Interface, &Option<HeaviestLine>))| {
+        let figures = interface(solved, pair, (measured, heaviest.as_ref()));
+        (measured.name.clone(), figures)
+    };
+    Named(both.map(of).collect())
+}
+
+fn interface(
+    solved: &Solved,
     pair: usize,
     (measured, heaviest): (&Interface, Option<&HeaviestLine>),
-) -> InterfaceSummary {
-    let (scene, state) = (inputs.scene, inputs.state);
-    let asked = inputs.measures.get(pair);
+) -> InterfaceFigures {
+    let (scene, state) = (solved.scene, solved.state);
+    let asked = solved.measures.get(pair);
     let slices = match asked {
         Some(measure) => measure.slices.clone(),
         None => Slices::equal(scene, pair, 10),
@@ -95,9 +110,9 @@ pub(super) fn interface_summary(
     let axis = slices.as_ref().map(|s| s.axis);
     let lines = axis.into_iter().flat_map(|axis| {
         let lines = contact_lines(scene, state, pair, axis).into_iter();
-        lines.filter_map(move |line| line_summary(scene, line, axis))
+        lines.filter_map(move |line| line_figures(scene, line, axis))
     });
-    InterfaceSummary {
+    InterfaceFigures {
         force: measured.force,
         normal_force: measured.normal_force,
         pressure_integral: measured.pressure_integral,
@@ -122,7 +137,7 @@ pub(super) fn interface_summary(
         status_counts: measured.status_counts,
         q: slices
             .and_then(|s| line_load(scene, state, pair, &s))
-            .map(LineLoadSummary::from),
+            .map(LineLoadFigures::from),
         centre_of_force: centre_of_force(scene, state, pair),
         lines: lines.collect(),
     }
@@ -132,9 +147,9 @@ fn axis_name(axis: usize) -> &'static str {
     ["x", "y", "z"].get(axis).copied().unwrap_or("?")
 }
 
-fn line_summary(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineSummary> {
+fn line_figures(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineFigures> {
     let (peak, peak_at) = line.peak()?;
-    Some(LineSummary {
+    Some(LineFigures {
         axis: axis_name(axis),
         mean: line.mean(),
         mirrored: scene.mirrors.contains(&axis),
@@ -150,7 +165,7 @@ fn line_summary(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineSum
     })
 }
 
-impl From<LineLoad> for LineLoadSummary {
+impl From<LineLoad> for LineLoadFigures {
     fn from(load: LineLoad) -> Self {
         Self {
             axis: axis_name(load.slices.axis),

@@ -1,15 +1,15 @@
-//! Bodies and rollers in the summary.
+//! Figures of bodies and rollers.
 
-use super::inputs::SummaryInputs;
-use super::values::{Named, Three};
+use super::named::{Named, Three};
+use super::solved::Solved;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
 
-/// A body in the summary.
+/// A body.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct BodySummary {
+pub struct BodyFigures {
     pub mises_max: Three<Option<f64>>,
     /// Undeformed coordinates of the three peaks.
     pub at: Three<Option<[f64; 3]>>,
@@ -23,25 +23,24 @@ pub struct BodySummary {
     pub volume: f64,
 }
 
-/// A hollow roller in the summary.
+/// A hollow roller.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
-pub struct RollerSummary {
+pub struct RollerFigures {
     pub bore_mises: Option<f64>,
     pub bore_mises_at: Option<[f64; 3]>,
     pub bore_mises_nodal: Option<f64>,
     pub bore_mises_nodal_at: Option<[f64; 3]>,
 }
 
-pub(super) fn bodies(inputs: &SummaryInputs, peaks: &[BodyPeaks]) -> Named<BodySummary> {
-    let (scene, state) = (inputs.scene, inputs.state);
-    let edges = LoadedEdges::find(scene, state);
+/// The figures of every body; `peaks` are in the order of the mesh.
+pub fn bodies(solved: &Solved, peaks: &[BodyPeaks], edges: &LoadedEdges) -> Named<BodyFigures> {
     let summarise = |(body, peaks): (usize, &BodyPeaks)| {
-        let elastic = inputs
+        let elastic = solved
             .elastic
             .filter(|_| peaks.peeq_max > 0.0)
             .and_then(|e| e.get(body));
         let touches = |peak: Peak| edges.are_near(&peak.at);
-        let summary = BodySummary {
+        let summary = BodyFigures {
             mises_max: three(peaks, |peak| peak.value),
             at: three(peaks, |peak| peak.at),
             at_singular_edge: Three {
@@ -67,7 +66,7 @@ fn three<T>(peaks: &BodyPeaks, read: impl Fn(Peak) -> T) -> Three<Option<T>> {
     }
 }
 
-impl From<&BoreStress> for RollerSummary {
+impl From<&BoreStress> for RollerFigures {
     fn from(stress: &BoreStress) -> Self {
         Self {
             bore_mises: stress.mises,

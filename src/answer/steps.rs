@@ -1,17 +1,19 @@
 //! All steps side by side.
 
-use super::inputs::SummaryInputs;
-use super::values::{Named, Three};
+use super::named::{Named, Three};
+use super::solved::Solved;
+use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::interface::{StatusCounts, interfaces};
 use crate::answer::results::load;
-use crate::answer::results::peaks::{Peak, peaks};
+use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
 use crate::answer::results::recovery::recover;
 use crate::model::state::State;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// The end of a step that is done.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct StepSummary {
+pub struct StepFigures {
     pub name: String,
     /// What every support, rigid plane and traction is multiplied with, by name.
     pub factors: Named<f64>,
@@ -23,7 +25,7 @@ pub struct StepSummary {
     pub mises_max: Three<Option<f64>>,
     pub peeq_max: f64,
     pub interfaces: Named<StepInterface>,
-    /// Are the figures of the summary of this moment?
+    /// Are the figures of the answer of this moment?
     pub reported: bool,
 }
 
@@ -36,7 +38,7 @@ pub struct StepInterface {
     pub status_counts: StatusCounts,
 }
 
-impl StepSummary {
+impl StepFigures {
     /// Largest pressure of all interfaces.
     pub fn max_pressure(&self) -> Option<f64> {
         let all = self.interfaces.0.iter().map(|(_, i)| i.max_pressure);
@@ -51,19 +53,23 @@ impl StepSummary {
 }
 
 /// One entry for the end of each step that is done, in their order.
-pub(super) fn steps(inputs: &SummaryInputs) -> Vec<StepSummary> {
+pub fn steps(solved: &Solved, peaks: &[BodyPeaks]) -> Vec<StepFigures> {
     let one = |state: &State| {
-        let reported = state.step == inputs.state.step && state.time == inputs.state.time;
-        step(inputs, state, reported)
+        let reported = state.step == solved.state.step && state.time == solved.state.time;
+        step(solved, state, reported.then_some(peaks))
     };
-    inputs.steps.iter().map(one).collect()
+    solved.steps.iter().map(one).collect()
 }
 
-fn step(inputs: &SummaryInputs, state: &State, reported: bool) -> StepSummary {
-    let scene = inputs.scene;
+/// The figures of a step; `reported` are the peaks of the bodies where they are known.
+fn step(solved: &Solved, state: &State, reported: Option<&[BodyPeaks]>) -> StepFigures {
+    let scene = solved.scene;
     let bodies = match reported {
-        true => peaks(scene, state, inputs.recovered),
-        false => peaks(scene, state, &recover(scene, state)),
+        Some(peaks) => Cow::from(peaks),
+        None => {
+            let edges = LoadedEdges::find(scene, state);
+            Cow::from(peaks(scene, state, &recover(scene, state), &edges))
+        }
     };
     let largest = |peak: &dyn Fn(usize) -> Option<Peak>| {
         let values = (0..bodies.len()).filter_map(peak).map(|p| p.value);
@@ -85,7 +91,7 @@ fn step(inputs: &SummaryInputs, state: &State, reported: bool) -> StepSummary {
         (i.name, summary)
     });
     let name = scene.steps.get(state.step).map(|step| step.name.clone());
-    StepSummary {
+    StepFigures {
         name: name.unwrap_or_default(),
         factors: Named(names.map(factor).collect()),
         force: load::resultant(scene, state),
@@ -98,6 +104,6 @@ fn step(inputs: &SummaryInputs, state: &State, reported: bool) -> StepSummary {
         },
         peeq_max: bodies.iter().map(|b| b.peeq_max).fold(0.0, f64::max),
         interfaces: Named(interfaces.collect()),
-        reported,
+        reported: reported.is_some(),
     }
 }

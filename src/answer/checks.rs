@@ -1,7 +1,7 @@
 //! How well an answer satisfies its own equations.
 
-use super::inputs::SummaryInputs;
-use super::values::Named;
+use super::named::Named;
+use super::solved::Solved;
 use crate::answer::results::balance::balances;
 use crate::answer::results::interface::Interface;
 use crate::model::scene::Scene;
@@ -24,13 +24,9 @@ pub struct Checks {
     pub stabilisation_share: Option<f64>,
 }
 
-pub(super) fn checks(
-    inputs: &SummaryInputs,
-    measured: &[Interface],
-    load: f64,
-    descent: Option<f64>,
-) -> Checks {
-    let given = &inputs.checks;
+/// The checks of the answer, beside those that were made elsewhere.
+pub fn checks(solved: &Solved, measured: &[Interface], load: f64, descent: Option<f64>) -> Checks {
+    let given = &solved.checks;
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
@@ -46,23 +42,24 @@ pub(super) fn checks(
             .coulomb_violation
             .or_else(|| some(Some(largest(&|i| i.coulomb_violation)))),
         energy_imbalance: (given.energy_imbalance)
-            .or_else(|| inputs.state.energy.and_then(|energy| energy.imbalance())),
+            .or_else(|| solved.state.energy.and_then(|energy| energy.imbalance())),
         stabilisation_share: given.stabilisation_share,
     }
 }
 
 /// Sums of the contact forces on a body, and of their moments about its middle; of the whole.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
-pub struct BalanceSummary {
+pub struct BalanceFigures {
     pub force: [f64; 3],
     pub moment: [f64; 3],
 }
 
-pub(super) fn balance(scene: &Scene, state: &State) -> Named<BalanceSummary> {
+/// The balance of every body that nothing but contact holds.
+pub fn balance(scene: &Scene, state: &State) -> Named<BalanceFigures> {
     let bodies = balances(scene, state).into_iter();
     let summary = bodies.map(|b| {
         let (force, moment) = (b.force, b.moment);
-        (b.body, BalanceSummary { force, moment })
+        (b.body, BalanceFigures { force, moment })
     });
     Named(summary.collect())
 }

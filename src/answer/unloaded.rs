@@ -1,6 +1,6 @@
 //! What is left after unloading.
 
-use super::values::Named;
+use super::named::Named;
 use crate::answer::results::dent::dent;
 use crate::answer::results::load;
 use crate::model::scene::{Partner, Scene};
@@ -19,22 +19,22 @@ pub struct Unloaded {
     /// Was what the load that is left presses elastically taken off the dents?
     pub elastic_removed: bool,
     /// The dent in each contact surface, by the surface's name.
-    pub dents: Named<DentSummary>,
+    pub dents: Named<DentFigures>,
 }
 
 /// What stays in a contact surface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct DentSummary {
+pub struct DentFigures {
     pub body: String,
     /// Inward residual displacement of the deepest point, the body's best-fit rigid motion removed,
-    /// in the length unit of the summary.
+    /// in the length unit of the scene.
     pub depth: f64,
     /// Undeformed position of that point.
     pub at: [f64; 3],
 }
 
 impl Unloaded {
-    pub(super) fn new(scene: &Scene, state: &State, stays: Option<&[[f64; 3]]>) -> Self {
+    pub fn new(scene: &Scene, state: &State, stays: Option<&[[f64; 3]]>) -> Self {
         let mut names: Vec<&str> = Vec::new();
         for partner in scene.contacts.iter().flat_map(|c| [&c.upper, &c.lower]) {
             match partner {
@@ -47,7 +47,7 @@ impl Unloaded {
             let surface = scene.mesh.surface(name)?;
             let body = scene.mesh.body_of(surface.faces.first()?.element as usize);
             let dent = dent(scene, displacement, body, surface)?;
-            let summary = DentSummary {
+            let summary = DentFigures {
                 body: scene.mesh.bodies[body].name.clone(),
                 depth: dent.depth,
                 at: dent.at,

@@ -1,7 +1,6 @@
 //! Names of units, for reading only: nothing is ever converted here.
 
-use crate::answer::certify::Measure;
-use crate::ground::units::UnitSystem;
+use super::UnitSystem;
 use serde::Serialize;
 
 /// What the case calls its units; figures come in these units.
@@ -51,4 +50,15 @@ impl UnitLabels {
     pub fn line_load(&self) -> String {
         format!("{}/{}", self.force, self.length)
     }
+}
+
+/// What a quantity is measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    Length,
+    Area,
+    Force,
+    LineLoad,
+    Stress,
+    Ratio,
 }

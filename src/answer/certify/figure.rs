@@ -1,11 +1,12 @@
 //! A figure and what it is worth.
 
+use crate::ground::units::Measure;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 /// A figure and what it is worth.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Claim {
+pub struct Figure {
     /// Such as "peak Mises, nodal".
     pub what: Quantity,
     /// Body or interface; "overall" for the scene.
@@ -17,7 +18,7 @@ pub struct Claim {
     pub note: Option<&'static str>,
 }
 
-impl Claim {
+impl Figure {
     /// What the figure may be off by, in its unit; `None` where nothing can be said.
     pub fn bar(&self) -> Option<f64> {
         self.error.total().filter(|error| error.is_finite())
@@ -35,9 +36,9 @@ impl Claim {
     }
 }
 
-impl Serialize for Claim {
+impl Serialize for Figure {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut claim = serializer.serialize_struct("Claim", 8)?;
+        let mut claim = serializer.serialize_struct("Figure", 8)?;
         claim.serialize_field("what", &self.what)?;
         claim.serialize_field("where", &self.place)?;
         claim.serialize_field("value", &self.value)?;
@@ -52,18 +53,18 @@ impl Serialize for Claim {
 
 /// The figures of which nothing can be said, and that nothing is said in place of: beside a peak at a
 /// loaded edge, which has no limit, stands the peak away from such edges.
-pub fn unresolved(claims: &[Claim]) -> Vec<&Claim> {
-    let replaced = |c: &Claim| {
+pub fn unresolved(claims: &[Figure]) -> Vec<&Figure> {
+    let replaced = |c: &Figure| {
         let away = c.what.away_from_edges();
-        away.is_some_and(|away| claim(claims, away, &c.place).is_some())
+        away.is_some_and(|away| figure(claims, away, &c.place).is_some())
     };
     let unsure = claims.iter().filter(|c| !c.is_resolved());
     unsure.filter(|c| !replaced(c)).collect()
 }
 
 /// The claim of `what` at `place`.
-pub fn claim<'c>(claims: &'c [Claim], what: Quantity, place: &str) -> Option<&'c Claim> {
-    claims.iter().find(|c| c.what == what && c.place == place)
+pub fn figure<'f>(figures: &'f [Figure], what: Quantity, place: &str) -> Option<&'f Figure> {
+    figures.iter().find(|c| c.what == what && c.place == place)
 }
 
 /// What a claim is about.
@@ -169,20 +170,9 @@ impl Quantity {
     }
 }
 
-/// What a quantity is measured in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Measure {
-    Length,
-    Area,
-    Force,
-    LineLoad,
-    Stress,
-    Ratio,
-}
-
 /// A claim of which nothing is known yet.
-pub(super) fn claim_of(what: Quantity, place: &str, value: f64) -> Claim {
-    Claim {
+pub(super) fn figure_of(what: Quantity, place: &str, value: f64) -> Figure {
+    Figure {
         what,
         place: place.to_owned(),
         value,

@@ -14,7 +14,7 @@ pub struct LoadPoint {
 }
 
 /// One point for each of `states`, which are at the ends of steps.
-pub(super) fn points(scene: &Scene, states: &[State]) -> Vec<LoadPoint> {
+pub fn points(scene: &Scene, states: &[State]) -> Vec<LoadPoint> {
     let point = |state: &State| LoadPoint {
         step: scene
             .steps

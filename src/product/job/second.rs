@@ -1,0 +1,72 @@
+//! What is solved beside the case itself: what stays without load, and the peaks without plasticity.
+
+use super::outcome::{reported, unloaded};
+use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::peaks::{BodyPeaks, peaks};
+use crate::answer::results::recovery::recover;
+use crate::model::scene::Scene;
+use crate::model::state::State;
+use crate::solver::solve::{self, Observer, Solution};
+
+/// The displacement that stays after unloading, where there is unloading. Dents can be told without
+/// it, so what goes wrong here is told and no error.
+pub fn stays(
+    scene: &Scene,
+    solution: &Solution,
+    observer: &mut dyn Observer,
+) -> Option<Vec<[f64; 3]>> {
+    let stays = solve::spring_back(scene, unloaded(scene, solution)?);
+    let told = |error| observer.message(&format!("dents keep an elastic part: {error}"));
+    stays.map_err(told).ok()
+}
+
+/// Peaks of the same scene without plasticity, where it has yielded. The answer stands without
+/// them, so what goes wrong here is told and no error.
+pub fn elastic_peaks(
+    scene: &Scene,
+    solution: &Solution,
+    observer: &mut dyn Observer,
+) -> Option<Vec<BodyPeaks>> {
+    let yielded = reported(scene, solution)
+        .peeq
+        .iter()
+        .flatten()
+        .any(|p| *p > 0.0);
+    if !yielded || !solution.complete {
+        return None;
+    }
+    let step = reported(scene, solution).step;
+    if let Some(state) = solution.elastic.as_ref().filter(|e| e.step == step) {
+        return Some(peaks_of(scene, state));
+    }
+    observer
+        .message("something yielded: solving once more without plasticity, for the elastic peaks");
+    let mut elastic = scene.clone();
+    elastic.controls.plasticity = false;
+    elastic.steps.truncate(step + 1);
+    let solution = match solve::solve(&mut elastic, &mut Stoppable(observer)) {
+        Ok(solution) => solution,
+        Err(error) => {
+            observer.message(&format!("no elastic peaks: {error}"));
+            return None;
+        }
+    };
+    if !solution.complete {
+        return None;
+    }
+    Some(peaks_of(&elastic, &solution.last))
+}
+
+fn peaks_of(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
+    let edges = LoadedEdges::find(scene, state);
+    peaks(scene, state, &recover(scene, state), &edges)
+}
+
+/// Tells nothing, but stops where the observer behind it wants to.
+struct Stoppable<'o>(&'o dyn Observer);
+
+impl Observer for Stoppable<'_> {
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}

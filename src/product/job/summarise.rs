@@ -1,0 +1,139 @@
+//! The summary of a run: its answer, and what stands beside it.
+
+use super::error::JobError;
+use super::options::Options;
+use super::outcome::{reported, unloaded};
+use super::{compare, left_out, sizing, strips};
+use crate::answer::results::bore::Bore;
+use crate::answer::results::peaks::BodyPeaks;
+use crate::answer::results::recovery::Recovered;
+use crate::answer::{Answer, Checks, Named, Solved};
+use crate::case::{Case, Kind};
+use crate::ground::memory;
+use crate::ground::units::UnitLabels;
+use crate::model::scene::Scene;
+use crate::model::state::State;
+use crate::model::state::turn::{FAR, largest_turn};
+use crate::render::summary::{Counters, Timing};
+use crate::render::warnings::{Warning, warnings};
+use crate::render::{OutputError, Summary};
+use crate::solver::solve::{self, Phase, Solution, Timers};
+
+/// What was solved beside the case itself: peaks without plasticity, and what stays without load.
+#[derive(Debug, Clone, Copy)]
+pub struct Second<'a> {
+    pub elastic: Option<&'a [BodyPeaks]>,
+    pub stays: Option<&'a [[f64; 3]]>,
+}
+
+/// The summary of a solution; `recovered` are the fields of the state that is reported.
+///
+/// # Errors
+/// [`JobError`] where a closed form beside the answer has no value.
+pub fn summarise(
+    case: &Case,
+    scene: &Scene,
+    (solution, recovered): (&Solution, &Recovered),
+    second: Second,
+    timing: Timing,
+    options: &Options,
+) -> Result<Summary, JobError> {
+    let state = reported(scene, solution);
+    let answer = Answer::of(&Solved {
+        unloaded: unloaded(scene, solution),
+        stays: second.stays,
+        steps: &solution.states,
+        elastic: second.elastic,
+        doubled: &solution.doubled,
+        converged: solution.complete,
+        bores: &bores(case),
+        // Nothing but bodies and contact carries force: the tangent alone is shifted.
+        checks: Checks {
+            stabilisation_share: Some(0.0),
+            ..Checks::default()
+        },
+        ..Solved::new(scene, state, recovered)
+    })
+    .map_err(OutputError::from)?;
+    let mut warnings = warnings(&answer);
+    let told = [&solution.stuck, &solution.laborious];
+    let told = told.into_iter().flatten().cloned();
+    let found = [
+        turned(scene, state),
+        strips::shortcoming(case, scene, state),
+    ];
+    warnings.extend(told.chain(found.into_iter().flatten()).map(Warning));
+    Ok(Summary {
+        case: case.title.clone(),
+        units: UnitLabels::of(case.units),
+        brinell_version: env!("CARGO_PKG_VERSION").to_owned(),
+        comparison: compare::rows(case, scene, &answer)?,
+        sizing: sizing::sizing(case, scene, &answer)?,
+        answer,
+        counters: counters(&solution.counters),
+        timing,
+        peak_memory_bytes: memory::peak(),
+        assumptions: assumptions(case),
+        left_out: left_out::list(case, scene, solution, options),
+        warnings,
+    })
+}
+
+fn counters(counters: &solve::Counters) -> Counters {
+    Counters {
+        dofs: counters.equations,
+        iterations: counters.iterations,
+        factorisations: counters.factorisations,
+        krylov_directions: counters.krylov_directions,
+        kept_dofs: counters.kept_equations,
+        factor_entries: counters.factor_entries,
+    }
+}
+
+/// A body that turns so far that contact is elsewhere than where it was sought, in words.
+fn turned(scene: &Scene, state: &State) -> Option<String> {
+    let (body, angle) = largest_turn(&scene.mesh, &state.displacement)?;
+    (angle > FAR).then(|| {
+        format!(
+            "`{body}` turns by {angle:.3} rad: contact is sought where bodies stood before, and rotations are taken \
+             as small"
+        )
+    })
+}
+
+/// Seconds by phase, under names without blanks.
+pub fn phases(timers: &Timers) -> Named<f64> {
+    let phase = |p: &Phase| (p.name().replace(' ', "_"), timers.seconds(*p));
+    Named(Phase::ALL.iter().map(phase).collect())
+}
+
+/// Inner walls of hollow rollers.
+fn bores(case: &Case) -> Vec<Bore> {
+    match &case.kind {
+        Kind::Bearing(bearing) if bearing.geometry.wall.is_some() => {
+            ["upper_roller", "lower_roller"]
+                .into_iter()
+                .zip([1, 0])
+                .map(|(body, axis)| Bore {
+                    body: body.to_owned(),
+                    surface: format!("{body}_bore"),
+                    axis,
+                })
+                .collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// What was assumed where the case says nothing, and what of it does not fit together, in words.
+pub fn assumptions(case: &Case) -> Vec<String> {
+    let taken = case
+        .assumptions
+        .iter()
+        .map(|a| format!("{} = {}: {}", a.key, a.value, a.why));
+    let found = case
+        .discrepancies
+        .iter()
+        .map(|d| format!("{}: {}", d.what, d.effect));
+    taken.chain(found).collect()
+}

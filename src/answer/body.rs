@@ -4,6 +4,7 @@ use super::named::{Named, Three};
 use super::solved::Solved;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::flow::{Flow, flows};
 use crate::answer::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
 
@@ -18,6 +19,9 @@ pub struct BodyFigures {
     /// Peaks of the elastic solution, where the body has yielded and that solution is known.
     pub elastic_mises_max: Option<Three<Option<f64>>>,
     pub peeq_max: f64,
+    /// Plastic strain beside loaded edges and away from them.
+    #[serde(skip)]
+    pub flow: Flow,
     /// In the whole body, not only its modelled part; so is `volume`.
     pub yielded_volume: f64,
     pub volume: f64,
@@ -34,6 +38,7 @@ pub struct RollerFigures {
 
 /// The figures of every body; `peaks` are in the order of the mesh.
 pub fn bodies(solved: &Solved, peaks: &[BodyPeaks], edges: &LoadedEdges) -> Named<BodyFigures> {
+    let flows = flows(solved.scene, solved.state, edges);
     let summarise = |(body, peaks): (usize, &BodyPeaks)| {
         let elastic = solved
             .elastic
@@ -50,6 +55,7 @@ pub fn bodies(solved: &Solved, peaks: &[BodyPeaks], edges: &LoadedEdges) -> Name
             },
             elastic_mises_max: elastic.map(|e| three(e, |peak| peak.value)),
             peeq_max: peaks.peeq_max,
+            flow: flows[body],
             yielded_volume: peaks.yielded_volume,
             volume: peaks.volume,
         };

@@ -12,7 +12,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Checks {
     /// Largest difference between the load and the force of an interface, relative to the load.
-    /// Right for bodies in series; pass another where they are not.
+    /// Says something of bodies in series only.
     pub force_balance: Option<f64>,
     /// Largest penetration that the facets do not explain, relative to the descent.
     pub max_penetration_relative: Option<f64>,
@@ -24,26 +24,18 @@ pub struct Checks {
     pub stabilisation_share: Option<f64>,
 }
 
-/// The checks of the answer, beside those that were made elsewhere.
+/// The checks of the answer.
 pub fn checks(solved: &Solved, measured: &[Interface], load: f64, descent: Option<f64>) -> Checks {
-    let given = &solved.checks;
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
     let penetration = || relative(largest(&|i| i.unexplained_penetration), descent?);
     Checks {
-        force_balance: given
-            .force_balance
-            .or_else(|| some(relative(largest(&|i| (i.normal_force - load).abs()), load))),
-        max_penetration_relative: given
-            .max_penetration_relative
-            .or_else(|| some(penetration())),
-        coulomb_violation: given
-            .coulomb_violation
-            .or_else(|| some(Some(largest(&|i| i.coulomb_violation)))),
-        energy_imbalance: (given.energy_imbalance)
-            .or_else(|| solved.state.energy.and_then(|energy| energy.imbalance())),
-        stabilisation_share: given.stabilisation_share,
+        force_balance: some(relative(largest(&|i| (i.normal_force - load).abs()), load)),
+        max_penetration_relative: some(penetration()),
+        coulomb_violation: some(Some(largest(&|i| i.coulomb_violation))),
+        energy_imbalance: solved.state.energy.and_then(|energy| energy.imbalance()),
+        stabilisation_share: solved.stabilisation_share,
     }
 }
 

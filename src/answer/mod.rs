@@ -4,6 +4,7 @@
 //! nothing.
 
 pub mod certify;
+pub mod pictures;
 pub mod results;
 
 mod body;

@@ -1,6 +1,5 @@
 //! What an answer is made from.
 
-use super::checks::Checks;
 use crate::answer::results::bore::Bore;
 use crate::answer::results::line_load::Slices;
 use crate::answer::results::peaks::BodyPeaks;
@@ -33,9 +32,8 @@ pub struct Solved<'a> {
     /// slices where the list is shorter.
     pub measures: &'a [Measured],
     pub bores: &'a [Bore],
-    /// Checks made elsewhere; a force balance, penetration or Coulomb violation that is left out
-    /// is computed here.
-    pub checks: Checks,
+    /// Share of the load that stabilisation carries, which only the solver knows.
+    pub stabilisation_share: Option<f64>,
 }
 
 impl<'a> Solved<'a> {
@@ -53,7 +51,7 @@ impl<'a> Solved<'a> {
             converged: true,
             measures: &[],
             bores: &[],
-            checks: Checks::default(),
+            stabilisation_share: None,
         }
     }
 }

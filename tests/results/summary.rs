@@ -4,7 +4,7 @@ use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::line_load::Slices;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
-use brinell::answer::{Answer, Checks, Measured, Named, Solved};
+use brinell::answer::{Answer, Measured, Named, Solved};
 use brinell::ground::units::UnitLabels;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
@@ -49,10 +49,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
             surface: "none".to_string(),
             axis: 1,
         }],
-        checks: Checks {
-            stabilisation_share: Some(0.02),
-            ..Checks::default()
-        },
+        stabilisation_share: Some(0.02),
         ..Solved::new(scene, state, &recovered)
     })
     .unwrap();

@@ -1,6 +1,6 @@
 //! Peak stress and strain of bodies.
 
-use super::{Errors, Figure, Quantity, figure_of};
+use super::figure::{Errors, Figure, Quantity, figure_of};
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;

@@ -28,8 +28,6 @@ use std::f64::consts::PI;
 pub use figure::{Errors, Figure, Quantity, figure, unresolved};
 pub use increments::DOUBLING;
 
-use figure::figure_of;
-
 /// What is certified.
 #[derive(Debug, Clone, Copy)]
 pub struct Evidence<'a> {

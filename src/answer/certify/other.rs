@@ -1,6 +1,6 @@
 //! Bores, horizontal forces and dents.
 
-use super::{Errors, Figure, Quantity, figure_of};
+use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::direction;
@@ -64,7 +64,7 @@ const UNKNOWN_FLOW: &str = "the plastic strain that makes it is not resolved";
 /// Depths of dents: as good as the plastic strain of their body.
 pub(super) fn dents(dents: &[(String, String, f64)], flow: &[Figure]) -> Vec<Figure> {
     let claim = |(surface, body, depth): &(String, String, f64)| {
-        let strain = super::figure(flow, Quantity::PeakPlasticStrain, body)?;
+        let strain = figure(flow, Quantity::PeakPlasticStrain, body)?;
         let error = strain
             .error
             .total()

@@ -5,7 +5,7 @@
 //! across; what the nodes make of such a profile can then be worked out for the very places where they
 //! stand, and what they read beyond that is an error that one sees.
 
-use super::{Errors, Figure, Quantity, figure_of};
+use super::figure::{Errors, Figure, Quantity, figure_of};
 use crate::answer::results::contact_lines::StripRow;
 use crate::answer::results::edges::{LoadedEdges, carrier};
 use crate::answer::results::hertz::{Departure, HeaviestLine};

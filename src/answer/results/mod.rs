@@ -11,6 +11,7 @@ pub mod depth;
 pub mod edges;
 pub mod ending;
 pub mod fillet;
+pub mod flow;
 pub mod hertz;
 pub mod hex;
 pub mod interface;

@@ -2,6 +2,7 @@
 
 use super::error::JobError;
 use super::limits;
+use crate::answer::pictures::Pictures;
 use crate::answer::results::recovery::Recovered;
 use crate::case::Case;
 use crate::model::scene::Scene;
@@ -20,12 +21,14 @@ pub fn write(
     out: &Path,
 ) -> Result<String, JobError> {
     let start = Instant::now();
+    let pictures = Pictures::of(scene, state, recovered, &summary.answer);
     let bytes = report::write(
         &Inputs {
             summary,
             scene,
             state,
             recovered,
+            pictures: &pictures,
             history,
             missed: &limits::missed(case, &summary.answer.checks),
             case: (case.source.name(), case.source.text()),

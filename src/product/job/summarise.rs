@@ -7,7 +7,7 @@ use super::{compare, left_out, sizing, strips};
 use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
-use crate::answer::{Answer, Checks, Named, Solved};
+use crate::answer::{Answer, Named, Solved};
 use crate::case::{Case, Kind};
 use crate::ground::memory;
 use crate::ground::units::UnitLabels;
@@ -48,10 +48,7 @@ pub fn summarise(
         converged: solution.complete,
         bores: &bores(case),
         // Nothing but bodies and contact carries force: the tangent alone is shifted.
-        checks: Checks {
-            stabilisation_share: Some(0.0),
-            ..Checks::default()
-        },
+        stabilisation_share: Some(0.0),
         ..Solved::new(scene, state, recovered)
     })
     .map_err(OutputError::from)?;

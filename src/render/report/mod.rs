@@ -8,39 +8,16 @@ mod drawing;
 mod figures;
 pub mod history;
 mod html;
+mod inputs;
 mod model;
 mod page;
 mod sections;
 
-use super::summary::Summary;
-use crate::answer::results::recovery::Recovered;
+pub use inputs::{FILE, Inputs};
+
 use crate::ground::file::write_atomically;
-use crate::model::scene::Scene;
-use crate::model::state::State;
 use crate::render::OutputError;
-use history::Iterate;
 use std::path::Path;
-
-/// Name of the page in the folder of a run.
-pub const FILE: &str = "report.html";
-
-/// What the page is made from.
-#[derive(Debug, Clone, Copy)]
-pub struct Inputs<'a> {
-    pub summary: &'a Summary,
-    pub scene: &'a Scene,
-    /// The state that the summary describes, and the fields recovered from it.
-    pub state: &'a State,
-    pub recovered: &'a Recovered,
-    /// The iterations of this run, in their order.
-    pub history: &'a [Iterate],
-    /// Limits of the checks that the answer misses, in words.
-    pub missed: &'a [String],
-    /// Path and text of the case file.
-    pub case: (&'a str, &'a str),
-    /// What else a reader needs to repeat the run: name and value.
-    pub setting: &'a [(String, String)],
-}
 
 /// The page.
 ///

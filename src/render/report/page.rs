@@ -1,11 +1,12 @@
 //! The page from top to bottom.
 
+use super::Inputs;
 use super::html::in_script;
 use super::sections::{
     bodies, certificate, compared, contact, convergence, depth, input, line_load, loading,
     pictures, pressure_map, run, sizing, space, strip, verdict,
 };
-use super::{Inputs, OutputError};
+use crate::render::OutputError;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// Nothing from elsewhere, nothing sent: only what stands in the page itself.
@@ -40,7 +41,6 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
         content,
     };
     let space = space::space(inputs)?;
-    let lines = strip::lines(inputs);
     let sections = [
         section("peaks", "Peak stresses", bodies::bodies(inputs)),
         section("sizing", "Sizing rules", sizing::sizing(summary)),
@@ -48,7 +48,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
         section(
             "pictures",
             "Mises stress in section",
-            pictures::pictures(inputs, &lines)?,
+            pictures::pictures(inputs)?,
         ),
         section("contact", "Contact", contact::contact(summary)),
         section(
@@ -59,7 +59,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
         section(
             "strips",
             "Across the lines of contact and below them",
-            html! { (strip::charts(inputs, &lines)) (depth::charts(inputs, &lines)) },
+            html! { (strip::charts(inputs)) (depth::charts(inputs)) },
         ),
         section(
             "line-load",

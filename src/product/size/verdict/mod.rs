@@ -1,7 +1,6 @@
 //! Does a bearing stand? Every part and every line of contact against its limit.
 
 mod advice;
-mod flow;
 mod line;
 mod part;
 mod table;

@@ -1,18 +1,17 @@
 //! Every part: elastic Mises stress below yield, no plastic strain.
 
-use super::flow::{Flow, flows};
 use super::{Check, Kind, Standing};
 use crate::answer::certify::{Figure, Quantity};
+use crate::answer::results::flow::Flow;
 use crate::product::job::Outcome;
 use crate::product::size::Proposal;
 use crate::render::Summary;
 use crate::render::text::{percent, significant};
 
 pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
-    let flows = flows(outcome);
-    let bodies = outcome.scene.mesh.bodies.iter().zip(flows);
-    let bodies: Vec<(&str, Flow)> = bodies.map(|(b, f)| (b.name.as_str(), f)).collect();
     let summary = &outcome.summary;
+    let bodies = summary.answer.bodies.0.iter();
+    let bodies: Vec<(&str, Flow)> = bodies.map(|(name, b)| (name.as_str(), b.flow)).collect();
     let limit = proposal.request.yield_stress;
     let stress = (bodies.iter()).map(|(body, flow)| mises(summary, body, *flow, limit));
     let strain = bodies

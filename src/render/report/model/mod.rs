@@ -1,5 +1,4 @@
-//! The solved model as the page shows it: cut by planes, and packed for the view in space.
+//! The solved model as the page shows it: packed for the view in space.
 
 pub mod pack;
 pub mod shape;
-pub mod slice;

@@ -2,7 +2,7 @@
 //! else the outer faces alone.
 
 use super::pack::{Packed, quantised};
-use crate::answer::results::hex::GaussRule;
+use crate::answer::pictures::Pictures;
 use crate::answer::results::recovery::Recovered;
 use crate::ground::file::FileError;
 use crate::ground::units::UnitLabels;
@@ -79,7 +79,7 @@ pub struct Shape {
 pub fn shape(
     scene: &Scene,
     state: &State,
-    recovered: &Recovered,
+    (recovered, pictures): (&Recovered, &Pictures),
     units: &UnitLabels,
     places: Vec<Spot>,
 ) -> Result<Shape, OutputError> {
@@ -128,7 +128,7 @@ pub fn shape(
         packed.short(&steps.collect::<Vec<_>>());
     }
     let mut fields = Vec::new();
-    for (values, field) in scalars(scene, state, recovered, units) {
+    for (values, field) in scalars(recovered, pictures, units) {
         let shown = || points.iter().map(|p| values[*p as usize]);
         let largest = shown().fold(0.0, f64::max);
         let steps = shown().map(|v| quantised(v, 0.0, largest));
@@ -200,12 +200,11 @@ fn bounds(points: impl Iterator<Item = [f64; 3]>) -> ([f64; 3], [f64; 3]) {
 }
 
 /// What can be shown in colour, at the points of the bodies.
-fn scalars(
-    scene: &Scene,
-    state: &State,
-    recovered: &Recovered,
+fn scalars<'a>(
+    recovered: &'a Recovered,
+    pictures: &'a Pictures,
     units: &UnitLabels,
-) -> Vec<(Vec<f64>, Field)> {
+) -> Vec<(&'a [f64], Field)> {
     let field = |name, unit: &str, note| Field {
         name,
         unit: unit.to_string(),
@@ -214,11 +213,11 @@ fn scalars(
     };
     vec![
         (
-            recovered.mises_nodal.clone(),
+            &recovered.mises_nodal,
             field("Mises stress", &units.stress, "nodal average of each body"),
         ),
         (
-            pressure(scene, state, recovered),
+            &pictures.pressure,
             field(
                 "contact pressure",
                 &units.stress,
@@ -226,7 +225,7 @@ fn scalars(
             ),
         ),
         (
-            plastic_strain(state, recovered),
+            &pictures.plastic_strain,
             field(
                 "plastic strain",
                 "",
@@ -234,38 +233,4 @@ fn scalars(
             ),
         ),
     ]
-}
-
-fn pressure(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<f64> {
-    let mut at_nodes = vec![0.0f64; scene.mesh.points.len()];
-    for field in &state.contacts {
-        for (node, pressure) in field.nodes.iter().zip(&field.pressure) {
-            let value = &mut at_nodes[*node as usize];
-            *value = value.max(*pressure);
-        }
-    }
-    let nodes = recovered.points.node.iter();
-    nodes.map(|n| at_nodes[*n as usize]).collect()
-}
-
-/// Extrapolated to the corners of each element and averaged, as stresses are; never negative.
-fn plastic_strain(state: &State, recovered: &Recovered) -> Vec<f64> {
-    let mut sums = vec![(0.0, 0u32); recovered.points.node.len()];
-    if state.peeq.is_empty() {
-        return vec![0.0; sums.len()];
-    }
-    let rule = GaussRule::new();
-    for (cell, peeq) in recovered.points.cells.iter().zip(&state.peeq) {
-        let corners = match peeq.iter().any(|p| *p > 0.0) {
-            true => rule.extrapolate(&peeq.map(|p| [p, 0.0, 0.0, 0.0, 0.0, 0.0])),
-            false => [[0.0; 6]; 8],
-        };
-        for (point, corner) in cell.iter().zip(corners) {
-            let (sum, count) = &mut sums[*point as usize];
-            *sum += corner[0].max(0.0);
-            *count += 1;
-        }
-    }
-    let mean = |(sum, count): (f64, u32)| sum / f64::from(count.max(1));
-    sums.into_iter().map(mean).collect()
 }

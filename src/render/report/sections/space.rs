@@ -34,7 +34,7 @@ pub fn space(inputs: &Inputs) -> Result<Space, OutputError> {
     let shape = shape(
         inputs.scene,
         inputs.state,
-        inputs.recovered,
+        (inputs.recovered, inputs.pictures),
         units,
         places(inputs),
     )?;

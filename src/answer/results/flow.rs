@@ -1,9 +1,10 @@
 //! Plastic strain of a body, beside loaded edges and away from them.
 
-use crate::answer::results::edges::LoadedEdges;
-use crate::answer::results::hex::centre;
-use crate::answer::results::tensor::mises;
-use crate::product::job::Outcome;
+use super::edges::LoadedEdges;
+use super::hex::centre;
+use super::tensor::mises;
+use crate::model::scene::Scene;
+use crate::model::state::State;
 
 /// Largest equivalent plastic strain of a body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -17,9 +18,7 @@ pub struct Flow {
 }
 
 /// One for each body, in the order of the mesh.
-pub fn flows(outcome: &Outcome) -> Vec<Flow> {
-    let (scene, state) = (&outcome.scene, outcome.state());
-    let edges = LoadedEdges::find(scene, state);
+pub fn flows(scene: &Scene, state: &State, edges: &LoadedEdges) -> Vec<Flow> {
     let of_body = |elements: std::ops::Range<usize>| {
         let mut flow = Flow::default();
         for element in elements {

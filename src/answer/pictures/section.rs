@@ -1,9 +1,9 @@
-//! A body cut by a coordinate plane: what stands in the plane, with a nodal field.
+//! Bodies cut by coordinate planes: what stands in the plane, with a nodal field.
 
+use super::patch::Patch;
 use crate::answer::results::recovery::Recovered;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::hexahedron::EDGES;
-use crate::render::report::drawing::painting::Patch;
 
 /// The plane where the coordinate `axis` is `at`, drawn with the axes `drawn` along and up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Plane {
 
 /// What a plane shows of a body.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Slice {
+pub struct Section {
     /// An element each.
     pub patches: Vec<Patch>,
     /// The skin of the body.
@@ -24,7 +24,7 @@ pub struct Slice {
 
 impl Plane {
     /// Cuts body `body`; values are the nodal averages of the Mises stress.
-    pub fn cut(&self, mesh: &Mesh, recovered: &Recovered, body: usize) -> Slice {
+    pub fn cut(&self, mesh: &Mesh, recovered: &Recovered, body: usize) -> Section {
         let elements = mesh.bodies.get(body).map_or(0..0, |b| b.elements.clone());
         let patches = elements.filter_map(|element| {
             let corners = mesh.corners(element);
@@ -33,7 +33,7 @@ impl Plane {
         });
         let faces = mesh.outer_faces(body).into_iter();
         let outlines = faces.filter_map(|face| self.segment(&face.corners(mesh)));
-        Slice {
+        Section {
             patches: patches.collect(),
             outlines: outlines.collect(),
         }
@@ -80,7 +80,7 @@ impl Plane {
     }
 }
 
-impl Slice {
+impl Section {
     /// Together with its image at the opposite coordinates along the page; the seam is no edge.
     pub fn mirrored(mut self) -> Self {
         let at = |ends: &[[f64; 2]; 2]| ends.map(|[u, _]| u.abs());

@@ -126,7 +126,7 @@ impl Imports {
             reached.entry(module).or_default().insert(imported);
         }
         let direct = reached.clone();
-        for (from, all) in &mut reached {
+        for all in reached.values_mut() {
             let mut open: Vec<&Module> = all.iter().copied().collect();
             while let Some(module) = open.pop() {
                 for next in direct.get(module).into_iter().flatten() {
@@ -135,7 +135,6 @@ impl Imports {
                     }
                 }
             }
-            debug_assert!(!from.is_empty());
         }
         let mut circles: BTreeSet<Vec<Module>> = BTreeSet::new();
         for (module, all) in reached.iter().filter(|(module, all)| all.contains(*module)) {
@@ -233,6 +232,10 @@ fn absolute(module: &Module, path: &[String], modules: &BTreeSet<Module>) -> Opt
             rest = &rest[1..];
         }
     }
+    // `pub(super)` names nothing.
+    if rest.is_empty() {
+        return None;
+    }
     base.extend(rest.iter().cloned());
-    (!base.is_empty()).then_some(base)
+    Some(base)
 }

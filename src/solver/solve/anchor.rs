@@ -13,11 +13,7 @@ use super::model::Model;
 use super::newton::{Failure, Point, Stopped, balance};
 use super::observer::Observer;
 use crate::solver::linear::sparse::SymmetricMatrix;
-
-/// Stiffness of the springs in each turn, over that of the bodies at the same unknown.
-const TURNS: [f64; 11] = [
-    1e-2, 1e-3, 1e-3, 1e-4, 1e-4, 1e-4, 1e-5, 1e-5, 1e-6, 1e-6, 1e-7,
-];
+use crate::solver::solve::params::PROXIMAL_STIFFNESSES;
 
 /// A spring from every unknown to where it stood.
 pub struct Anchor {
@@ -53,7 +49,7 @@ pub fn approach(
     counters: &mut Counters,
 ) -> Result<(), Stopped> {
     let bodies = model.pattern.diagonal(&model.stiffness);
-    for share in TURNS {
+    for share in PROXIMAL_STIFFNESSES {
         let anchor = Anchor {
             stiffness: bodies.iter().map(|k| share * k).collect(),
             at: point.x.clone(),

@@ -14,6 +14,7 @@ use crate::solver::linear::cholesky::FactorError;
 use crate::solver::linear::ordering::Block;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::linear::substructure::{Condensation, Substructure};
+use crate::solver::solve::params::ELEMENTS_PER_BATCH;
 use faer::Mat;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -385,10 +386,9 @@ pub fn assemble(
     number: impl Fn(u32) -> u32,
 ) -> SymmetricMatrix {
     // Element matrices in parallel, a batch at a time; sums in element order.
-    const BATCH: usize = 1024;
     let mesh = &plan.scene.mesh;
     let mut matrix = pattern.zeros();
-    for batch in elements.chunks(BATCH) {
+    for batch in elements.chunks(ELEMENTS_PER_BATCH) {
         let blocks: Vec<_> = batch
             .par_iter()
             .map(|e| {

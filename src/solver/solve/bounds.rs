@@ -5,6 +5,7 @@
 //! (Anderson 1965, with one step of memory).
 
 use crate::solver::contact::law::Node;
+use crate::solver::solve::params::{BOUND_EXTRAPOLATION_BACK, BOUND_EXTRAPOLATION_ON};
 
 /// Remembers the last step.
 #[derive(Default)]
@@ -12,10 +13,6 @@ pub struct Bounds {
     /// Bounds of the iteration before, and what its pressures asked for.
     last: Option<(Vec<f64>, Vec<f64>)>,
 }
-
-/// How far a step may be carried on, over its own length, and held back.
-const ON: f64 = 10.0;
-const BACK: f64 = 0.5;
 
 impl Bounds {
     /// The bounds of the next iteration, where `wanted` is what the pressures ask for now; `settled` where no node
@@ -34,7 +31,7 @@ impl Bounds {
                 size += change * change;
             }
             let share = if size > 0.0 {
-                (along / size).clamp(-ON, BACK)
+                (along / size).clamp(-BOUND_EXTRAPOLATION_ON, BOUND_EXTRAPOLATION_BACK)
             } else {
                 0.0
             };

@@ -8,6 +8,7 @@ use crate::ground::geometry::{dot, norm, scale, sub, unit};
 use crate::model::mesh::Body;
 use crate::solver::fem::dofs::FIXED;
 use crate::solver::linear::cholesky::FactorError;
+use crate::solver::solve::params::TIPPING_TURN;
 
 /// Where a solution stood when it was given up.
 pub struct At {
@@ -63,16 +64,13 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
     }
 }
 
-/// Over the translation of its middle, the turn of a body that does not merely slide.
-const TURNS: f64 = 0.1;
-
 /// Why there is no balance at `time` within step `step`, if the statics of rigid bodies say so.
 pub fn no_balance(model: &Model, (step, time): (usize, f64), done: f64) -> Option<SolveError> {
     let scene = model.scene;
     let rows = model.rows.iter().chain(&model.spare);
     let found = imbalance(scene, rows, &|name| model.scene.factor(name, step, time))?;
     let motion = found.motion;
-    let turns = norm(motion.turn) > TURNS * norm(motion.translation);
+    let turns = norm(motion.turn) > TIPPING_TURN * norm(motion.translation);
     let tips = turns && found.friction.is_none();
     // Along the contact: where a cone of friction is left, a part of the way leads up from it.
     let sideways = found.bears.map_or(motion.translation, |bears| {

@@ -1,12 +1,7 @@
 //! Where the iterations of a solution went.
 
+use crate::solver::solve::params::UNREMARKABLE_ITERATIONS;
 use serde::{Deserialize, Serialize};
-
-/// More iterations than these are told with their reason.
-const MANY: usize = 300;
-
-/// Iterations that are spent on taking a load off, at most: what is left then are bodies that all but float.
-pub const UNLOADING: usize = 400;
 
 /// Iterations beside those that led straight to an accepted increment, and where a step began.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -49,7 +44,8 @@ impl Effort {
             .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!("{count} {what}"))
             .collect();
-        (iterations > MANY).then(|| format!("{iterations} iterations: {}", words.join(", ")))
+        (iterations > UNREMARKABLE_ITERATIONS)
+            .then(|| format!("{iterations} iterations: {}", words.join(", ")))
     }
 }
 

@@ -8,6 +8,7 @@ use crate::solver::fem::bbar::ElementVector;
 use crate::solver::fem::element::Answer as ElementAnswer;
 use crate::solver::fem::loads::at_nodes;
 use crate::solver::linear::sparse::SymmetricMatrix;
+use crate::solver::solve::params::ENTRIES_PER_TASK;
 use rayon::prelude::*;
 
 /// An element that yields, or has yielded before.
@@ -142,11 +143,10 @@ impl Model<'_> {
 
     /// The tangent, in the place of another: bodies with what flows, closed contact nodes.
     pub fn tangent(&self, evaluation: &Evaluation, mut matrix: SymmetricMatrix) -> SymmetricMatrix {
-        const SHARE: usize = 1 << 16;
         matrix.values.resize(self.stiffness.values.len(), 0.0);
-        let shares = matrix.values.par_chunks_mut(SHARE);
+        let shares = matrix.values.par_chunks_mut(ENTRIES_PER_TASK);
         shares
-            .zip(self.stiffness.values.par_chunks(SHARE))
+            .zip(self.stiffness.values.par_chunks(ENTRIES_PER_TASK))
             .for_each(|(to, from)| to.copy_from_slice(from));
         let changes: Vec<_> = evaluation
             .plastic

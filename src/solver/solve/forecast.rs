@@ -10,6 +10,9 @@ use super::start::{Closing, nearest_row, touch};
 use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::DofMap;
+use crate::solver::solve::params::{
+    ITERATIONS_PER_INCREMENT, ITERATIONS_PER_PATH_FREE_STEP, SECONDS_PER_UNKNOWN_ITERATION,
+};
 
 /// What solving a scene will take.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,12 +112,10 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
 /// About how many Newton iterations the steps take: a few where nothing depends on the path, eight an
 /// increment of the first size where something does.
 fn iterations(scene: &Scene, yields: bool) -> f64 {
-    const AT_ONCE: f64 = 5.0;
-    const AN_INCREMENT: f64 = 8.0;
     let rubs = scene.contacts.iter().any(|pair| pair.friction > 0.0);
     let a_step = match yields || rubs {
-        true => AN_INCREMENT / scene.controls.first_increment,
-        false => AT_ONCE,
+        true => ITERATIONS_PER_INCREMENT / scene.controls.first_increment,
+        false => ITERATIONS_PER_PATH_FREE_STEP,
     };
     scene.steps.len() as f64 * a_step
 }
@@ -122,7 +123,7 @@ fn iterations(scene: &Scene, yields: bool) -> f64 {
 /// Seconds of the processor: in `docs/performance.md` bearings of 36 thousand to a million unknowns
 /// take 0.9 to 1.6e-5 s an unknown and iteration.
 fn processor_seconds(unknowns: usize, iterations: f64) -> f64 {
-    1.4e-5 * unknowns as f64 * iterations
+    SECONDS_PER_UNKNOWN_ITERATION * unknowns as f64 * iterations
 }
 
 #[cfg(test)]

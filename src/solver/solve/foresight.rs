@@ -15,6 +15,9 @@ use crate::model::material::j2::PlasticPoint;
 use crate::model::material::mises;
 use crate::model::scene::Scene;
 use crate::solver::contact::facing::Sight;
+use crate::solver::solve::params::{
+    EARLY_YIELD_SHARE, LEAST_FLOW_SHARE, STRESS_GROWTH_POWER, STRESS_TAKEN_OVER,
+};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -223,23 +226,21 @@ fn unexpected_flow(
     (x, u): (&Point, &[[f64; 3]]),
     ahead: Ahead,
 ) -> (Vec<u32>, bool) {
-    // Below a contact the stress grows with the root of the load, in bending with the load, and
-    // where it flows neighbours take over some; beside a contact that widens it grows from nothing,
-    // hence one layer of elements more. Elements too many cost less than condensing again.
-    const EARLY: f64 = 0.85;
-    const GROWTH: f64 = 0.75;
     let shares = shares_of_yield(model, settled, u);
     let most = largest(&shares);
     let (next, share) = match ahead {
         Ahead::To(next) => {
             let to_come = load_to_come(model, x);
-            (next.min(to_come), EARLY / to_come.powf(GROWTH))
+            (
+                next.min(to_come),
+                EARLY_YIELD_SHARE / to_come.powf(STRESS_GROWTH_POWER),
+            )
         }
-        Ahead::Known => (1.0, EARLY),
+        Ahead::Known => (1.0, EARLY_YIELD_SHARE),
         Ahead::Less => (1.0, 1.0),
     };
     // As long as nothing will flow before the next look, all is well.
-    if most * next.powf(GROWTH) <= 1.0 {
+    if most * next.powf(STRESS_GROWTH_POWER) <= 1.0 {
         return (Vec::new(), false);
     }
     let elements = above(&shares, share);
@@ -249,12 +250,8 @@ fn unexpected_flow(
 /// Elements that will flow, from the `shares` of the elastic solution at full load. The more the stress exceeds
 /// yield the more the neighbours take over, and the more contact widens.
 pub fn flow_to_come(shares: &[(u32, f64)]) -> Vec<u32> {
-    // Bearings with 1.2 to 2.7 times the yield stress: none or two elements of 100 to 2700 flow beyond these, which
-    // are up to twice as many.
-    const TAKEN_OVER: f64 = 0.45;
-    const LEAST: f64 = 0.6;
-    let share = 1.0 - TAKEN_OVER * (largest(shares) - 1.0);
-    above(shares, share.clamp(LEAST, 1.0))
+    let share = 1.0 - STRESS_TAKEN_OVER * (largest(shares) - 1.0);
+    above(shares, share.clamp(LEAST_FLOW_SHARE, 1.0))
 }
 
 /// The largest Mises stress over the flow stress of every element that could yield and is not watched,

@@ -9,6 +9,7 @@ use super::start::extent;
 use crate::ground::geometry::{Vec3, add, cross, norm, scale, sub};
 use crate::model::scene::{PlaneMotion, Scene};
 use crate::solver::fem::loads::add_traction;
+use crate::solver::solve::params::{DRIVEN_MODE_LOAD, TOUCHING_GAP, UNRESISTED_EIGENVALUE};
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::collections::BTreeMap;
 
@@ -24,15 +25,6 @@ pub struct FreeMotion {
     pub driven: bool,
 }
 
-/// Contact whose gap is larger than the least one by more than this share of the model does not
-/// touch at first.
-const AT_TOUCH: f64 = 1e-7;
-/// A motion that is seen by less than this share of what a single support would see of it is free.
-/// A cylinder that rolls is seen by the facets that stand for it.
-const UNSEEN: f64 = 1e-5;
-/// Share of the load, on a free motion, that is no rounding.
-const DRIVEN: f64 = 1e-6;
-
 /// The motions of `scene`, its bodies in touch at `rows`, that nothing resists.
 pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     let frames = Frames::new(scene);
@@ -45,11 +37,15 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     let values = eigen.eigenvalues.iter().enumerate();
     let load = frames.load(scene, &|_| 1.0);
     let whole = load.iter().map(|f| f * f).sum::<f64>().sqrt();
-    let free = values.filter(|(_, value)| **value < UNSEEN);
+    let free = values.filter(|(_, value)| **value < UNRESISTED_EIGENVALUE);
     let motions = free.filter_map(|(i, _)| {
         let motion = eigen.eigenvectors.column(i);
         let work: f64 = motion.iter().zip(&load).map(|(v, f)| v * f).sum();
-        frames.motion(scene, motion.as_slice(), work.abs() > DRIVEN * whole)
+        frames.motion(
+            scene,
+            motion.as_slice(),
+            work.abs() > DRIVEN_MODE_LOAD * whole,
+        )
     });
     motions.collect()
 }
@@ -240,7 +236,7 @@ impl Seen {
     }
 
     fn contacts(&mut self, scene: &Scene, rows: &[ContactRow], frames: &Frames) {
-        let near = AT_TOUCH * extent(scene);
+        let near = TOUCHING_GAP * extent(scene);
         for index in 0..scene.contacts.len() {
             let of_pair = || rows.iter().filter(|r| r.pair == index);
             let least = of_pair().fold(f64::INFINITY, |least, r| least.min(r.row.gap));

@@ -3,19 +3,18 @@
 //! For fixed multipliers the residual of an elastic, frictionless scene is the slope of a convex
 //! energy, so the best step along dx is where the work of the residual on dx vanishes.
 
+use crate::solver::solve::params::{LINE_SEARCH_SLOPE, LINE_SEARCH_TRIES};
 /// Finds a step in (0, 1] where |slope| has fallen to `share` of its value at 0.
 ///
 /// `slope(step)` is the work of the residual on the correction at that step; `start` is its value
 /// at 0, positive for a descent direction. Returns the step whose evaluation was the last call.
 pub fn search(start: f64, full: f64, mut slope: impl FnMut(f64) -> f64) -> f64 {
-    const SHARE: f64 = 0.5;
-    const TRIES: usize = 8;
     // Only an overshoot is worth a search: the slope has changed its sign and grown.
-    if !full.is_finite() || (full < 0.0 && full.abs() > SHARE * start.abs()) {
+    if !full.is_finite() || (full < 0.0 && full.abs() > LINE_SEARCH_SLOPE * start.abs()) {
         let (mut low, mut low_slope) = (0.0, start);
         let (mut high, mut high_slope) = (1.0, full);
         let mut step = 1.0;
-        for _ in 0..TRIES {
+        for _ in 0..LINE_SEARCH_TRIES {
             let secant = low + (high - low) * low_slope / (low_slope - high_slope);
             // Regula falsi, kept off the ends; bisection where a slope is not a number.
             let (least, most) = (low + 0.1 * (high - low), low + 0.9 * (high - low));
@@ -25,7 +24,7 @@ pub fn search(start: f64, full: f64, mut slope: impl FnMut(f64) -> f64) -> f64 {
                 0.5 * (low + high)
             };
             let value = slope(step);
-            if value.is_finite() && value.abs() <= SHARE * start.abs() {
+            if value.is_finite() && value.abs() <= LINE_SEARCH_SLOPE * start.abs() {
                 return step;
             }
             if value > 0.0 {

@@ -13,6 +13,10 @@ use crate::solver::linear::cholesky::FactorError;
 use crate::solver::linear::krylov::{self, Outcome};
 use crate::solver::linear::preconditioner::{Precision, Prepared};
 use crate::solver::linear::sparse::SymmetricMatrix;
+use crate::solver::solve::params::{
+    AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR,
+    FACTOR_DIRECTIONS, FACTOR_SHIFT, SINGLE_FACTOR_DIRECTIONS,
+};
 
 /// The linear solver with the factor that it carries from iteration to iteration.
 #[derive(Default)]
@@ -29,29 +33,6 @@ pub struct LinearSolver {
     /// Of the factor: double once single has not been enough.
     precision: Precision,
 }
-
-/// Share of the diagonal that is added to the matrix *before it is factored*: it keeps the factor
-/// of a body that is free for a moment positive definite. The system that is solved does not
-/// contain it, so that no force ever passes through it.
-pub const SHIFT: f64 = 1e-10;
-
-/// An aged factor, brought up to date for contact, is tried while no more than this many integration points have begun
-/// or ceased to flow, for this many directions: about what a new factor costs.
-const CHANGES: usize = 48;
-const TRIES: usize = 12;
-
-/// Where that was in vain, so many corrections are found with new factors before it is tried again: nodes that slip
-/// change the matrix though their statuses stay.
-const PAUSE: usize = 3;
-
-/// Error of a correction, in the energy norm, that is left to the next iteration.
-const INEXACT: f64 = 1e-2;
-
-/// Directions with a fresh factor in single precision; where they are not enough double precision takes over.
-const POOR: usize = 8;
-
-/// Directions with a fresh factor.
-const DIRECTIONS: usize = 150;
 
 /// How a correction was found.
 pub struct Correction {
@@ -113,16 +94,20 @@ impl LinearSolver {
                 |x: &mut [f64]| (model.preconditioner).apply(&model.pattern, &factor, multiply, x);
             let is_single = matches!(factor, Prepared::Single(_));
             let (residual, tolerance) = (&sought.residual, sought.tolerance);
-            let directions = if is_single { POOR } else { DIRECTIONS };
+            let directions = if is_single {
+                SINGLE_FACTOR_DIRECTIONS
+            } else {
+                FACTOR_DIRECTIONS
+            };
             let solve = || match model.is_soft() {
                 // Every direction costs as much as the last: no more than the next iteration can use.
                 true => krylov::minimise(
                     multiply,
                     precondition,
                     residual,
-                    INEXACT,
+                    DIVIDED_CORRECTION_ERROR,
                     tolerance,
-                    DIRECTIONS,
+                    FACTOR_DIRECTIONS,
                 ),
                 false => krylov::solve(multiply, precondition, residual, tolerance, directions),
             };
@@ -148,7 +133,7 @@ impl LinearSolver {
         counters: &mut Counters,
     ) -> bool {
         let timers = &mut counters.timers;
-        let little_flow = flowing(evaluation).abs_diff(self.flowing) <= CHANGES;
+        let little_flow = flowing(evaluation).abs_diff(self.flowing) <= AGED_FACTOR_FLOW_CHANGES;
         let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
         // Renewing the parts that changed costs next to nothing.
         let Some(factor) = self.factor.as_ref().filter(|_| trusted) else {
@@ -166,16 +151,24 @@ impl LinearSolver {
             update.correct(model, x);
         };
         let (residual, tolerance) = (&sought.residual, sought.tolerance);
-        let solve = || krylov::solve(multiply, precondition, residual, tolerance, TRIES);
+        let solve = || {
+            krylov::solve(
+                multiply,
+                precondition,
+                residual,
+                tolerance,
+                AGED_FACTOR_DIRECTIONS,
+            )
+        };
         let (dx, outcome) = timers.time(Phase::LinearSolve, solve);
         let enough = sought.take(&dx, &outcome, multiply);
         if !enough {
-            self.distrust = PAUSE;
+            self.distrust = AGED_FACTOR_PAUSE;
         }
         enough
     }
 
-    /// A factor of `matrix`, of a diagonal that is [`SHIFT`] larger.
+    /// A factor of `matrix`, of a diagonal that is [`FACTOR_SHIFT`] larger.
     fn factorise(
         &mut self,
         model: &Model,
@@ -185,7 +178,7 @@ impl LinearSolver {
         let diagonal = model.pattern.diagonal(matrix);
         let starts = || model.pattern.columns.iter().zip(&diagonal);
         for (start, d) in starts() {
-            matrix.values[*start as usize] = d * (1.0 + SHIFT);
+            matrix.values[*start as usize] = d * (1.0 + FACTOR_SHIFT);
         }
         let (old, precision) = (self.factor.take(), self.precision);
         let factorise = || (model.preconditioner).factorise(&model.pattern, matrix, precision, old);

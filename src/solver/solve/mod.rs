@@ -25,6 +25,7 @@ mod linear_solver;
 mod model;
 mod newton;
 mod observer;
+mod params;
 mod reaction;
 mod restart;
 mod rigid;

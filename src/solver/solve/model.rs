@@ -21,6 +21,7 @@ use crate::solver::linear::krylov::norm;
 use crate::solver::linear::preconditioner::Preconditioner;
 use crate::solver::linear::schwarz::{Place, Schwarz};
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
+use crate::solver::solve::params::SMALL_DIVIDED_MODEL;
 
 /// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
 pub struct Model<'a> {
@@ -54,8 +55,7 @@ pub struct Model<'a> {
 /// Are corrections of a divided model, or not, of so many unknowns right to a hundredth only? Where there are few,
 /// directions cost next to nothing.
 fn is_soft(divided: bool, unknowns: usize) -> bool {
-    const SMALL: usize = 20_000;
-    divided && unknowns > SMALL
+    divided && unknowns > SMALL_DIVIDED_MODEL
 }
 
 impl<'a> Model<'a> {

@@ -21,6 +21,12 @@ use crate::solver::contact::law::{MOST_RAISED, Node, Status};
 use crate::solver::fem::dofs::FIXED;
 use crate::solver::linear::cholesky::FactorError;
 use crate::solver::linear::krylov::{dot, norm};
+use crate::solver::solve::params::{
+    CAUTIOUS_SHEAR_RESIDUAL, CONVERGING_ITERATIONS_FACTOR, FREE_SWITCHES,
+    FREE_SWITCHING_ITERATIONS, HOPELESS_RESIDUAL, ITERATIONS_BEFORE_CAUTION, LIMIT_FLOW_SHARE,
+    LINGERING_VIOLATION, LOST_DECREASE, LOST_RESIDUAL, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL,
+    STEADY_DECREASE, UNCHANGED_FORCE, WAVE_ITERATIONS,
+};
 use serde::{Deserialize, Serialize};
 
 /// Where the load history stands and what the unknowns are there.
@@ -65,24 +71,6 @@ pub struct Stopped {
     pub flowing: Vec<u32>,
 }
 
-/// Where stick and slip have not settled after this many iterations, it is time for caution.
-const PATIENCE: usize = 25;
-
-/// Share of the residual with which λ of cautious nodes was taken last that may be left when it is taken anew.
-const NEARLY: f64 = 1e-4;
-
-/// Over the iterations after which an increment is given up: the most that it takes where corrections become smaller
-/// steadily.
-const MOST: usize = 2;
-
-/// Where so much of the violation of contact is left by an iteration, a penalty softer than the automatic one is raised
-/// (Bertsekas 1982).
-const LINGERS: f64 = 0.25;
-
-/// Residual, and number of iterations, that are enough for bodies that an anchor holds.
-const ROUGHLY: f64 = 1e-3;
-const ANCHORED: usize = 8;
-
 /// How the iterations of an increment have come on.
 #[derive(Default)]
 struct Progress {
@@ -98,33 +86,28 @@ struct Progress {
 }
 
 impl Progress {
-    /// For how many iterations shears that are taken as multipliers may raise corrections: a wave is looked over.
-    const WAVE: usize = 8;
-
     /// Is there no balance in sight? Beyond the plastic limit iterations wander far from it; what will be in balance
     /// is near after a wave or two, and never as far as a third of the load for half of one.
     fn is_lost(&self) -> bool {
-        const FAR: f64 = 1e-3;
-        const LOST: f64 = 0.3;
-        const LESS: f64 = 0.5;
-        const HALF: usize = Progress::WAVE / 2;
+        const HALF: usize = WAVE_ITERATIONS / 2;
         let least = |residuals: &[f64]| residuals.iter().copied().fold(f64::INFINITY, f64::min);
-        if (self.residuals.last_chunk::<HALF>()).is_some_and(|all| least(all) > LOST) {
+        if (self.residuals.last_chunk::<HALF>()).is_some_and(|all| least(all) > HOPELESS_RESIDUAL) {
             return true;
         }
-        let lately = self.residuals.last_chunk::<{ 2 * Self::WAVE }>();
+        let lately = self.residuals.last_chunk::<{ 2 * WAVE_ITERATIONS }>();
         lately.is_some_and(|both| {
-            let [before, now] = [&both[..Self::WAVE], &both[Self::WAVE..]].map(least);
-            now > FAR && now > LESS * before
+            let [before, now] = [&both[..WAVE_ITERATIONS], &both[WAVE_ITERATIONS..]].map(least);
+            now > LOST_RESIDUAL && now > LOST_DECREASE * before
         })
     }
 
     /// Do corrections become smaller so steadily that it would be a waste to stop?
     fn goes_on(&self) -> bool {
-        const LESS: f64 = 0.1;
         let most = |energies: &[f64]| energies.iter().copied().fold(0.0, f64::max);
-        let lately = self.energies.last_chunk::<{ 2 * Self::WAVE }>();
-        lately.is_some_and(|both| most(&both[Self::WAVE..]) < LESS * most(&both[..Self::WAVE]))
+        let lately = self.energies.last_chunk::<{ 2 * WAVE_ITERATIONS }>();
+        lately.is_some_and(|both| {
+            most(&both[WAVE_ITERATIONS..]) < STEADY_DECREASE * most(&both[..WAVE_ITERATIONS])
+        })
     }
 }
 
@@ -154,7 +137,7 @@ pub fn balance(
     }
     let patience = match cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
         true => controls.iterations,
-        false => controls.iterations.min(PATIENCE),
+        false => controls.iterations.min(ITERATIONS_BEFORE_CAUTION),
     };
     // What a factor solves to is exact but for its age; parts that are put together leave what hardly resists.
     let loosest = match model.is_divided() && !model.is_soft() {
@@ -203,12 +186,12 @@ pub fn balance(
         }
         last.residual = norm(&evaluation.residual) / reference;
         let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
-        let lingers = last.penetration > LINGERS * before;
+        let lingers = last.penetration > LINGERING_VIOLATION * before;
         last.changed = update_contact(model, point, &evaluation, (last.iteration, &mut progress));
         count(&mut last, &evaluation);
         observer.iteration(&last);
-        let settled = last.residual <= ROUGHLY && last.changed == 0;
-        if anchor.is_some() && (settled || last.iteration >= ANCHORED) {
+        let settled = last.residual <= PROXIMAL_RESIDUAL && last.changed == 0;
+        if anchor.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
             return Ok(evaluation);
         }
         let balanced = last.changed == 0 && last.residual <= controls.residual;
@@ -219,7 +202,7 @@ pub fn balance(
             let nodes = point.nodes.iter_mut();
             nodes.for_each(|node| node.firmer = node.firmer.saturating_add(1));
         }
-        if balanced || last.residual <= NEARLY * begun {
+        if balanced || last.residual <= CAUTIOUS_SHEAR_RESIDUAL * begun {
             take_shears(model, point, &evaluation);
             progress.begun = None;
         }
@@ -230,7 +213,8 @@ pub fn balance(
         }
         let patient = last.iteration < patience || progress.goes_on();
         let lost = much_flows(model, &flowing) && progress.is_lost();
-        if lost || !patient || last.iteration >= MOST * controls.iterations {
+        if lost || !patient || last.iteration >= CONVERGING_ITERATIONS_FACTOR * controls.iterations
+        {
             return Err(stop(slow(model, point, &evaluation, &last)));
         }
         evaluation = evaluate(point, &point.x, counters);
@@ -239,8 +223,7 @@ pub fn balance(
 
 /// Do so many elements flow that balance is lost to the plastic limit, if it is?
 pub fn much_flows(model: &Model, flowing: &[u32]) -> bool {
-    const LITTLE: f64 = 0.02;
-    flowing.len() as f64 > LITTLE * model.scene.mesh.hexes.len() as f64
+    flowing.len() as f64 > LIMIT_FLOW_SHARE * model.scene.mesh.hexes.len() as f64
 }
 
 /// Elements that flow.
@@ -274,10 +257,6 @@ fn update_contact(
     evaluation: &Evaluation,
     (iteration, progress): (usize, &mut Progress),
 ) -> usize {
-    const FREE_ITERATIONS: usize = 12;
-    const FREE_SWITCHES: u8 = 2;
-    // Below this share of the largest force a friction bound or shear counts as unchanged.
-    const SAME: f64 = 5e-9;
     let forces =
         (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
     let largest = forces.fold(0.0, f64::max);
@@ -298,7 +277,7 @@ fn update_contact(
         let traction = &evaluation.contact[index].traction;
         let relative = &evaluation.relative[index];
         let next = law.decide(node, traction, relative, bounds[index]);
-        let least = SAME * largest / row.row.area;
+        let least = UNCHANGED_FORCE * largest / row.row.area;
         let same = law.friction * least;
         let turned =
             !node.cautious && (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
@@ -314,7 +293,8 @@ fn update_contact(
         switched += usize::from(switches);
         changed += usize::from(switches || moved || turned);
         *node = next;
-        if !node.cautious && iteration > FREE_ITERATIONS && node.switches > FREE_SWITCHES {
+        if !node.cautious && iteration > FREE_SWITCHING_ITERATIONS && node.switches > FREE_SWITCHES
+        {
             (node.cautious, node.raised) = (true, 0);
         }
     }

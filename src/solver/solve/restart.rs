@@ -10,6 +10,7 @@ use super::state;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::solver::contact::law::Node;
+use crate::solver::solve::params::EQUAL_STEP_SHARES;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -51,7 +52,7 @@ pub(super) struct Plan {
 impl Plan {
     /// Equal increments between two shares of `step`, none of them larger than `most`.
     pub fn even(step: usize, [from, to]: [f64; 2], most: f64) -> Self {
-        let parts = ((to - from) / most - ROUNDING).ceil().max(1.0) as usize;
+        let parts = ((to - from) / most - EQUAL_STEP_SHARES).ceil().max(1.0) as usize;
         let part = (to - from) / parts as f64;
         let inner = (1..parts).map(|k| from + k as f64 * part);
         Self {
@@ -60,9 +61,6 @@ impl Plan {
         }
     }
 }
-
-/// Shares of a step that differ by less are the same.
-const ROUNDING: f64 = 1e-6;
 
 /// A state without its stresses and plastic strains, and what these follow from.
 #[derive(Debug, Clone, Serialize, Deserialize)]

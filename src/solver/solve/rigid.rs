@@ -13,6 +13,10 @@ use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
 use crate::model::state::turn::FAR;
 use crate::solver::contact::law::Node;
+use crate::solver::solve::params::{
+    EASY_REST_ITERATIONS, MOVABLE_EIGENVALUE, REST_ITERATIONS, REST_RESIDUAL, REST_STEP_RESIDUAL,
+    REST_STEPS,
+};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// A contact point as the motions of rigid bodies see it: closure, and slip along both tangents.
@@ -45,24 +49,17 @@ impl Touch {
 /// Motions of all bodies that supports, rigid planes and shared nodes leave, a column each; `None` where there are
 /// none.
 pub fn free_motions(scene: &Scene, frames: &Frames) -> Option<DMatrix<f64>> {
-    const UNSEEN: f64 = 1e-9;
     let mut seen = Seen::new(scene.mesh.bodies.len());
     seen.supports(scene, frames);
     seen.planes(scene, frames);
     seen.shared_nodes(frames);
     let eigen = SymmetricEigen::new(seen.matrix);
-    let free = (0..eigen.eigenvalues.len()).filter(|i| eigen.eigenvalues[*i] < UNSEEN);
+    let free = (0..eigen.eigenvalues.len()).filter(|i| eigen.eigenvalues[*i] < MOVABLE_EIGENVALUE);
     let columns: Vec<_> = free
         .map(|i| eigen.eigenvectors.column(i).into_owned())
         .collect();
     (!columns.is_empty()).then(|| DMatrix::from_columns(&columns))
 }
-
-/// Force that may be left over, of the load.
-const BALANCED: f64 = 1e-6;
-/// Steps, and iterations in each.
-const STEPS: usize = 400;
-const ITERATIONS: usize = 12;
 
 /// Where bodies have come to rest.
 pub struct Rest {
@@ -104,8 +101,8 @@ fn balance(points: &[Point], load: &DVector<f64>) -> Option<DVector<f64>> {
     let mut q = DVector::zeros(load.len());
     // At first as stiff as all contact together.
     let mut resistance: f64 = points.iter().map(|p| p.stiffness).sum();
-    for _ in 0..STEPS {
-        if unbalance(points, load, &q).0.norm() <= BALANCED * load.norm() {
+    for _ in 0..REST_STEPS {
+        if unbalance(points, load, &q).0.norm() <= REST_RESIDUAL * load.norm() {
             return Some(q);
         }
         match settle(points, load, &q, resistance) {
@@ -212,14 +209,12 @@ fn settle(
     start: &DVector<f64>,
     resistance: f64,
 ) -> Option<(DVector<f64>, bool)> {
-    const SETTLED: f64 = 1e-9;
-    const EASY: usize = 5;
     let mut q = start.clone();
-    for iteration in 0..ITERATIONS {
+    for iteration in 0..REST_ITERATIONS {
         let (contact, mut tangent) = unbalance(points, load, &q);
         let left = contact - resistance * (&q - start);
-        if left.norm() <= SETTLED * load.norm() {
-            return Some((q, iteration <= EASY));
+        if left.norm() <= REST_STEP_RESIDUAL * load.norm() {
+            return Some((q, iteration <= EASY_REST_ITERATIONS));
         }
         for i in 0..q.len() {
             tangent[(i, i)] += resistance;

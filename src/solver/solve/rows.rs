@@ -5,22 +5,9 @@ use crate::model::scene::{ContactPair, Partner, Scene};
 use crate::solver::contact::facing::{self, Sight};
 use crate::solver::contact::law::Law;
 use crate::solver::contact::mortar::{self, Opposite, Row};
-
-/// Penalty over the stiffness of the material next to the contact, at a user factor of one.
-///
-/// The augmented-Lagrange update makes the answer independent of it; it only has to be stiff
-/// enough that few updates are needed and soft enough that the factor stays accurate.
-const PENALTY: f64 = 1000.0;
-
-/// The same where a divided model is large and there is friction, which follows the pressure: corrections
-/// are then right to a hundredth of their energy, and beside stiffer contact next to none of that is
-/// left for how the pressure is distributed.
-const DIVIDED_PENALTY: f64 = 50.0;
-
-/// Bounds of both, whatever the user's factor: softer, and multipliers take dozens of updates; stiffer,
-/// and rounding of displacements makes forces that never balance. The answer is the same.
-const SOFTEST: f64 = 10.0;
-const STIFFEST: f64 = 1e6;
+use crate::solver::solve::params::{
+    CONTACT_PENALTY, DIVIDED_CONTACT_PENALTY, SOFTEST_PENALTY, STIFFEST_PENALTY,
+};
 
 /// A contact row with its pair's law.
 pub struct ContactRow {
@@ -51,8 +38,12 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
 /// The law of a row beside which the bodies have the given stiffness; `soft` where corrections are not exact.
 pub fn law(pair: &ContactPair, stiffness: f64, soft: bool) -> Law {
     let soft = soft && pair.friction > 0.0;
-    let automatic = if soft { DIVIDED_PENALTY } else { PENALTY };
-    let wanted = (automatic * pair.penalty_factor).clamp(SOFTEST, STIFFEST);
+    let automatic = if soft {
+        DIVIDED_CONTACT_PENALTY
+    } else {
+        CONTACT_PENALTY
+    };
+    let wanted = (automatic * pair.penalty_factor).clamp(SOFTEST_PENALTY, STIFFEST_PENALTY);
     Law {
         friction: pair.friction,
         penalty: wanted * stiffness,

@@ -4,9 +4,7 @@ use super::cost;
 use crate::ground::memory::available;
 use crate::model::scene::{Scene, SolverKind};
 use crate::solver::fem::dofs::{DofMap, FIXED};
-
-/// How much of the memory that there is one factor may take before the model is divided.
-const SPARE: f64 = 0.7;
+use crate::solver::solve::params::FACTOR_MEMORY_SHARE;
 
 /// What a model will take, and how it is to be solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +28,9 @@ impl Size {
     ) -> Self {
         let divided = match scene.controls.solver {
             SolverKind::Auto => {
-                let short = |available| memory(scene, dofs, needed, false) > SPARE * available;
+                let short = |available| {
+                    memory(scene, dofs, needed, false) > FACTOR_MEMORY_SHARE * available
+                };
                 large || is_large(scene, dofs, needed, flow) || available().is_some_and(short)
             }
             SolverKind::Direct => false,

@@ -12,6 +12,7 @@ use super::rows;
 use crate::ground::geometry::{Vec3, dot, scale, unit};
 use crate::model::scene::{ContactPair, Partner, PlaneMotion, Scene};
 use crate::solver::contact::mortar::Row;
+use crate::solver::solve::params::CLOSING_ROUNDS;
 
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,9 +85,6 @@ fn travel(scene: &Scene) -> f64 {
     supports.chain(planes).fold(0.0, f64::max)
 }
 
-/// How often a body is moved at most.
-const ROUNDS: usize = 12;
-
 /// Moves floating bodies into touch, as close as a solution asks for, and reports what was moved.
 pub fn touch(scene: &mut Scene) -> Vec<Closing> {
     close_gaps(scene, 1e-10 * extent(scene))
@@ -108,7 +106,7 @@ pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
         let mut way = distance;
         let mut total = 0.0;
         // The gap of a curved side is not quite linear in the way: again, until it is closed.
-        for _ in 0..ROUNDS {
+        for _ in 0..CLOSING_ROUNDS {
             if way.abs() <= tolerance {
                 break;
             }

@@ -10,6 +10,7 @@ use crate::model::scene::PlaneMotion;
 use crate::model::state::{ContactField, PlaneField, State};
 use crate::solver::contact::facing::Sight;
 use crate::solver::contact::mortar::Row;
+use crate::solver::solve::params::RIM_OVERLAP;
 use rayon::prelude::*;
 
 /// The accepted state in the terms of the scene.
@@ -112,11 +113,6 @@ fn contact_fields(
     fields
 }
 
-/// Overlap that the mesh explains, over the sagitta and the bend of the facets. In the facet where contact
-/// ends one weighted gap balances what opens against what overlaps: 2 to 3 sagittas on lines and spheres
-/// with two to five facets across the half-width.
-const AT_RIM: f64 = 4.0;
-
 /// What is seen of a pair without any contact row: the gaps of nodes that no row exists for, and the
 /// deepest overlap of the two sides.
 fn look(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
@@ -147,7 +143,7 @@ fn look(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
         let nodes = || sight.carrier.0.into_iter().filter_map(place);
         nodes().for_each(|at| sagitta[at] = sagitta[at].max(sight.sagitta));
         let bend = nodes().map(|at| bend[at]).fold(0.0, f64::max);
-        let explained = AT_RIM * (sight.sagitta + bend);
+        let explained = RIM_OVERLAP * (sight.sagitta + bend);
         field.penetration = field.penetration.max(-gap);
         field.unexplained = field.unexplained.max(-gap - explained);
     }

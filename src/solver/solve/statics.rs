@@ -13,6 +13,10 @@ use super::rows::ContactRow;
 use super::start::extent;
 use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub, unit};
 use crate::model::scene::Scene;
+use crate::solver::solve::params::{
+    BALANCE_REMAINDER, CONE_EDGES, NONNEGATIVE_ROUNDING, NONNEGATIVE_ROUNDS, OPPOSITE_COSINE,
+    RIDGE_OFFSET, ROCKING_ANGLE, ROUGHEST_FRICTION, TOUCHING_GAP,
+};
 use nalgebra::{DMatrix, DVector};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
@@ -39,13 +43,6 @@ pub struct Bears {
     pub normal: Vec3,
 }
 
-/// Directions of friction. Their polygon encloses the circle, so that no balance is missed.
-const DIRECTIONS: usize = 16;
-/// Share of the load that may be left over: the shapes of facets, and rounding.
-const LEFT_OVER: f64 = 1e-5;
-/// The largest coefficient of friction that is asked for.
-const ROUGHEST: f64 = 2.0;
-
 /// Why bodies that touch at `rows` cannot be in balance under loads of these `factors`, by name; `None` where they
 /// can, or nothing drives them.
 pub fn imbalance<'r>(
@@ -65,15 +62,15 @@ pub fn imbalance<'r>(
         .iter()
         .map(|row| Touch::new(row, &frames, &free))
         .collect();
-    let enclosing = 1.0 / (PI / DIRECTIONS as f64).cos();
+    let enclosing = 1.0 / (PI / CONE_EDGES as f64).cos();
     let found = nearest(&cones(&points, |friction| enclosing * friction), &load)?;
-    if found.left.norm() <= LEFT_OVER * whole {
+    if found.left.norm() <= BALANCE_REMAINDER * whole {
         return None;
     }
     // Advice is on the safe side: there the polygon lies within the circle.
     let stands = |rough: f64| {
         let found = nearest(&cones(&points, |friction| friction.max(rough)), &load);
-        found.is_some_and(|f| f.left.norm() <= LEFT_OVER * whole)
+        found.is_some_and(|f| f.left.norm() <= BALANCE_REMAINDER * whole)
     };
     let motion = frames.motion(scene, (&free * &found.left).as_slice(), true)?;
     let body = scene
@@ -92,7 +89,7 @@ pub fn imbalance<'r>(
     let bears = bears(scene, &rows, &frames, (&found.forces, body));
     Some(Imbalance {
         motion,
-        friction: stands(ROUGHEST).then(|| least(&stands)),
+        friction: stands(ROUGHEST_FRICTION).then(|| least(&stands)),
         bears,
     })
 }
@@ -101,15 +98,7 @@ pub fn imbalance<'r>(
 /// small enough for the body to rock there. A roller bears along a line, a flat face wherever it is flat; beside
 /// the line it bears only on what elasticity makes of it.
 fn ridges<'r>(scene: &Scene, mut rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRow> {
-    /// Angle by which a body may rock.
-    const ROCKS: f64 = 5e-3;
-    /// Cosine of the angle between two sides of a node that lie opposite.
-    const OPPOSITE: f64 = -0.7;
-    /// Of the model, a gap that is none.
-    const TOUCHES: f64 = 1e-7;
-    /// Of the way to the neighbour, how far the least gap may lie off a node.
-    const OFF: f64 = 0.02;
-    let near = TOUCHES * extent(scene);
+    let near = TOUCHING_GAP * extent(scene);
     let at = |node: u32| scene.mesh.points[node as usize];
     let mut bears = BTreeSet::new();
     for index in 0..scene.contacts.len() {
@@ -124,13 +113,13 @@ fn ridges<'r>(scene: &Scene, mut rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRo
         let gap = |node: &u32| gaps.get(node).copied().unwrap_or(f64::INFINITY);
         let low = |node: &u32| {
             let way = touching.iter().map(|t| norm(sub(*t, at(*node))));
-            gap(node) <= least + near + ROCKS * way.fold(f64::INFINITY, f64::min)
+            gap(node) <= least + near + ROCKING_ANGLE * way.fold(f64::INFINITY, f64::min)
         };
         for (node, own) in &gaps {
             let sides: Vec<u32> = beside.get(node).into_iter().flatten().copied().collect();
             let arm = |to: &u32| unit(sub(at(*to), at(*node))).unwrap_or_default();
             let opposite = |a: &u32| {
-                let over = |b: &&u32| dot(arm(a), arm(b)) < OPPOSITE;
+                let over = |b: &&u32| dot(arm(a), arm(b)) < OPPOSITE_COSINE;
                 sides.iter().find(over).map_or(f64::INFINITY, gap)
             };
             for side in &sides {
@@ -141,7 +130,7 @@ fn ridges<'r>(scene: &Scene, mut rows: Vec<&'r ContactRow>) -> Vec<&'r ContactRo
                 bears.insert((index, *node));
                 // The bottom of the parabola through the three gaps, in shares of the way to the side.
                 let bottom = 0.5 * (before - after) / (before + after - 2.0 * own);
-                if bottom > OFF && after.is_finite() {
+                if bottom > RIDGE_OFFSET && after.is_finite() {
                     bears.insert((index, *side));
                 }
             }
@@ -176,8 +165,8 @@ fn cones(points: &[Touch], friction: impl Fn(f64) -> f64) -> Vec<DVector<f64>> {
             continue;
         };
         let friction = friction(point.friction);
-        edges.extend((0..DIRECTIONS).map(|k| {
-            let angle = 2.0 * PI * k as f64 / DIRECTIONS as f64;
+        edges.extend((0..CONE_EDGES).map(|k| {
+            let angle = 2.0 * PI * k as f64 / CONE_EDGES as f64;
             let (sin, cos) = angle.sin_cos();
             &point.normal + friction * (cos * s + sin * t)
         }));
@@ -195,8 +184,6 @@ struct Nearest {
 
 /// Forces on `edges`, none negative, whose sum is nearest to `load`; `None` where rounding hinders it.
 fn nearest(edges: &[DVector<f64>], load: &DVector<f64>) -> Option<Nearest> {
-    const ROUNDS: usize = 1000;
-    const SMALL: f64 = 1e-12;
     let mut forces: Vec<(usize, f64)> = Vec::new();
     let mut left = load.clone();
     let solve = |chosen: &[(usize, f64)]| {
@@ -205,9 +192,9 @@ fn nearest(edges: &[DVector<f64>], load: &DVector<f64>) -> Option<Nearest> {
             .map(|(edge, _)| edges[*edge].clone())
             .collect();
         let svd = DMatrix::from_columns(&columns).svd(true, true);
-        svd.solve(load, SMALL).ok()
+        svd.solve(load, NONNEGATIVE_ROUNDING).ok()
     };
-    for _ in 0..ROUNDS {
+    for _ in 0..NONNEGATIVE_ROUNDS {
         let gains = edges.iter().map(|edge| left.dot(edge) / edge.norm());
         let best = gains
             .enumerate()
@@ -232,7 +219,7 @@ fn nearest(edges: &[DVector<f64>], load: &DVector<f64>) -> Option<Nearest> {
                 break;
             }
             let most = forces.iter().fold(0.0f64, |most, f| most.max(f.1));
-            forces.retain(|(_, force)| *force > SMALL * most);
+            forces.retain(|(_, force)| *force > NONNEGATIVE_ROUNDING * most);
             if forces.is_empty() {
                 break;
             }
@@ -243,7 +230,7 @@ fn nearest(edges: &[DVector<f64>], load: &DVector<f64>) -> Option<Nearest> {
             left -= *force * &edges[*edge];
         }
         // Rounding is all that is gained.
-        if left.norm() >= (1.0 - SMALL) * before {
+        if left.norm() >= (1.0 - NONNEGATIVE_ROUNDING) * before {
             return Some(Nearest { forces, left });
         }
     }
@@ -252,7 +239,7 @@ fn nearest(edges: &[DVector<f64>], load: &DVector<f64>) -> Option<Nearest> {
 
 /// The least coefficient of friction with which bodies `stand`, to a thousandth.
 fn least(stands: &dyn Fn(f64) -> bool) -> f64 {
-    let (mut no, mut yes) = (0.0, ROUGHEST);
+    let (mut no, mut yes) = (0.0, ROUGHEST_FRICTION);
     while yes - no > 5e-4 * yes {
         let middle = 0.5 * (no + yes);
         if stands(middle) {
@@ -272,7 +259,7 @@ fn bears(
     (forces, body): (&[(usize, f64)], usize),
 ) -> Option<Bears> {
     // Edges of cones are counted on from row to row.
-    let count = |row: &ContactRow| row.row.tangents.map_or(1, |_| DIRECTIONS);
+    let count = |row: &ContactRow| row.row.tangents.map_or(1, |_| CONE_EDGES);
     let ends = rows.iter().scan(0, |end, row| {
         *end += count(row);
         Some(*end)

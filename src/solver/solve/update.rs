@@ -14,6 +14,7 @@ use super::model::Model;
 use super::rows::ContactRow;
 use crate::solver::contact::law::Answer;
 use crate::solver::fem::dofs::FIXED;
+use crate::solver::solve::params::{KEPT_COLUMNS, NEW_COLUMNS_SHARE, UNKNOWNS_PER_TASK};
 use faer::prelude::Solve;
 use faer::{Mat, linalg::solvers::PartialPivLu};
 use rayon::prelude::*;
@@ -37,14 +38,6 @@ struct Correction {
     changes: Vec<Tangent>,
     system: PartialPivLu<f64>,
 }
-
-/// Columns that may be found at once, over the number of unknowns: they cost about half of a new factor.
-const NEW: f64 = 1.0 / 12.0;
-/// The most that are kept. More than the factor has entries they may not take either.
-const MOST: usize = 900;
-
-/// Unknowns that are worth a thread.
-const SHARE: usize = 1 << 12;
 
 fn tangent(row: &ContactRow, answer: &Answer) -> Tangent {
     answer.tangent.map(|line| line.map(|v| v * row.row.area))
@@ -80,8 +73,8 @@ impl Update {
         let unknown = |row: &&usize| !self.columns.contains_key(row);
         let new: Vec<usize> = rows.iter().filter(unknown).copied().collect();
         let kept = 3 * (self.columns.len() + new.len());
-        let dear = 3 * new.len() > (NEW * unknowns as f64) as usize;
-        if dear || kept > MOST || kept * unknowns > model.preconditioner.factor_entries() {
+        let dear = 3 * new.len() > (NEW_COLUMNS_SHARE * unknowns as f64) as usize;
+        if dear || kept > KEPT_COLUMNS || kept * unknowns > model.preconditioner.factor_entries() {
             return false;
         }
         if !new.is_empty() {
@@ -141,8 +134,8 @@ impl Update {
         let forces = now.system.solve(&pulled);
         let columns = now.rows.iter().flat_map(|row| &self.columns[row]);
         let columns: Vec<_> = columns.zip(forces.col_as_slice(0)).collect();
-        (x.par_chunks_mut(SHARE).enumerate()).for_each(|(k, x)| {
-            let from = k * SHARE;
+        (x.par_chunks_mut(UNKNOWNS_PER_TASK).enumerate()).for_each(|(k, x)| {
+            let from = k * UNKNOWNS_PER_TASK;
             for (column, force) in &columns {
                 let share = &column[from..from + x.len()];
                 x.iter_mut().zip(share).for_each(|(x, z)| *x -= *force * z);

@@ -9,7 +9,6 @@ mod plan;
 use super::anchor;
 use super::counters::Counters;
 use super::diagnosis::{At, describe, diagnose, no_balance};
-use super::effort::UNLOADING;
 use super::error::SolveError;
 use super::foresight::Expected;
 use super::history::History;
@@ -26,18 +25,12 @@ use crate::model::scene::{LITTLE, Scene};
 use crate::model::state::State;
 use crate::solver::contact::facing::Sight;
 use crate::solver::contact::law::Node;
+use crate::solver::solve::params::{
+    EQUAL_STEP_SHARES, FIRST_TOUCH_REACH, INCREMENT_GROWTH, INCREMENTS_TO_LIMIT, LARGEST_INCREMENT,
+    PLASTIC_LIMIT_KNOWN, UNLOADED_LOAD_LEFT, UNLOADING_ITERATIONS,
+};
 use companion::Companion;
 pub use companion::KeptCompanion;
-
-/// By how much increments that were not cut back grow, and how much larger than the first they may get in all: who
-/// asks for a small first increment asks for a fine path.
-const GROWTH: f64 = 1.5;
-const LARGEST: f64 = 3.0;
-
-/// Share of a step to which the plastic limit is sought: meshes know it no better. Where more increments than these
-/// would be left it is not sought that far.
-const LIMIT_KNOWN: f64 = 5e-3;
-const MOST_LEFT: f64 = 20.0;
 
 /// What a solved scene leaves behind.
 #[derive(Debug, Clone)]
@@ -324,7 +317,7 @@ impl<'a, 'o> Run<'a, 'o> {
         }
         while time < 1.0 {
             let spent = self.counters.iterations - self.counters.effort.before_step;
-            if unloads && spent > UNLOADING {
+            if unloads && spent > UNLOADING_ITERATIONS {
                 return Err(SolveError::Crawls {
                     step: self.model.scene.steps[step].name.clone(),
                     percent: 100.0 * time,
@@ -353,7 +346,8 @@ impl<'a, 'o> Run<'a, 'o> {
             match result {
                 Ok(evaluation) => {
                     if !std::mem::take(&mut self.cut) {
-                        self.size = (GROWTH * self.size).min(LARGEST * self.first_increment());
+                        self.size = (INCREMENT_GROWTH * self.size)
+                            .min(LARGEST_INCREMENT * self.first_increment());
                     }
                     let mut unforeseen = self.look(&trial, self.size / target);
                     if !self.look_ahead(&mut unforeseen, &trial) {
@@ -427,7 +421,9 @@ impl<'a, 'o> Run<'a, 'o> {
         let least = if floats {
             least
         } else {
-            least.max(LIMIT_KNOWN).max((1.0 - time) / MOST_LEFT)
+            least
+                .max(PLASTIC_LIMIT_KNOWN)
+                .max((1.0 - time) / INCREMENTS_TO_LIMIT)
         };
         let smallest = 0.5 * self.size < least;
         if floats && !self.held_back && (begins || (smallest && self.point.cautious)) {
@@ -509,13 +505,13 @@ impl<'a, 'o> Run<'a, 'o> {
     fn planned_end(&self, step: usize, time: f64) -> f64 {
         let plan = self.beside.plan.iter().filter(|plan| plan.step == step);
         let mut ends = plan.flat_map(|plan| plan.ends.iter().copied());
-        ends.find(|end| *end > time + 1e-6).unwrap_or(1.0)
+        ends.find(|end| *end > time + EQUAL_STEP_SHARES)
+            .unwrap_or(1.0)
     }
 
     /// The share of the step in which all loads fall to a third. Contact shrinks with the load: what
     /// is solved in one increment from full load to next to none changes beyond recognition.
     fn relief(&self, step: usize, time: f64) -> f64 {
-        const LEFT: f64 = 1.0 / 3.0;
         let scene = self.model.scene;
         let names = (scene.tractions.iter().map(|t| &t.name))
             .chain(scene.rigid_planes.iter().map(|p| &p.name))
@@ -526,8 +522,8 @@ impl<'a, 'o> Run<'a, 'o> {
         });
         now_and_then
             .filter(|(now, _)| *now > 0.0)
-            .map(|(now, then)| match then < LEFT * now {
-                true => (1.0 - time) * (1.0 - LEFT) * now / (now - then),
+            .map(|(now, then)| match then < UNLOADED_LOAD_LEFT * now {
+                true => (1.0 - time) * (1.0 - UNLOADED_LOAD_LEFT) * now / (now - then),
                 false => f64::INFINITY,
             })
             .reduce(f64::max)
@@ -565,7 +561,7 @@ impl<'a, 'o> Run<'a, 'o> {
             pressed[r.pair] |= node.closed;
             least[r.pair] = least[r.pair].min(r.row.gap);
         }
-        let near = 0.02 * self.model.reach;
+        let near = FIRST_TOUCH_REACH * self.model.reach;
         for (r, node) in self.model.rows.iter().zip(&mut trial.nodes) {
             if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
                 (node.closed, node.sticks) = (true, true);

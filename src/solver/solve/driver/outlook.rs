@@ -4,11 +4,12 @@
 //! nothing. From there the elements are known that will flow, the contact to begin with at full load,
 //! and the elastic peaks.
 
+use super::Run;
 use super::plan::{self, Growth};
-use super::{GROWTH, LARGEST, Run};
 use crate::model::mesh::hexahedron::volume;
 use crate::solver::solve::foresight::{Ahead, Unforeseen, flow_to_come, shares_of_yield};
 use crate::solver::solve::newton::{self, Failure, Point, Stopped};
+use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT};
 use crate::solver::solve::restart::{Kept, Plan};
 use crate::solver::solve::state;
 use std::mem::{swap, take};
@@ -61,10 +62,10 @@ impl Run<'_, '_> {
                 let growth: Vec<_> = growth.collect();
                 self.beside.plan = Some(Plan {
                     step: trial.step,
-                    ends: plan::ends(&growth, GROWTH * self.first_increment()),
+                    ends: plan::ends(&growth, INCREMENT_GROWTH * self.first_increment()),
                 });
                 // From there on increments are as large as they have to be.
-                self.size = LARGEST * self.first_increment();
+                self.size = LARGEST_INCREMENT * self.first_increment();
                 let with = (evaluation, self.sights.as_slice());
                 let state = state::state(model, &self.history, &end, with);
                 self.beside.elastic = Some(Kept::new(&state, Vec::new()));

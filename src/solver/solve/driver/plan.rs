@@ -3,6 +3,7 @@
 //! Flow may begin in a corner early and in the bulk late. Increments that are equal in load would see the
 //! second in one piece, and say nothing about their own error.
 
+use crate::solver::solve::params::{FLOW_PARTS, NEGLIGIBLE_FLOW, STEP_END_LOG, STRESS_POWERS};
 /// How the stress of an element grows as long as it is elastic.
 #[derive(Debug, Clone, Copy)]
 pub struct Growth {
@@ -13,27 +14,17 @@ pub struct Growth {
     pub power: f64,
 }
 
-/// Below a line of contact stress grows with the root of the load, beside it from nothing.
-const POWERS: [f64; 2] = [0.5, 4.0];
-
-/// Flow so little that nothing is lost if it is taken at once.
-const LITTLE: f64 = 0.01;
-
-/// As many parts as there will ever be.
-const MOST: usize = 64;
-
 impl Growth {
     /// From the share of yield `now`, at a time in the step, to that at its end.
     ///
     /// At the end itself nothing tells the power: stress is taken to grow evenly, not as rounding has it.
     pub fn new(volume: f64, (time, now): (f64, f64), share: f64) -> Self {
-        const NEAR_END: f64 = 1e-6;
         let way = (1.0 / time).ln();
-        let power = match way > NEAR_END {
+        let power = match way > STEP_END_LOG {
             true => (share / now).ln() / way,
             false => 1.0,
         };
-        let [least, most] = POWERS;
+        let [least, most] = STRESS_POWERS;
         Self {
             volume,
             share,
@@ -75,15 +66,15 @@ pub fn ends(growth: &[Growth], largest: f64) -> Vec<f64> {
         let inner = (1..parts).map(|k| when(k as f64 / parts as f64));
         inner.chain([1.0]).collect()
     };
-    let begins = when(LITTLE);
+    let begins = when(NEGLIGIBLE_FLOW);
     let longest = |ends: &[f64]| {
         let starts = [begins].into_iter().chain(ends.iter().copied());
         let sizes = starts.zip(ends).map(|(start, end)| end - start);
         sizes.fold(0.0, f64::max)
     };
-    let plans = (2..=MOST).step_by(2).map(plan);
+    let plans = (2..=FLOW_PARTS).step_by(2).map(plan);
     let mut fitting = plans.filter(|ends| longest(ends) <= largest);
-    fitting.next().unwrap_or_else(|| plan(MOST))
+    fitting.next().unwrap_or_else(|| plan(FLOW_PARTS))
 }
 
 #[cfg(test)]

@@ -10,18 +10,18 @@ use super::counters::Counters;
 use super::history::History;
 use super::linear_solver::LinearSolver;
 use super::model::Model;
-use super::newton::{Failure, Point, Stopped, balance};
+use super::newton::{Failure, Point, Stopped, balance_increment};
 use super::observer::Observer;
 use crate::solver::linear::sparse::SymmetricMatrix;
 use crate::solver::solve::params::PROXIMAL_STIFFNESSES;
 
 /// A spring from every unknown to where it stood.
-pub struct Anchor {
+pub struct ProximalSprings {
     stiffness: Vec<f64>,
     at: Vec<f64>,
 }
 
-impl Anchor {
+impl ProximalSprings {
     /// Adds the forces of the springs to a residual at `x`.
     pub fn pull(&self, residual: &mut [f64], x: &[f64]) {
         let springs = self.stiffness.iter().zip(x).zip(&self.at);
@@ -40,7 +40,7 @@ impl Anchor {
 
 /// Moves `point` near its balance, with springs that become weaker. Only a cancelled solution is an error: what
 /// else goes wrong leaves a poor guess.
-pub fn approach(
+pub fn approach_balance(
     model: &Model,
     history: &History,
     point: &mut Point,
@@ -50,13 +50,13 @@ pub fn approach(
 ) -> Result<(), Stopped> {
     let bodies = model.pattern.diagonal(&model.stiffness);
     for share in PROXIMAL_STIFFNESSES {
-        let anchor = Anchor {
+        let springs = ProximalSprings {
             stiffness: bodies.iter().map(|k| share * k).collect(),
             at: point.x.clone(),
         };
         let mut trial = point.clone();
-        let held = (&mut trial, Some(&anchor));
-        match balance(model, history, held, solver, observer, counters) {
+        let held = (&mut trial, Some(&springs));
+        match balance_increment(model, history, held, solver, observer, counters) {
             Ok(_) => *point = trial,
             Err(
                 stopped @ Stopped {

@@ -1,4 +1,4 @@
-//! Bodies seen from where something happens: contact and plastic flow.
+//! CondensedBodies seen from where something happens: contact and plastic flow.
 //!
 //! Away from contact and yielding elements a body is linear. It is condensed, once, onto the nodes
 //! that it shares with contact rows and yielding elements, and Newton iterations never see the
@@ -27,7 +27,7 @@ struct Part {
 }
 
 /// All bodies, and the equations that are left of them.
-pub struct Bodies {
+pub struct CondensedBodies {
     parts: Vec<Part>,
     /// Kept equation of each equation, or [`FIXED`].
     kept_of: Vec<u32>,
@@ -44,7 +44,7 @@ pub struct Bodies {
 }
 
 /// What the bodies are made from.
-pub struct Plan<'a> {
+pub struct Condensing<'a> {
     pub scene: &'a Scene,
     pub dofs: &'a DofMap,
     pub elastic: &'a [Elastic],
@@ -56,7 +56,7 @@ pub struct Plan<'a> {
     pub condense: bool,
 }
 
-/// Bodies that share vertices, without the elements that are expected to flow.
+/// CondensedBodies that share vertices, without the elements that are expected to flow.
 struct Group {
     elements: Vec<u32>,
     /// Vertices of the elements, ascending.
@@ -79,12 +79,12 @@ struct Condensed {
     schur: Mat<f64>,
 }
 
-impl Bodies {
+impl CondensedBodies {
     /// Condenses what is worth it.
     ///
     /// # Errors
     /// [`SolveError::Factor`] where memory runs out.
-    pub fn new(plan: &Plan) -> Result<Self, SolveError> {
+    pub fn new(plan: &Condensing) -> Result<Self, SolveError> {
         let vertex_of = plan.dofs.vertices();
         let mut sparse: Vec<Group> = Vec::new();
         let mut condensed = Vec::new();
@@ -239,7 +239,7 @@ impl Bodies {
 }
 
 /// Groups of bodies that share vertices.
-fn groups(plan: &Plan, vertex_of: &[u32]) -> Vec<Group> {
+fn groups(plan: &Condensing, vertex_of: &[u32]) -> Vec<Group> {
     let mesh = &plan.scene.mesh;
     let vertices = plan.dofs.vertex_start.len() - 1;
     let mut owner = vec![None::<usize>; vertices];
@@ -297,7 +297,7 @@ fn groups(plan: &Plan, vertex_of: &[u32]) -> Vec<Group> {
 }
 
 /// Condenses a group where that pays.
-fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError> {
+fn make(plan: &Condensing, vertex_of: &[u32], group: Group) -> Result<Made, SolveError> {
     let kept: Vec<bool> = group
         .vertices
         .iter()
@@ -314,7 +314,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
     if (condensation.kept() as f64).powi(3) / 6.0 > condensation.work() {
         return Ok(Made::Sparse(group));
     }
-    let matrix = assemble(plan, &group.elements, &pattern, |e| local_of[e as usize]);
+    let matrix = assemble_elastic(plan, &group.elements, &pattern, |e| local_of[e as usize]);
     match condensation.eliminate(&pattern, matrix) {
         Ok((substructure, schur)) => Ok(Made::Condensed(Box::new(Condensed {
             zone: group.zone,
@@ -334,7 +334,7 @@ fn make(plan: &Plan, vertex_of: &[u32], group: Group) -> Result<Made, SolveError
 }
 
 /// Equations of a group, ascending, and the position of each equation among them.
-fn numbering(plan: &Plan, group: &Group) -> (Vec<u32>, Vec<u32>) {
+fn numbering(plan: &Condensing, group: &Group) -> (Vec<u32>, Vec<u32>) {
     let starts = &plan.dofs.vertex_start;
     let equations: Vec<u32> = group
         .vertices
@@ -348,7 +348,7 @@ fn numbering(plan: &Plan, group: &Group) -> (Vec<u32>, Vec<u32>) {
     (equations, local_of)
 }
 
-fn local_pattern(plan: &Plan, vertex_of: &[u32], group: &Group) -> Pattern {
+fn local_pattern(plan: &Condensing, vertex_of: &[u32], group: &Group) -> Pattern {
     let mut local = vec![0u32; plan.needed.len()];
     let mut starts = vec![0];
     for (number, vertex) in group.vertices.iter().enumerate() {
@@ -374,13 +374,13 @@ fn local_pattern(plan: &Plan, vertex_of: &[u32], group: &Group) -> Pattern {
     Pattern::new(starts, cliques.iter().map(Vec::as_slice))
 }
 
-fn equations(plan: &Plan, element: usize) -> [u32; 24] {
+fn equations(plan: &Condensing, element: usize) -> [u32; 24] {
     plan.dofs.of_element(&plan.scene.mesh, element)
 }
 
 /// Elastic stiffness of elements on a pattern whose equations are numbered by `number`.
-pub fn assemble(
-    plan: &Plan,
+pub fn assemble_elastic(
+    plan: &Condensing,
     elements: &[u32],
     pattern: &Pattern,
     number: impl Fn(u32) -> u32,

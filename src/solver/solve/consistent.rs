@@ -25,7 +25,7 @@ struct Coefficient {
 }
 
 /// Sets pressure and tangential traction (on the lower body) of all nodes that a row exists for.
-pub fn readings(model: &Model, evaluation: &Evaluation, fields: &mut [ContactField]) {
+pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut [ContactField]) {
     let none = |field: &ContactField| vec![Coefficient::default(); field.nodes.len()];
     let mut coefficients: Vec<Vec<Coefficient>> = fields.iter().map(none).collect();
     for (row, answer) in model.rows.iter().zip(&evaluation.contact) {

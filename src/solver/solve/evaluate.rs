@@ -2,6 +2,8 @@
 
 use super::history::History;
 use super::model::Model;
+use super::rows::ContactRow;
+use crate::ground::geometry::dot;
 use crate::model::material::j2::{self, PlasticPoint};
 use crate::solver::contact::law::{Answer, Node};
 use crate::solver::fem::bbar::ElementVector;
@@ -173,7 +175,7 @@ impl Model<'_> {
     }
 }
 
-impl super::rows::ContactRow {
+impl ContactRow {
     /// Local components (normal, two tangents) as a vector.
     pub fn global(&self, local: &[f64; 3]) -> [f64; 3] {
         let pressure = self.row.normal.map(|n| local[0] * n);
@@ -202,7 +204,6 @@ impl super::rows::ContactRow {
 
     /// A vector in local components (normal, two tangents).
     pub fn local(&self, d: [f64; 3]) -> [f64; 3] {
-        use crate::ground::geometry::dot;
         let [s, t] = (self.row.tangents).map_or([0.0; 2], |tangents| tangents.map(|t| dot(d, t)));
         [dot(d, self.row.normal), s, t]
     }

@@ -10,7 +10,7 @@ use super::history::{History, Settled, points};
 use super::model::{Model, can_yield};
 use super::newton::Point;
 use super::rows::ContactRow;
-use super::start;
+use super::start::{extent, likely_gap, reach};
 use crate::model::material::j2::PlasticPoint;
 use crate::model::material::mises;
 use crate::model::scene::Scene;
@@ -52,8 +52,8 @@ impl Expected {
     /// What is known before anything is solved, the bodies of `scene` in touch.
     pub fn at_start(scene: &Scene) -> Self {
         Self {
-            reach: start::reach(scene),
-            contact: start::likely_gap(scene),
+            reach: reach(scene),
+            contact: likely_gap(scene),
             flow: Vec::new(),
             divided: false,
         }
@@ -177,7 +177,7 @@ impl Overlap {
         let spare = model.spare.iter().filter(|row| take(row));
         let left_out = spare.map(|r| r.row.gap - least[r.pair]).reduce(f64::max);
         // Beyond the size of the model nothing more can be integrated.
-        let could = model.reach < start::extent(model.scene);
+        let could = model.reach < extent(model.scene);
         let gaps = overlapped.values().copied().filter(|_| could);
         Self {
             left_out,
@@ -227,7 +227,7 @@ fn unexpected_flow(
     ahead: Ahead,
 ) -> (Vec<u32>, bool) {
     let shares = shares_of_yield(model, settled, u);
-    let most = largest(&shares);
+    let most = largest_share(&shares);
     let (next, share) = match ahead {
         Ahead::To(next) => {
             let to_come = load_to_come(model, x);
@@ -243,15 +243,15 @@ fn unexpected_flow(
     if most * next.powf(STRESS_GROWTH_POWER) <= 1.0 {
         return (Vec::new(), false);
     }
-    let elements = above(&shares, share);
-    (and_beside(model, &shares, &elements), most > 1.0)
+    let elements = shares_above(&shares, share);
+    (with_neighbours(model, &shares, &elements), most > 1.0)
 }
 
 /// Elements that will flow, from the `shares` of the elastic solution at full load. The more the stress exceeds
 /// yield the more the neighbours take over, and the more contact widens.
 pub fn flow_to_come(shares: &[(u32, f64)]) -> Vec<u32> {
-    let share = 1.0 - STRESS_TAKEN_OVER * (largest(shares) - 1.0);
-    above(shares, share.clamp(LEAST_FLOW_SHARE, 1.0))
+    let share = 1.0 - STRESS_TAKEN_OVER * (largest_share(shares) - 1.0);
+    shares_above(shares, share.clamp(LEAST_FLOW_SHARE, 1.0))
 }
 
 /// The largest Mises stress over the flow stress of every element that could yield and is not watched,
@@ -277,18 +277,18 @@ pub fn shares_of_yield(model: &Model, settled: &Settled, u: &[[f64; 3]]) -> Vec<
         .collect()
 }
 
-fn largest(shares: &[(u32, f64)]) -> f64 {
+fn largest_share(shares: &[(u32, f64)]) -> f64 {
     shares.iter().map(|(_, share)| *share).fold(0.0, f64::max)
 }
 
 /// Elements of a larger share than that.
-fn above(shares: &[(u32, f64)], share: f64) -> Vec<u32> {
+fn shares_above(shares: &[(u32, f64)], share: f64) -> Vec<u32> {
     let elements = shares.iter().filter(|(_, s)| *s > share);
     elements.map(|(element, _)| *element).collect()
 }
 
 /// Those of the elements with `shares` that have a node in common with `elements`.
-fn and_beside(model: &Model, shares: &[(u32, f64)], elements: &[u32]) -> Vec<u32> {
+fn with_neighbours(model: &Model, shares: &[(u32, f64)], elements: &[u32]) -> Vec<u32> {
     let hexes = &model.scene.mesh.hexes;
     let mut beside = vec![false; model.scene.mesh.points.len()];
     for node in elements.iter().flat_map(|e| hexes[*e as usize]) {

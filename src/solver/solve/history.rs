@@ -118,7 +118,7 @@ impl History {
 }
 
 impl Settled {
-    fn new(model: &Model, elements: Plastic) -> Self {
+    pub fn new(model: &Model, elements: Plastic) -> Self {
         if elements.is_empty() {
             return Self::default();
         }

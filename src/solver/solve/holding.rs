@@ -27,8 +27,8 @@ pub struct FreeMotion {
 
 /// The motions of `scene`, its bodies in touch at `rows`, that nothing resists.
 pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
-    let frames = Frames::new(scene);
-    let mut seen = Seen::new(scene.mesh.bodies.len());
+    let frames = RigidBodies::new(scene);
+    let mut seen = Resistance::new(scene.mesh.bodies.len());
     seen.supports(scene, &frames);
     seen.planes(scene, &frames);
     seen.contacts(scene, rows, &frames);
@@ -51,7 +51,7 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
 }
 
 /// Where the bodies are: their middles, and their nodes.
-pub(super) struct Frames {
+pub(super) struct RigidBodies {
     middles: Vec<Vec3>,
     /// Turns are measured at this distance, so that they weigh what translations do.
     size: f64,
@@ -61,9 +61,9 @@ pub(super) struct Frames {
 }
 
 /// One row: by body, what its six motions do to one number.
-pub(super) type Row = BTreeMap<usize, [f64; 6]>;
+pub(super) type ModeRow = BTreeMap<usize, [f64; 6]>;
 
-impl Frames {
+impl RigidBodies {
     pub fn new(scene: &Scene) -> Self {
         let mesh = &scene.mesh;
         let mut bodies = vec![Vec::new(); mesh.points.len()];
@@ -100,12 +100,12 @@ impl Frames {
         [x, y, z, turn[0], turn[1], turn[2]].map(|c| sign * c)
     }
 
-    fn of_node(&self, node: u32, axis: usize) -> Option<Row> {
+    fn of_node(&self, node: u32, axis: usize) -> Option<ModeRow> {
         let body = *self.bodies[node as usize].first()?;
         let mut direction = [0.0; 3];
         direction[axis] = 1.0;
         let at = self.points[node as usize];
-        Some(Row::from([(body, self.row(body, at, direction, 1.0))]))
+        Some(ModeRow::from([(body, self.row(body, at, direction, 1.0))]))
     }
 
     /// The motion of the body that takes most part in `vector`.
@@ -180,11 +180,11 @@ impl Frames {
 }
 
 /// What is seen of the motions of all bodies: a sum of squares.
-pub(super) struct Seen {
+pub(super) struct Resistance {
     pub matrix: DMatrix<f64>,
 }
 
-impl Seen {
+impl Resistance {
     pub fn new(bodies: usize) -> Self {
         let size = 6 * bodies;
         Self {
@@ -193,7 +193,7 @@ impl Seen {
     }
 
     /// Adds the mean square of `rows`.
-    fn add(&mut self, rows: &[Row]) {
+    fn add(&mut self, rows: &[ModeRow]) {
         let weight = 1.0 / rows.len().max(1) as f64;
         for row in rows {
             for (a, first) in row {
@@ -208,24 +208,24 @@ impl Seen {
         }
     }
 
-    pub fn supports(&mut self, scene: &Scene, frames: &Frames) {
+    pub fn supports(&mut self, scene: &Scene, frames: &RigidBodies) {
         for support in &scene.supports {
             let nodes = (scene.mesh.surface(&support.surface)).map(|s| s.nodes());
             for axis in (0..3).filter(|axis| support.components[*axis].is_some()) {
                 let nodes = nodes.iter().flatten();
-                let rows: Vec<Row> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
+                let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
                 self.add(&rows);
             }
         }
     }
 
     /// All nodes of a rigid plane move alike, where it is held not at all.
-    pub fn planes(&mut self, scene: &Scene, frames: &Frames) {
+    pub fn planes(&mut self, scene: &Scene, frames: &RigidBodies) {
         for plane in &scene.rigid_planes {
             let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
             for axis in 0..3 {
                 let nodes = nodes.iter().flatten();
-                let rows: Vec<Row> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
+                let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
                 match plane.motion[axis] {
                     PlaneMotion::Free => {}
                     PlaneMotion::Held(_) => self.add(&rows),
@@ -235,7 +235,7 @@ impl Seen {
         }
     }
 
-    fn contacts(&mut self, scene: &Scene, rows: &[ContactRow], frames: &Frames) {
+    fn contacts(&mut self, scene: &Scene, rows: &[ContactRow], frames: &RigidBodies) {
         let near = TOUCHING_GAP * extent(scene);
         for index in 0..scene.contacts.len() {
             let of_pair = || rows.iter().filter(|r| r.pair == index);
@@ -257,8 +257,8 @@ impl Seen {
     }
 
     /// Bodies that share nodes move together there.
-    pub fn shared_nodes(&mut self, frames: &Frames) {
-        let mut joints: BTreeMap<(usize, usize), Vec<Row>> = BTreeMap::new();
+    pub fn shared_nodes(&mut self, frames: &RigidBodies) {
+        let mut joints: BTreeMap<(usize, usize), Vec<ModeRow>> = BTreeMap::new();
         for (bodies, at) in frames.bodies.iter().zip(&frames.points) {
             for pair in bodies.windows(2) {
                 let (a, b) = (pair[0], pair[1]);
@@ -266,7 +266,7 @@ impl Seen {
                     let mut direction = [0.0; 3];
                     direction[axis] = 1.0;
                     let rows = joints.entry((a, b)).or_default();
-                    rows.push(Row::from([
+                    rows.push(ModeRow::from([
                         (a, frames.row(a, *at, direction, 1.0)),
                         (b, frames.row(b, *at, direction, -1.0)),
                     ]));
@@ -278,15 +278,15 @@ impl Seen {
 }
 
 /// Rows less their mean.
-fn about_mean(rows: &[Row]) -> Vec<Row> {
-    let mut mean = Row::new();
+fn about_mean(rows: &[ModeRow]) -> Vec<ModeRow> {
+    let mut mean = ModeRow::new();
     for (body, values) in rows.iter().flatten() {
         let sum = mean.entry(*body).or_insert([0.0; 6]);
         for (sum, value) in sum.iter_mut().zip(values) {
             *sum += value / rows.len() as f64;
         }
     }
-    let less = |row: &Row| {
+    let less = |row: &ModeRow| {
         let mut less = mean.clone();
         less.values_mut().flatten().for_each(|v| *v = -*v);
         for (body, values) in row {
@@ -302,8 +302,8 @@ fn about_mean(rows: &[Row]) -> Vec<Row> {
 
 /// The relative displacement of a contact row along `direction`: what its terms add up to, which is
 /// the same as the bodies' motion at its nodes.
-pub(super) fn relative(contact: &ContactRow, direction: Vec3, frames: &Frames) -> Row {
-    let mut row = Row::new();
+pub(super) fn relative(contact: &ContactRow, direction: Vec3, frames: &RigidBodies) -> ModeRow {
+    let mut row = ModeRow::new();
     for (node, factors) in &contact.row.terms {
         let Some(body) = frames.bodies[*node as usize].first() else {
             continue;

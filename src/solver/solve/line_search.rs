@@ -8,7 +8,7 @@ use crate::solver::solve::params::{LINE_SEARCH_SLOPE, LINE_SEARCH_TRIES};
 ///
 /// `slope(step)` is the work of the residual on the correction at that step; `start` is its value
 /// at 0, positive for a descent direction. Returns the step whose evaluation was the last call.
-pub fn search(start: f64, full: f64, mut slope: impl FnMut(f64) -> f64) -> f64 {
+pub fn search_line(start: f64, full: f64, mut slope: impl FnMut(f64) -> f64) -> f64 {
     // Only an overshoot is worth a search: the slope has changed its sign and grown.
     if !full.is_finite() || (full < 0.0 && full.abs() > LINE_SEARCH_SLOPE * start.abs()) {
         let (mut low, mut low_slope) = (0.0, start);
@@ -44,14 +44,14 @@ mod tests {
 
     #[test]
     fn a_full_step_that_undershoots_is_taken() {
-        assert_eq!(search(1.0, 0.9, |_| unreachable!()), 1.0);
+        assert_eq!(search_line(1.0, 0.9, |_| unreachable!()), 1.0);
     }
 
     #[test]
     fn an_overshoot_is_bracketed() {
         // A contact spring far stiffer than predicted engages at step 0.2.
         let slope = |s: f64| 1.0 - s - if s > 0.2 { 100.0 * (s - 0.2) } else { 0.0 };
-        let step = search(1.0, slope(1.0), slope);
+        let step = search_line(1.0, slope(1.0), slope);
         assert!(slope(step).abs() <= 0.5, "{step}");
     }
 }

@@ -3,12 +3,12 @@
 //! The system itself is solved by a Krylov method in double precision. A factor only preconditions it: one that has
 //! aged, brought up to date for contact, or a new one, in single precision where that is enough.
 
-use super::anchor::Anchor;
+use super::anchor::ProximalSprings;
 use super::counters::Counters;
 use super::evaluate::Evaluation;
 use super::model::Model;
 use super::timers::Phase;
-use super::update::Update;
+use super::update::LowRankUpdate;
 use crate::solver::linear::cholesky::FactorError;
 use crate::solver::linear::krylov::{self, Outcome};
 use crate::solver::linear::preconditioner::{Precision, Prepared};
@@ -27,7 +27,7 @@ pub struct LinearSolver {
     /// The last tangent, for its memory.
     matrix: SymmetricMatrix,
     /// Contact that has changed since.
-    update: Update,
+    update: LowRankUpdate,
     /// Corrections for which an aged factor is not tried, after it was not good enough.
     distrust: usize,
     /// Of the factor: double once single has not been enough.
@@ -50,13 +50,13 @@ impl LinearSolver {
         &mut self,
         model: &Model,
         evaluation: &Evaluation,
-        (tolerance, anchor): (f64, Option<&Anchor>),
+        (tolerance, springs): (f64, Option<&ProximalSprings>),
         counters: &mut Counters,
     ) -> Result<Correction, FactorError> {
         let last = std::mem::take(&mut self.matrix);
         let assemble = || model.tangent(evaluation, last);
         let mut matrix = counters.timers.time(Phase::Assemble, assemble);
-        anchor.inspect(|anchor| anchor.stiffen(model, &mut matrix));
+        springs.inspect(|springs| springs.stiffen(model, &mut matrix));
         let correction = self.correct(model, evaluation, (&mut matrix, tolerance), counters);
         self.matrix = matrix;
         correction.inspect(|found| counters.krylov_directions += found.directions)
@@ -118,8 +118,8 @@ impl LinearSolver {
             }
             self.factor = Some(factor);
         }
-        self.flowing = flowing(evaluation);
-        self.update = Update::new(model, evaluation);
+        self.flowing = flowing_points(evaluation);
+        self.update = LowRankUpdate::new(model, evaluation);
         Ok(sought.found)
     }
 
@@ -133,7 +133,8 @@ impl LinearSolver {
         counters: &mut Counters,
     ) -> bool {
         let timers = &mut counters.timers;
-        let little_flow = flowing(evaluation).abs_diff(self.flowing) <= AGED_FACTOR_FLOW_CHANGES;
+        let little_flow =
+            flowing_points(evaluation).abs_diff(self.flowing) <= AGED_FACTOR_FLOW_CHANGES;
         let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
         // Renewing the parts that changed costs next to nothing.
         let Some(factor) = self.factor.as_ref().filter(|_| trusted) else {
@@ -229,7 +230,7 @@ impl Sought {
 }
 
 /// Integration points that flow.
-pub fn flowing(evaluation: &Evaluation) -> usize {
+pub fn flowing_points(evaluation: &Evaluation) -> usize {
     evaluation
         .plastic
         .iter()

@@ -1,7 +1,7 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
-use super::bodies::{self, Bodies, Plan};
-use super::cost;
+use super::bodies::{CondensedBodies, Condensing, assemble_elastic, shaped};
+use super::cost::{seconds_direct, seconds_divided};
 use super::error::SolveError;
 use super::foresight::Expected;
 use super::history::Settled;
@@ -23,14 +23,14 @@ use crate::solver::linear::schwarz::{Place, Schwarz};
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::solve::params::SMALL_DIVIDED_MODEL;
 
-/// The scene, discretised. Newton iterations see its kept unknowns only, see [`Bodies`].
+/// The scene, discretised. Newton iterations see its kept unknowns only, see [`CondensedBodies`].
 pub struct Model<'a> {
     pub scene: &'a Scene,
     /// All unknowns.
     pub all: DofMap,
     /// The kept ones; everything below is about these.
     pub dofs: DofMap,
-    pub bodies: Bodies,
+    pub bodies: CondensedBodies,
     pub elastic: Vec<Elastic>,
     pub pattern: Pattern,
     pub preconditioner: Preconditioner,
@@ -84,7 +84,7 @@ impl<'a> Model<'a> {
                 available,
             });
         }
-        let plan = |divided: bool| Plan {
+        let plan = |divided: bool| Condensing {
             scene,
             dofs: &all,
             elastic: &elastic,
@@ -114,7 +114,7 @@ impl<'a> Model<'a> {
         }
         let number = |e| bodies.kept_of(e);
         let mut stiffness =
-            bodies::assemble(&plan(divided), &bodies.sparse_elements, &pattern, number);
+            assemble_elastic(&plan(divided), &bodies.sparse_elements, &pattern, number);
         bodies.add_stiffness(&pattern, &mut stiffness);
         bodies.release();
         let preconditioner = match symbolic {
@@ -260,7 +260,7 @@ impl<'a> Model<'a> {
 
     /// The element with its shape.
     pub fn element(&self, element: u32) -> Element {
-        bodies::shaped(self.scene, element as usize)
+        shaped(self.scene, element as usize)
     }
 
     /// Equations of an element's 24 components.
@@ -298,7 +298,7 @@ impl<'a> Model<'a> {
 
 /// Which unknowns are kept, and how they hang together.
 struct Structure {
-    bodies: Bodies,
+    bodies: CondensedBodies,
     dofs: DofMap,
     pattern: Pattern,
     /// Of one factor; `None` of a divided model.
@@ -306,8 +306,8 @@ struct Structure {
 }
 
 impl Structure {
-    fn new(plan: &Plan, rows: &[ContactRow]) -> Result<Self, SolveError> {
-        let bodies = Bodies::new(plan)?;
+    fn new(plan: &Condensing, rows: &[ContactRow]) -> Result<Self, SolveError> {
+        let bodies = CondensedBodies::new(plan)?;
         let dofs = bodies.kept_dofs(plan.dofs);
         let pattern = pattern(&plan.scene.mesh, &bodies, &dofs, rows);
         let symbolic = match plan.condense {
@@ -327,7 +327,7 @@ impl Structure {
         self.symbolic.as_ref().is_some_and(|symbolic| {
             let entries = symbolic.factor_entries() as f64;
             // What has been condensed is a loss either way.
-            cost::direct(symbolic.work(), entries, 0.0) > cost::divided(unknowns)
+            seconds_direct(symbolic.work(), entries, 0.0) > seconds_divided(unknowns)
         })
     }
 }
@@ -372,7 +372,7 @@ pub fn can_yield(scene: &Scene, element: u32) -> bool {
     scene.controls.plasticity && !scene.materials[body].is_elastic()
 }
 
-fn pattern(mesh: &Mesh, bodies: &Bodies, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
+fn pattern(mesh: &Mesh, bodies: &CondensedBodies, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
     let vertex_of = dofs.vertices();
     let vertices = |nodes: &mut dyn Iterator<Item = u32>| {
         let mut list: Vec<u32> = nodes

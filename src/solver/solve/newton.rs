@@ -6,16 +6,16 @@
 //! when forces balance, contact conditions hold *and* nothing changes any more, whatever the
 //! penalty.
 
-use super::anchor::Anchor;
+use super::anchor::ProximalSprings;
 use super::bounds::Bounds;
 use super::counters::Counters;
 use super::evaluate::{Evaluation, Trial};
 use super::history::History;
-use super::line_search;
-use super::linear_solver::{Correction, LinearSolver, flowing};
+use super::line_search::search_line;
+use super::linear_solver::{Correction, LinearSolver, flowing_points};
 use super::model::Model;
 use super::observer::{Iteration, Observer};
-use super::start;
+use super::start::extent;
 use super::timers::Phase;
 use crate::solver::contact::law::{MOST_RAISED, Node, Status};
 use crate::solver::fem::dofs::FIXED;
@@ -111,12 +111,12 @@ impl Progress {
     }
 }
 
-/// Brings `point` into balance at its time, starting from its active set; with an `anchor`, into balance
+/// Brings `point` into balance at its time, starting from its active set; with an `springs`, into balance
 /// with that, and roughly.
-pub fn balance(
+pub fn balance_increment(
     model: &Model,
     history: &History,
-    (point, anchor): (&mut Point, Option<&Anchor>),
+    (point, springs): (&mut Point, Option<&ProximalSprings>),
     solver: &mut LinearSolver,
     observer: &mut dyn Observer,
     counters: &mut Counters,
@@ -124,7 +124,7 @@ pub fn balance(
     let controls = &model.scene.controls;
     let external = model.external(point, &history.settled);
     let reference = model.reference.max(f64::MIN_POSITIVE);
-    let limit = 10.0 * start::extent(model.scene);
+    let limit = 10.0 * extent(model.scene);
     let mut last = Iteration {
         step: point.step,
         time: point.time,
@@ -145,8 +145,8 @@ pub fn balance(
         false => 1e-4,
     };
     let evaluate = |point: &Point, x: &[f64], counters: &mut Counters| {
-        let mut evaluation = evaluate(model, history, point, x, &external, counters);
-        anchor.inspect(|anchor| anchor.pull(&mut evaluation.residual, x));
+        let mut evaluation = evaluate_at(model, history, point, x, &external, counters);
+        springs.inspect(|springs| springs.pull(&mut evaluation.residual, x));
         evaluation
     };
     let mut evaluation = evaluate(point, &point.x, counters);
@@ -165,14 +165,14 @@ pub fn balance(
             directions,
             refactored,
         } = solver
-            .solve(model, &evaluation, (tolerance, anchor), counters)
+            .solve(model, &evaluation, (tolerance, springs), counters)
             .map_err(|error| stop(Failure::Factor(error)))?;
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
         let start = dot(&evaluation.residual, &dx);
         evaluation = evaluate(point, &step(1.0), counters);
         let full = dot(&evaluation.residual, &dx);
-        last.line_search = line_search::search(start, full, |s| {
+        last.line_search = search_line(start, full, |s| {
             evaluation = evaluate(point, &step(s), counters);
             dot(&evaluation.residual, &dx)
         });
@@ -187,11 +187,12 @@ pub fn balance(
         last.residual = norm(&evaluation.residual) / reference;
         let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
         let lingers = last.penetration > LINGERING_VIOLATION * before;
-        last.changed = update_contact(model, point, &evaluation, (last.iteration, &mut progress));
-        count(&mut last, &evaluation);
+        last.changed =
+            update_active_set(model, point, &evaluation, (last.iteration, &mut progress));
+        count_statuses(&mut last, &evaluation);
         observer.iteration(&last);
         let settled = last.residual <= PROXIMAL_RESIDUAL && last.changed == 0;
-        if anchor.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
+        if springs.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
             return Ok(evaluation);
         }
         let balanced = last.changed == 0 && last.residual <= controls.residual;
@@ -215,7 +216,7 @@ pub fn balance(
         let lost = much_flows(model, &flowing) && progress.is_lost();
         if lost || !patient || last.iteration >= CONVERGING_ITERATIONS_FACTOR * controls.iterations
         {
-            return Err(stop(slow(model, point, &evaluation, &last)));
+            return Err(stop(gave_up(model, point, &evaluation, &last)));
         }
         evaluation = evaluate(point, &point.x, counters);
     }
@@ -233,7 +234,7 @@ pub fn flowing_elements(model: &Model, evaluation: &Evaluation) -> Vec<u32> {
 }
 
 /// Not settled after as many iterations as there may be.
-fn slow(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration) -> Failure {
+fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration) -> Failure {
     let largest = |values: &mut dyn Iterator<Item = f64>| {
         let most = values.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         most.map(|(index, _)| index)
@@ -251,7 +252,7 @@ fn slow(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration)
 /// changed.
 ///
 /// Late in an increment, nodes that have changed between stick and slip a few times become cautious.
-fn update_contact(
+fn update_active_set(
     model: &Model,
     point: &mut Point,
     evaluation: &Evaluation,
@@ -316,7 +317,7 @@ fn take_shears(model: &Model, point: &mut Point, evaluation: &Evaluation) {
     }
 }
 
-fn evaluate(
+fn evaluate_at(
     model: &Model,
     history: &History,
     point: &Point,
@@ -368,7 +369,7 @@ fn violations<'e>(
     rows.map(|((row, answer), node)| row.law.violation(node, answer))
 }
 
-fn count(last: &mut Iteration, evaluation: &Evaluation) {
+fn count_statuses(last: &mut Iteration, evaluation: &Evaluation) {
     let with = |status| {
         evaluation
             .contact
@@ -378,7 +379,7 @@ fn count(last: &mut Iteration, evaluation: &Evaluation) {
     };
     (last.sticking, last.slipping) = (with(Status::Stick), with(Status::Slip));
     last.active = last.sticking + last.slipping;
-    last.flowing = flowing(evaluation);
+    last.flowing = flowing_points(evaluation);
 }
 
 /// The component that left the model, if any.

@@ -6,7 +6,7 @@ use super::foresight::Expected;
 use super::history::{History, Plastic};
 use super::model::Model;
 use super::newton::Point;
-use super::state;
+use super::state::stresses;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::solver::contact::law::Node;
@@ -37,19 +37,19 @@ pub struct Restart {
 pub(super) struct Beside {
     /// The end of a step if no steel had yielded.
     pub elastic: Option<Kept>,
-    pub plan: Option<Plan>,
+    pub plan: Option<IncrementPlan>,
     /// The ends of steps in increments twice as large.
     pub doubled: Vec<Kept>,
 }
 
 /// Where increments of a step have to end.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Plan {
+pub(super) struct IncrementPlan {
     pub step: usize,
     pub ends: Vec<f64>,
 }
 
-impl Plan {
+impl IncrementPlan {
     /// Equal increments between two shares of `step`, none of them larger than `most`.
     pub fn even(step: usize, [from, to]: [f64; 2], most: f64) -> Self {
         let parts = ((to - from) / most - EQUAL_STEP_SHARES).ceil().max(1.0) as usize;
@@ -106,7 +106,7 @@ impl Kept {
     /// The whole state.
     pub fn restore(&self, model: &Model) -> State {
         let displacement = &self.state.displacement;
-        let (stress, peeq) = state::stresses(model, &self.plastic, displacement);
+        let (stress, peeq) = stresses(model, &self.plastic, displacement);
         State {
             stress,
             peeq,

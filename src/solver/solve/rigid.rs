@@ -7,7 +7,7 @@
 //! (pseudo-transient continuation, Kelley and Keyes 1998). What comes out is where contact presses, sticks and
 //! slips: a first guess of these, no part of the answer.
 
-use super::holding::{Frames, Seen, relative};
+use super::holding::{Resistance, RigidBodies, relative};
 use super::rows::ContactRow;
 use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
@@ -28,7 +28,7 @@ pub struct Touch {
 
 impl Touch {
     /// Of a contact row, for the motions in the columns of `free`.
-    pub fn new(contact: &ContactRow, frames: &Frames, free: &DMatrix<f64>) -> Self {
+    pub fn new(contact: &ContactRow, frames: &RigidBodies, free: &DMatrix<f64>) -> Self {
         let on = |direction: Vec3| {
             let mut sum = DVector::zeros(free.ncols());
             for (body, values) in relative(contact, direction, frames) {
@@ -48,8 +48,8 @@ impl Touch {
 
 /// Motions of all bodies that supports, rigid planes and shared nodes leave, a column each; `None` where there are
 /// none.
-pub fn free_motions(scene: &Scene, frames: &Frames) -> Option<DMatrix<f64>> {
-    let mut seen = Seen::new(scene.mesh.bodies.len());
+pub fn movable_modes(scene: &Scene, frames: &RigidBodies) -> Option<DMatrix<f64>> {
+    let mut seen = Resistance::new(scene.mesh.bodies.len());
     seen.supports(scene, frames);
     seen.planes(scene, frames);
     seen.shared_nodes(frames);
@@ -72,19 +72,19 @@ pub struct Rest {
 /// Where rigid bodies that touch at `rows` come to rest under loads of these `factors`; `None` where nothing is free
 /// or loaded, or no rest is found near where they stand.
 pub fn at_rest(scene: &Scene, rows: &[&ContactRow], factors: &dyn Fn(&str) -> f64) -> Option<Rest> {
-    let frames = Frames::new(scene);
-    let free = free_motions(scene, &frames)?;
+    let frames = RigidBodies::new(scene);
+    let free = movable_modes(scene, &frames)?;
     let load = free.tr_mul(&DVector::from_vec(frames.load(scene, factors)));
     if load.norm() == 0.0 {
         return None;
     }
-    let points = rows.iter().map(|row| Point {
+    let points = rows.iter().map(|row| FoundationPoint {
         touch: Touch::new(row, &frames, &free),
         gap: row.row.gap,
         stiffness: row.law.stiffness * row.row.area,
     });
-    let points: Vec<Point> = points.collect();
-    let q = balance(&points, &load)?;
+    let points: Vec<FoundationPoint> = points.collect();
+    let q = find_rest(&points, &load)?;
     let motions = &free * &q;
     if frames.largest_turn(motions.as_slice()) > FAR {
         return None;
@@ -97,7 +97,7 @@ pub fn at_rest(scene: &Scene, rows: &[&ContactRow], factors: &dyn Fn(&str) -> f6
 }
 
 /// The motions at which contact balances the load, if they are found.
-fn balance(points: &[Point], load: &DVector<f64>) -> Option<DVector<f64>> {
+fn find_rest(points: &[FoundationPoint], load: &DVector<f64>) -> Option<DVector<f64>> {
     let mut q = DVector::zeros(load.len());
     // At first as stiff as all contact together.
     let mut resistance: f64 = points.iter().map(|p| p.stiffness).sum();
@@ -117,13 +117,13 @@ fn balance(points: &[Point], load: &DVector<f64>) -> Option<DVector<f64>> {
 }
 
 /// A node of a foundation.
-struct Point {
+struct FoundationPoint {
     touch: Touch,
     gap: f64,
     stiffness: f64,
 }
 
-impl Point {
+impl FoundationPoint {
     /// Force in local components, and the shear that there would be if it stuck.
     fn force(&self, q: &DVector<f64>) -> ([f64; 3], f64) {
         let pressed = self.stiffness * (self.touch.normal.dot(q) - self.gap);
@@ -165,7 +165,7 @@ impl Point {
 
 /// Loads less contact forces at `q`, and the derivative of contact forces.
 fn unbalance(
-    points: &[Point],
+    points: &[FoundationPoint],
     load: &DVector<f64>,
     q: &DVector<f64>,
 ) -> (DVector<f64>, DMatrix<f64>) {
@@ -204,7 +204,7 @@ fn unbalance(
 
 /// The balance against a `resistance` to motion from `start`, and whether it was found easily.
 fn settle(
-    points: &[Point],
+    points: &[FoundationPoint],
     load: &DVector<f64>,
     start: &DVector<f64>,
     resistance: f64,

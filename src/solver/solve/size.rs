@@ -1,6 +1,6 @@
 //! What a model will cost, reckoned before it is made.
 
-use super::cost;
+use super::cost::{condensation_work, seconds_direct, seconds_divided};
 use crate::ground::memory::available;
 use crate::model::scene::{Scene, SolverKind};
 use crate::solver::fem::dofs::{DofMap, FIXED};
@@ -29,7 +29,7 @@ impl Size {
         let divided = match scene.controls.solver {
             SolverKind::Auto => {
                 let short = |available| {
-                    memory(scene, dofs, needed, false) > FACTOR_MEMORY_SHARE * available
+                    memory_of(scene, dofs, needed, false) > FACTOR_MEMORY_SHARE * available
                 };
                 large || is_large(scene, dofs, needed, flow) || available().is_some_and(short)
             }
@@ -38,8 +38,8 @@ impl Size {
         };
         Self {
             divided,
-            memory: memory(scene, dofs, needed, divided),
-            kept: kept(dofs, needed),
+            memory: memory_of(scene, dofs, needed, divided),
+            kept: kept_unknowns(dofs, needed),
         }
     }
 }
@@ -57,31 +57,35 @@ fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> bool
             .collect();
         dense.sort_unstable();
         dense.dedup();
-        let condensing = cost::work_of(factor_entries(body.elements.len()));
+        let condensing = condensation_work(factor_entries(body.elements.len()));
         ((dense.len() as f64).powi(3) / 6.0, condensing)
     });
     let (dense, condensing) = bodies.fold((0.0, 0.0), |sum, b| (sum.0 + b.0, sum.1 + b.1));
-    cost::direct(dense, 0.0, condensing) > cost::divided(dofs.len())
+    seconds_direct(dense, 0.0, condensing) > seconds_divided(dofs.len())
 }
 
 /// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
-fn memory(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
+fn memory_of(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
     let unknowns = dofs.len() as f64;
     match divided {
         true => 6e3 * unknowns,
-        false => 2e3 * unknowns + 14.4 * entries(scene) + 1.6 * kept(dofs, needed).powi(2),
+        false => {
+            2e3 * unknowns
+                + 14.4 * body_factor_entries(scene)
+                + 1.6 * kept_unknowns(dofs, needed).powi(2)
+        }
     }
 }
 
 /// Unknowns of the needed vertices.
-fn kept(dofs: &DofMap, needed: &[bool]) -> f64 {
+fn kept_unknowns(dofs: &DofMap, needed: &[bool]) -> f64 {
     let starts = dofs.vertex_start.windows(2).zip(needed);
     let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
     f64::from(kept)
 }
 
 /// Entries of the factors of all bodies.
-fn entries(scene: &Scene) -> f64 {
+fn body_factor_entries(scene: &Scene) -> f64 {
     let bodies = scene.mesh.bodies.iter();
     bodies.map(|b| factor_entries(b.elements.len())).sum()
 }

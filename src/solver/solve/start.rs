@@ -8,10 +8,11 @@
 //! cylinder on a flat with elements of size h then overlaps by about h²/12R at its lowest point,
 //! and the descent from there converges with a far smaller constant than from the touch of points.
 
-use super::rows;
-use crate::ground::geometry::{Vec3, dot, scale, unit};
+use super::rows::pair_rows;
+use crate::ground::geometry::{Vec3, add, dot, scale, unit};
 use crate::model::scene::{ContactPair, Partner, PlaneMotion, Scene};
 use crate::solver::contact::mortar::Row;
+use crate::solver::fem::loads::add_traction;
 use crate::solver::solve::params::CLOSING_ROUNDS;
 
 /// How far a body was moved to close its gap.
@@ -36,15 +37,9 @@ pub fn load_direction(scene: &Scene) -> Option<Vec3> {
             continue;
         };
         let mut nodal = vec![[0.0; 3]; scene.mesh.points.len()];
-        crate::solver::fem::loads::add_traction(
-            &scene.mesh,
-            surface,
-            traction.value,
-            1.0,
-            &mut nodal,
-        );
+        add_traction(&scene.mesh, surface, traction.value, 1.0, &mut nodal);
         for f in nodal {
-            force = crate::ground::geometry::add(force, f);
+            force = add(force, f);
         }
     }
     // A mirrored model carries no resultant across its mirrors.
@@ -208,7 +203,7 @@ pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
     let whole = extent(scene);
     let mut reach = 1e-3 * whole;
     while reach < 2.0 * whole {
-        let rows = rows::pair_rows(scene, pair, reach, &moduli);
+        let rows = pair_rows(scene, pair, reach, &moduli);
         let nearest = rows.into_iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
         if nearest.is_some() {
             return nearest;
@@ -239,7 +234,7 @@ fn move_body(scene: &mut Scene, body: usize, shift: Vec3) {
         for node in scene.mesh.hexes[element] {
             if !std::mem::replace(&mut moved[node as usize], true) {
                 let point = &mut scene.mesh.points[node as usize];
-                *point = crate::ground::geometry::add(*point, shift);
+                *point = add(*point, shift);
             }
         }
     }

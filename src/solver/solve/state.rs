@@ -1,6 +1,6 @@
 //! An accepted solution in the terms of the scene.
 
-use super::consistent;
+use super::consistent::consistent_tractions;
 use super::evaluate::Evaluation;
 use super::history::{History, Plastic, points};
 use super::model::Model;
@@ -14,7 +14,7 @@ use crate::solver::solve::params::RIM_OVERLAP;
 use rayon::prelude::*;
 
 /// The accepted state in the terms of the scene.
-pub fn state(
+pub fn recovered_state(
     model: &Model,
     history: &History,
     point: &Point,
@@ -106,16 +106,16 @@ fn contact_fields(
             field.area[at] = row.row.area;
         }
     }
-    consistent::readings(model, evaluation, &mut fields);
+    consistent_tractions(model, evaluation, &mut fields);
     for (field, sights) in fields.iter_mut().zip(sights) {
-        look(field, sights, u);
+        see_gaps(field, sights, u);
     }
     fields
 }
 
 /// What is seen of a pair without any contact row: the gaps of nodes that no row exists for, and the
 /// deepest overlap of the two sides.
-fn look(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
+fn see_gaps(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
     let gaps: Vec<f64> = sights.iter().map(|sight| sight.gap_at(u)).collect();
     let place = |node: u32| field.nodes.binary_search(&node).ok();
     let mut seen = vec![None; field.nodes.len()];

@@ -7,8 +7,8 @@
 //! balance, a motion that the loads drive and that no contact resists (the lemma of Farkas): the body tips or
 //! slides along it. Nothing here knows of stiffness, or of how the solution is found.
 
-use super::holding::{Frames, FreeMotion};
-use super::rigid::{Touch, free_motions};
+use super::holding::{FreeMotion, RigidBodies};
+use super::rigid::{Touch, movable_modes};
 use super::rows::ContactRow;
 use super::start::extent;
 use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub, unit};
@@ -50,8 +50,8 @@ pub fn imbalance<'r>(
     rows: impl Iterator<Item = &'r ContactRow>,
     factors: &dyn Fn(&str) -> f64,
 ) -> Option<Imbalance> {
-    let frames = Frames::new(scene);
-    let free = free_motions(scene, &frames)?;
+    let frames = RigidBodies::new(scene);
+    let free = movable_modes(scene, &frames)?;
     let load = free.tr_mul(&DVector::from_vec(frames.load(scene, factors)));
     let whole = load.norm();
     if whole == 0.0 {
@@ -255,7 +255,7 @@ fn least(stands: &dyn Fn(f64) -> bool) -> f64 {
 fn bears(
     scene: &Scene,
     rows: &[&ContactRow],
-    frames: &Frames,
+    frames: &RigidBodies,
     (forces, body): (&[(usize, f64)], usize),
 ) -> Option<Bears> {
     // Edges of cones are counted on from row to row.

@@ -25,30 +25,30 @@ type Tangent = [[f64; 3]; 3];
 
 /// What a factor was made for, and what has been found of it since.
 #[derive(Default)]
-pub struct Update {
+pub struct LowRankUpdate {
     made_for: Vec<Tangent>,
     /// Columns of Z, three a row.
     columns: BTreeMap<usize, [Vec<f64>; 3]>,
-    now: Option<Correction>,
+    now: Option<LowRankChange>,
 }
 
 /// The correction for the tangent of now.
-struct Correction {
+struct LowRankChange {
     rows: Vec<usize>,
     changes: Vec<Tangent>,
     system: PartialPivLu<f64>,
 }
 
-fn tangent(row: &ContactRow, answer: &Answer) -> Tangent {
+fn row_tangent(row: &ContactRow, answer: &Answer) -> Tangent {
     answer.tangent.map(|line| line.map(|v| v * row.row.area))
 }
 
-impl Update {
+impl LowRankUpdate {
     /// A factor was made at `evaluation`.
     pub fn new(model: &Model, evaluation: &Evaluation) -> Self {
         let rows = model.rows.iter().zip(&evaluation.contact);
         Self {
-            made_for: rows.map(|(row, answer)| tangent(row, answer)).collect(),
+            made_for: rows.map(|(row, answer)| row_tangent(row, answer)).collect(),
             ..Self::default()
         }
     }
@@ -64,7 +64,7 @@ impl Update {
         self.now = None;
         let rows = model.rows.iter().zip(&evaluation.contact).enumerate();
         let changed = rows.filter_map(|(index, (row, answer))| {
-            let (now, then) = (tangent(row, answer), self.made_for.get(index)?);
+            let (now, then) = (row_tangent(row, answer), self.made_for.get(index)?);
             let change = [0, 1, 2].map(|i| [0, 1, 2].map(|j| now[i][j] - then[i][j]));
             (change != Tangent::default()).then_some((index, change))
         });
@@ -98,7 +98,7 @@ impl Update {
     }
 
     /// 1 + D G of the rows that have changed.
-    fn correction(&self, model: &Model, rows: Vec<usize>, changes: Vec<Tangent>) -> Correction {
+    fn correction(&self, model: &Model, rows: Vec<usize>, changes: Vec<Tangent>) -> LowRankChange {
         let size = 3 * rows.len();
         let mut system = Mat::<f64>::identity(size, size);
         for (b, row) in rows.iter().enumerate() {
@@ -112,7 +112,7 @@ impl Update {
                 }
             }
         }
-        Correction {
+        LowRankChange {
             system: system.partial_piv_lu(),
             rows,
             changes,

@@ -9,9 +9,9 @@
 use super::Run;
 use crate::solver::solve::history::{History, Plastic};
 use crate::solver::solve::model::Model;
-use crate::solver::solve::newton::{self, Failure, Point, Stopped};
+use crate::solver::solve::newton::{Failure, Point, Stopped, balance_increment};
 use crate::solver::solve::restart::Kept;
-use crate::solver::solve::state;
+use crate::solver::solve::state::recovered_state;
 use serde::{Deserialize, Serialize};
 use std::mem::take;
 
@@ -108,7 +108,7 @@ impl Run<'_, '_> {
         let mut evaluation = None;
         for (_, mut trial) in ends {
             let before = self.counters.iterations;
-            let balanced = newton::balance(
+            let balanced = balance_increment(
                 &self.model,
                 &companion.history,
                 (&mut trial, None),
@@ -139,7 +139,7 @@ impl Run<'_, '_> {
         if let Some(evaluation) = evaluation {
             let (model, history) = (&self.model, &companion.history);
             let with = (&evaluation, self.sights.as_slice());
-            let state = state::state(model, history, &companion.point, with);
+            let state = recovered_state(model, history, &companion.point, with);
             let plastic = history.all_plastic(model);
             self.beside.doubled.push(Kept::new(&state, plastic));
         }

@@ -7,7 +7,7 @@ use crate::solver::solve::error::SolveError;
 use crate::solver::solve::evaluate::Evaluation;
 use crate::solver::solve::newton::Point;
 use crate::solver::solve::restart::{Kept, Restart};
-use crate::solver::solve::state;
+use crate::solver::solve::state::recovered_state;
 use crate::solver::solve::timers::Phase;
 
 impl Run<'_, '_> {
@@ -67,7 +67,7 @@ impl Run<'_, '_> {
         let state = timers.time(Phase::Recover, || {
             let (model, point) = (&self.model, &self.point);
             let with = (evaluation, self.sights.as_slice());
-            let mut state = state::state(model, &self.history, point, with);
+            let mut state = recovered_state(model, &self.history, point, with);
             let before = match self.last.displacement.is_empty() {
                 true => Some(Energy::default()),
                 false => self.last.energy,

@@ -6,7 +6,7 @@ mod keep;
 mod outlook;
 mod plan;
 
-use super::anchor;
+use super::anchor::approach_balance;
 use super::counters::Counters;
 use super::diagnosis::{At, describe, diagnose, no_balance};
 use super::error::SolveError;
@@ -14,12 +14,12 @@ use super::foresight::Expected;
 use super::history::History;
 use super::linear_solver::LinearSolver;
 use super::model::{Model, can_yield};
-use super::newton::{self, Failure, Point, Stopped};
+use super::newton::{Failure, Point, Stopped, balance_increment, much_flows};
 use super::observer::Observer;
-use super::restart::{Beside, Kept, Plan, Restart};
-use super::rigid;
+use super::restart::{Beside, IncrementPlan, Kept, Restart};
+use super::rigid::at_rest;
 use super::rows::{contact_rows, sights};
-use super::start::{self, Closing};
+use super::start::{Closing, extent, touch};
 use super::timers::{Phase, Timers};
 use crate::model::scene::{LITTLE, Scene};
 use crate::model::state::State;
@@ -97,7 +97,7 @@ pub fn resume(
     observer: &mut dyn Observer,
 ) -> Result<Solution, Unfinished> {
     restart.map_or(Ok(()), |restart| restart.check(scene))?;
-    let closings = start::touch(scene);
+    let closings = touch(scene);
     for c in &closings {
         let s = c.shift;
         observer.message(&format!(
@@ -117,7 +117,7 @@ pub fn resume(
     })?;
     let mut run = Run::new(model, expected, observer);
     run.sights = timers.time(Phase::Prepare, || {
-        sights(run.model.scene, start::extent(run.model.scene))
+        sights(run.model.scene, extent(run.model.scene))
     });
     run.counters.timers = timers;
     if let Some(restart) = restart {
@@ -334,7 +334,7 @@ impl<'a, 'o> Run<'a, 'o> {
             let mut trial = self.predict(step, target);
             self.touch(&mut trial);
             let before = self.counters.iterations;
-            let result = newton::balance(
+            let result = balance_increment(
                 &self.model,
                 &self.history,
                 (&mut trial, None),
@@ -406,7 +406,7 @@ impl<'a, 'o> Run<'a, 'o> {
     ) -> Result<bool, SolveError> {
         let (step, time) = (at.step, at.time);
         // Where little flows it is not the plastic limit that takes balance away: a body may be free.
-        let floats = !newton::much_flows(&self.model, &stopped.flowing);
+        let floats = !much_flows(&self.model, &stopped.flowing);
         let begins = (step, time) == (0, 0.0);
         if floats && !self.asked {
             self.asked = true;
@@ -442,7 +442,7 @@ impl<'a, 'o> Run<'a, 'o> {
         self.cut = true;
         if !floats {
             // What was too much for the steel once will not become less.
-            self.beside.plan = Some(Plan::even(step, [time, 1.0], self.size));
+            self.beside.plan = Some(IncrementPlan::even(step, [time, 1.0], self.size));
         }
         self.counters.cut_backs += 1;
         self.solver.forget();
@@ -461,7 +461,7 @@ impl<'a, 'o> Run<'a, 'o> {
             let model = &self.model;
             let rows: Vec<_> = model.rows.iter().chain(&model.spare).collect();
             let factor = |name: &str| model.scene.factor(name, 0, target);
-            let Some(mut rest) = rigid::at_rest(model.scene, &rows, &factor) else {
+            let Some(mut rest) = at_rest(model.scene, &rows, &factor) else {
                 return Ok(());
             };
             let spare = rest.nodes.split_off(model.rows.len());
@@ -488,7 +488,7 @@ impl<'a, 'o> Run<'a, 'o> {
         let before = self.counters.iterations;
         let mut guess = self.predict(step, target);
         self.touch(&mut guess);
-        let held = anchor::approach(
+        let held = approach_balance(
             &self.model,
             &self.history,
             &mut guess,

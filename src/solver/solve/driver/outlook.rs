@@ -5,13 +5,13 @@
 //! and the elastic peaks.
 
 use super::Run;
-use super::plan::{self, Growth};
+use super::plan::{Growth, flow_ends};
 use crate::model::mesh::hexahedron::volume;
 use crate::solver::solve::foresight::{Ahead, Unforeseen, flow_to_come, shares_of_yield};
-use crate::solver::solve::newton::{self, Failure, Point, Stopped};
+use crate::solver::solve::newton::{Failure, Point, Stopped, balance_increment};
 use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT};
-use crate::solver::solve::restart::{Kept, Plan};
-use crate::solver::solve::state;
+use crate::solver::solve::restart::{IncrementPlan, Kept};
+use crate::solver::solve::state::recovered_state;
 use std::mem::{swap, take};
 
 impl Run<'_, '_> {
@@ -32,7 +32,7 @@ impl Run<'_, '_> {
             ..trial.clone()
         };
         let mut balance = |end: &mut Point| {
-            newton::balance(
+            balance_increment(
                 &self.model,
                 &self.history,
                 (end, None),
@@ -60,14 +60,14 @@ impl Run<'_, '_> {
                     Growth::new(volume(&corners(*element)), (trial.time, *now), *then)
                 });
                 let growth: Vec<_> = growth.collect();
-                self.beside.plan = Some(Plan {
+                self.beside.plan = Some(IncrementPlan {
                     step: trial.step,
-                    ends: plan::ends(&growth, INCREMENT_GROWTH * self.first_increment()),
+                    ends: flow_ends(&growth, INCREMENT_GROWTH * self.first_increment()),
                 });
                 // From there on increments are as large as they have to be.
                 self.size = LARGEST_INCREMENT * self.first_increment();
                 let with = (evaluation, self.sights.as_slice());
-                let state = state::state(model, &self.history, &end, with);
+                let state = recovered_state(model, &self.history, &end, with);
                 self.beside.elastic = Some(Kept::new(&state, Vec::new()));
                 self.end = Some(end);
             } else {
@@ -78,7 +78,11 @@ impl Run<'_, '_> {
         } else if unforeseen.missed {
             // Nothing is known of the flow to come: one increment of it would say nothing of its own error.
             let (from, to) = (self.stands(trial.step), trial.time);
-            self.beside.plan = Some(Plan::even(trial.step, [from, to], 0.5 * (to - from)));
+            self.beside.plan = Some(IncrementPlan::even(
+                trial.step,
+                [from, to],
+                0.5 * (to - from),
+            ));
         }
         swap(&mut self.history.plastic, &mut plastic);
         self.model.yielding = watched;

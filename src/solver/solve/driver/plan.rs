@@ -44,7 +44,7 @@ impl Growth {
 
 /// Ends of an even number of increments, none of them larger than `largest` after flow has begun; none at
 /// all where nothing flows.
-pub fn ends(growth: &[Growth], largest: f64) -> Vec<f64> {
+pub fn flow_ends(growth: &[Growth], largest: f64) -> Vec<f64> {
     let flowing: Vec<_> = growth.iter().filter(|g| g.share > 1.0).collect();
     let excess = |time: f64| flowing.iter().map(|g| g.excess(time)).sum::<f64>();
     let all = excess(1.0);
@@ -86,25 +86,25 @@ mod tests {
         // Alike everywhere and from 0.5 on, in proportion to the load.
         let even = Growth::new(1.0, (0.25, 0.5), 2.0);
         assert_eq!(even.power, 1.0);
-        let found = ends(&[even], 0.375);
+        let found = flow_ends(&[even], 0.375);
         assert!(found.len() == 2 && (found[0] - 0.75).abs() < 1e-6 && found[1] == 1.0);
         // A small corner that yields from the start decides nothing.
         let corner = Growth::new(1e-4, (0.25, 1.0), 4.0);
-        let found = ends(&[even, corner], 0.375);
+        let found = flow_ends(&[even, corner], 0.375);
         assert!(found.len() == 2 && (found[0] - 0.75).abs() < 1e-2);
         // No part is longer than that.
-        let found = ends(&[even], 0.1);
+        let found = flow_ends(&[even], 0.1);
         assert_eq!(found.len(), 6);
         // The root of the load: yield at a quarter.
         let root = Growth::new(1.0, (0.25, 1.0), 2.0);
-        assert!(ends(&[root], 1.0)[0] > 0.25);
+        assert!(flow_ends(&[root], 1.0)[0] > 0.25);
     }
 
     #[test]
     fn nothing_that_flows_is_no_plan() {
-        assert!(ends(&[Growth::new(1.0, (0.25, 0.1), 0.9)], 0.3).is_empty());
-        assert!(ends(&[], 0.3).is_empty());
+        assert!(flow_ends(&[Growth::new(1.0, (0.25, 0.1), 0.9)], 0.3).is_empty());
+        assert!(flow_ends(&[], 0.3).is_empty());
         // What does not grow is no number to be wrong about.
-        assert!(ends(&[Growth::new(1.0, (1.0, 0.0), 0.0)], 0.3).is_empty());
+        assert!(flow_ends(&[Growth::new(1.0, (1.0, 0.0), 0.0)], 0.3).is_empty());
     }
 }

@@ -1,18 +1,21 @@
 //! What solving a scene will take, reckoned without solving it.
 
-use super::error::SolveError;
-use super::foresight::Expected;
-use super::holding::{FreeMotion, free_motions};
-use super::model::{can_yield, needed};
-use super::rows::{ContactRow, contact_rows};
-use super::size::Size;
-use super::start::{Closing, nearest_row, touch};
 use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::DofMap;
+use crate::solver::solve::checkpoint::expected::Expected;
+use crate::solver::solve::condensed::size::Size;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::model::structure::needed;
 use crate::solver::solve::params::{
     ITERATIONS_PER_INCREMENT, ITERATIONS_PER_PATH_FREE_STEP, SECONDS_PER_UNKNOWN_ITERATION,
 };
+use crate::solver::solve::rigid::free_motion::{FreeMotion, free_motions};
+use crate::solver::solve::rows::contact_row::ContactRow;
+use crate::solver::solve::rows::contact_rows::contact_rows;
+use crate::solver::solve::start::can_yield::can_yield;
+use crate::solver::solve::start::close_gaps::{Closing, touch};
+use crate::solver::solve::start::nearest_row::nearest_row;
 
 /// What solving a scene will take.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 //! What a running solution tells the outside, and how it is stopped.
 
-use super::restart::Restart;
 use crate::model::scene::Scene;
 use crate::model::state::State;
+use crate::solver::solve::checkpoint::restart::Restart;
 
 /// One Newton iteration, all values relative where a tolerance is relative.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

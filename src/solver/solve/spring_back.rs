@@ -1,15 +1,16 @@
 //! What stays of a displacement when all loads and contact forces are taken off.
 
-use super::error::SolveError;
-use super::foresight::Expected;
-use super::model::Model;
 use crate::ground::geometry::sub;
-use crate::model::material::{Elastic, j2::PlasticPoint};
+use crate::model::material::Elastic;
+use crate::model::material::j2::PlasticPoint;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::solver::fem::loads::at_nodes;
 use crate::solver::linear::krylov;
 use crate::solver::linear::preconditioner::Precision;
+use crate::solver::solve::checkpoint::expected::Expected;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
     ELASTIC_FORCE_ROUNDING, FACTOR_DIRECTIONS, FACTOR_SHIFT, SPRING_BACK_LOOSEST,
     SPRING_BACK_RESIDUAL, SPRING_BACK_TOLERANCE,

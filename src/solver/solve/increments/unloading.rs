@@ -1,0 +1,34 @@
+//! A load that could not be taken off to the end.
+
+use crate::model::scene::LITTLE;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::increments::run::Run;
+
+impl Run<'_, '_> {
+    /// What went wrong, if only the taking off of the load did. What is left of the answer stands; where next to
+    /// no load was left, it counts as taken off.
+    pub(super) fn stuck(&mut self, error: &SolveError) -> Option<String> {
+        let scene = self.model.scene;
+        let full = scene.before_unloading()?;
+        let unloads = self.states.len() > full && self.last.step > full;
+        if !unloads || !error.is_of_balance() {
+            return None;
+        }
+        let (step, time) = (self.last.step, self.last.time);
+        let names = (scene.tractions.iter().map(|t| &t.name))
+            .chain(scene.rigid_planes.iter().map(|p| &p.name))
+            .chain(scene.supports.iter().map(|s| &s.name));
+        let mut shares = names.map(|name| {
+            let at = |step, time| self.model.scene.factor(name, step, time).abs();
+            (at(step, time), at(full, 1.0))
+        });
+        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= LITTLE * then) {
+            self.states.push(self.last.clone());
+        }
+        Some(format!(
+            "the load was taken off to {:.3} % of step `{}` only; what is said at full load stands ({error})",
+            100.0 * time,
+            scene.steps[step].name,
+        ))
+    }
+}

@@ -171,8 +171,9 @@ fn in_pieces(pieces: usize) -> String {
 
 /// What is next to nothing is more than what is left.
 fn gigabytes(bytes: f64) -> String {
-    match bytes < 1e7 {
-        true => format!("{:.0e}", 1e-9 * bytes),
-        false => format!("{:.2}", 1e-9 * bytes),
+    if bytes < 1e7 {
+        format!("{:.0e}", 1e-9 * bytes)
+    } else {
+        format!("{:.2}", 1e-9 * bytes)
     }
 }

@@ -68,9 +68,10 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
     };
     let before = least(scene);
     let closings = touch(scene);
-    let after = match closings.is_empty() {
-        true => before.clone(),
-        false => least(scene),
+    let after = if closings.is_empty() {
+        before.clone()
+    } else {
+        least(scene)
     };
     let dofs = DofMap::new(scene)?;
     if dofs.is_empty() {
@@ -116,9 +117,10 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
 /// increment of the first size where something does.
 fn iterations(scene: &Scene, yields: bool) -> f64 {
     let rubs = scene.contacts.iter().any(|pair| pair.friction > 0.0);
-    let a_step = match yields || rubs {
-        true => ITERATIONS_PER_INCREMENT / scene.controls.first_increment,
-        false => ITERATIONS_PER_PATH_FREE_STEP,
+    let a_step = if yields || rubs {
+        ITERATIONS_PER_INCREMENT / scene.controls.first_increment
+    } else {
+        ITERATIONS_PER_PATH_FREE_STEP
     };
     scene.steps.len() as f64 * a_step
 }

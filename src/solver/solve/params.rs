@@ -54,6 +54,20 @@ pub const STRESS_TAKEN_OVER: f64 = 0.45;
 /// The least share of yield in the elastic solution from which an element is taken to flow.
 pub const LEAST_FLOW_SHARE: f64 = 0.6;
 
+/// Initial gap up to which contact is integrated, over that at which surfaces were found to overlap.
+pub const REACH_MARGIN: f64 = 2.0;
+/// Initial gap up to which contact may close, over that at which it was found to close,
+pub const CLOSING_MARGIN: f64 = 1.5;
+/// and its least growth.
+pub const CLOSING_GROWTH: f64 = 2.0;
+/// Initial gap up to which contact is integrated before anything is known, as a share of the model: a little more than
+/// bodies approach each other in small-strain contact;
+pub const FIRST_REACH: f64 = 1e-3;
+/// the same, over the least gap, up to which it is likely to close.
+pub const FIRST_LIKELY_GAP: f64 = 1e-4;
+/// Both over the largest displacement that is prescribed.
+pub const REACH_OVER_TRAVEL: f64 = 2.0;
+
 // --- Newton's method ----------------------------------------------------------------------------------------------
 
 /// Iterations after which stick and slip that have not settled are solved with caution.
@@ -83,6 +97,16 @@ pub const LOST_DECREASE: f64 = 0.5;
 pub const HOPELESS_RESIDUAL: f64 = 0.3;
 /// Decrease of the largest correction from one wave to the next with which iterations go on beyond their limit.
 pub const STEADY_DECREASE: f64 = 0.1;
+/// Displacement over the size of the model from which a body counts as having left it.
+pub const RUNAWAY_EXTENTS: f64 = 10.0;
+/// Residual of a correction over that with which the increment would have converged.
+pub const CORRECTION_TOLERANCE: f64 = 0.05;
+/// The smallest share of its residual that a correction may leave: beyond is rounding.
+pub const TIGHTEST_CORRECTION: f64 = 1e-12;
+/// The largest. What a factor solves to is exact but for its age;
+pub const LOOSEST_CORRECTION: f64 = 1e-4;
+/// parts of a divided model that are put together leave what hardly resists.
+pub const LOOSEST_DIVIDED_CORRECTION: f64 = 1e-6;
 /// Share of all elements that flow from which a failure is one of the plastic limit, and not of a body that is free.
 pub const LIMIT_FLOW_SHARE: f64 = 0.02;
 /// Slope left by the line search, over that at its start.

@@ -10,10 +10,11 @@ use crate::solver::linear::krylov;
 use crate::solver::linear::preconditioner::Precision;
 use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::error::SolveError;
+use crate::solver::solve::linear_system::shifted_diagonal::shift_diagonal;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
-    ELASTIC_FORCE_ROUNDING, FACTOR_DIRECTIONS, FACTOR_SHIFT, SPRING_BACK_LOOSEST,
-    SPRING_BACK_RESIDUAL, SPRING_BACK_TOLERANCE,
+    ELASTIC_FORCE_ROUNDING, FACTOR_DIRECTIONS, SPRING_BACK_LOOSEST, SPRING_BACK_RESIDUAL,
+    SPRING_BACK_TOLERANCE,
 };
 use rayon::prelude::*;
 
@@ -105,9 +106,7 @@ fn strain(elastic: &Elastic, stress: &[f64; 6]) -> [f64; 6] {
 fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, SolveError> {
     let (pattern, matrix) = (&model.pattern, &model.stiffness);
     let mut shifted = matrix.clone();
-    for start in &pattern.columns[..forces.len()] {
-        shifted.values[*start as usize] *= 1.0 + FACTOR_SHIFT;
-    }
+    shift_diagonal(pattern, &mut shifted);
     let factor = model
         .preconditioner
         .factorise(pattern, &shifted, Precision::default(), None)?;
@@ -116,10 +115,11 @@ fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, Solve
     let known = rounding / krylov::norm(forces).max(f64::MIN_POSITIVE);
     let tolerance = known.clamp(SPRING_BACK_TOLERANCE, SPRING_BACK_LOOSEST);
     let (x, outcome) = krylov::solve(multiply, precondition, forces, tolerance, FACTOR_DIRECTIONS);
-    match outcome.residual <= known.max(SPRING_BACK_RESIDUAL) {
-        true => Ok(x),
-        false => Err(SolveError::SpringBack {
+    if outcome.residual <= known.max(SPRING_BACK_RESIDUAL) {
+        Ok(x)
+    } else {
+        Err(SolveError::SpringBack {
             residual: outcome.residual,
-        }),
+        })
     }
 }

@@ -60,9 +60,10 @@ impl Restart {
         let exists = |e: u32| (e as usize) < scene.mesh.hexes.len();
         let flow = self.expected.flow.iter().map(|e| (0, *e));
         let beside = self.companion.iter().flat_map(KeptCompanion::contents);
-        match (flow.chain(beside)).all(|(step, e)| exists(e) && step < scene.steps.len()) {
-            true => Ok(()),
-            false => Err(Stranger { what: "elements" }),
+        if (flow.chain(beside)).all(|(step, e)| exists(e) && step < scene.steps.len()) {
+            Ok(())
+        } else {
+            Err(Stranger { what: "elements" })
         }
     }
 

@@ -4,7 +4,8 @@ use crate::solver::fem::dofs::FIXED;
 use crate::solver::linear::sparse::Pattern;
 use crate::solver::solve::condensed::assembly::{Condensing, equations};
 
-/// CondensedBodies that share vertices, without the elements that are expected to flow.
+/// Bodies that share vertices, without the elements that are expected to flow. A vertex is a node or a rigid plane
+/// with its equations.
 pub struct Group {
     pub elements: Vec<u32>,
     /// Vertices of the elements, ascending.

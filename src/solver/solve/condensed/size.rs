@@ -67,14 +67,10 @@ fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> bool
 /// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
 fn memory_of(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
     let unknowns = dofs.len() as f64;
-    match divided {
-        true => 6e3 * unknowns,
-        false => {
-            2e3 * unknowns
-                + 14.4 * body_factor_entries(scene)
-                + 1.6 * kept_unknowns(dofs, needed).powi(2)
-        }
+    if divided {
+        return 6e3 * unknowns;
     }
+    2e3 * unknowns + 14.4 * body_factor_entries(scene) + 1.6 * kept_unknowns(dofs, needed).powi(2)
 }
 
 /// Unknowns of the needed vertices.

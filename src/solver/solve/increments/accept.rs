@@ -25,9 +25,10 @@ impl Run<'_, '_> {
             let (model, point) = (&self.model, &self.point);
             let with = (evaluation, self.sights.as_slice());
             let mut state = recovered_state(model, &self.history, point, with);
-            let before = match self.last.displacement.is_empty() {
-                true => Some(Energy::default()),
-                false => self.last.energy,
+            let before = if self.last.displacement.is_empty() {
+                Some(Energy::default())
+            } else {
+                self.last.energy
             };
             state.energy = before.and_then(|energy| energy.after(model, &self.last, &state));
             state
@@ -56,9 +57,10 @@ impl Run<'_, '_> {
         match largest_turn(&scene.mesh, &state.displacement) {
             Some((body, angle)) if angle > TOO_FAR => Err(SolveError::TurnsFar {
                 step: scene.steps[state.step].name.clone(),
-                percent: match self.last.step == state.step {
-                    true => 100.0 * self.last.time,
-                    false => 0.0,
+                percent: if self.last.step == state.step {
+                    100.0 * self.last.time
+                } else {
+                    0.0
                 },
                 body: body.to_owned(),
                 angle,

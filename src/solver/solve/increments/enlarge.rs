@@ -12,7 +12,8 @@ use crate::solver::solve::working_set::flow::Ahead;
 use crate::solver::solve::working_set::unforeseen::Unforeseen;
 
 impl Run<'_, '_> {
-    /// What happens where the model was not prepared for it, now or in the next increment.
+    /// Checks a converged increment: what happens where the model was not prepared for it, now or in the next increment,
+    /// which will be larger by the share `next` of the load.
     pub(super) fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
         let (model, history) = (&self.model, &self.history);
         let ahead = self.ahead(trial.step, next);
@@ -23,14 +24,17 @@ impl Run<'_, '_> {
     /// What is known in `step` of the flow to come, where loads grow by the share `next` in the next increment.
     pub(super) fn ahead(&self, step: usize, next: f64) -> Ahead {
         let seen = self.beside.elastic.as_ref();
-        match seen.is_some_and(|end| end.state.step == step) {
-            _ if self.unloads(step) => Ahead::Less,
-            true => Ahead::Known,
-            false => Ahead::To(1.0 + next),
+        if self.unloads(step) {
+            Ahead::Less
+        } else if seen.is_some_and(|end| end.state.step == step) {
+            Ahead::Known
+        } else {
+            Ahead::To(1.0 + next)
         }
     }
 
-    /// Prepares the model anew; the next increment starts from `guess`.
+    /// Enlarges the working set by what was unforeseen; the next increment starts from `guess`, or from the last accepted
+    /// state where there is none.
     pub(super) fn prepare_for(
         &mut self,
         unforeseen: Unforeseen,
@@ -56,7 +60,8 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    /// An element that flows only has to be looked at, where its nodes were not condensed.
+    /// Watches more elements without preparing the model anew: none of their nodes was condensed. Plastic strains move
+    /// from the settled elements to the watched ones, of the companion too.
     fn check_more_elements(&mut self) {
         let beside = self.companion.as_mut().map(|c| &mut c.history);
         let histories: Vec<_> = [&mut self.history].into_iter().chain(beside).collect();
@@ -68,8 +73,9 @@ impl Run<'_, '_> {
         self.counters.watched_elements = self.model.yielding.len();
     }
 
-    /// What has flowed is taken for elastic again, as long as it does not: while loads are taken off hardly anything
-    /// flows, and elastic bodies are condensed.
+    /// Before a load is taken off, takes all elements for elastic again. Hardly anything flows while loads become
+    /// smaller, so that the elements can be condensed; their plastic strain acts as a load
+    /// ([`crate::solver::solve::model::settled`]). One that flows after all is found by the next look.
     pub(super) fn settle(&mut self) -> Result<(), SolveError> {
         self.expected.flow.clear();
         self.expected.divided = false;

@@ -21,9 +21,10 @@ impl Growth {
     /// At the end itself nothing tells the power: stress is taken to grow evenly, not as rounding has it.
     pub fn new(volume: f64, (time, now): (f64, f64), share: f64) -> Self {
         let way = (1.0 / time).ln();
-        let power = match way > STEP_END_LOG {
-            true => (share / now).ln() / way,
-            false => 1.0,
+        let power = if way > STEP_END_LOG {
+            (share / now).ln() / way
+        } else {
+            1.0
         };
         let [least, most] = STRESS_POWERS;
         Self {
@@ -53,9 +54,10 @@ pub fn flow_ends(growth: &[Growth], largest: f64) -> Vec<f64> {
         let (mut before, mut after) = (0.0, 1.0);
         for _ in 0..30 {
             let middle = 0.5 * (before + after);
-            match excess(middle) < share * all {
-                true => before = middle,
-                false => after = middle,
+            if excess(middle) < share * all {
+                before = middle
+            } else {
+                after = middle
             }
         }
         after

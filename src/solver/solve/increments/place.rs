@@ -40,9 +40,12 @@ pub fn contact_in_words(model: &Model, row: Option<usize>, changed: usize) -> St
 fn point(at: [f64; 3]) -> String {
     let size = at.iter().fold(0.0f64, |size, c| size.max(c.abs()));
     let plain = size == 0.0 || (1e-2..1e5).contains(&size);
-    let [x, y, z] = at.map(|c| match plain {
-        true => format!("{c:.4}"),
-        false => format!("{c:.3e}"),
+    let [x, y, z] = at.map(|c| {
+        if plain {
+            format!("{c:.4}")
+        } else {
+            format!("{c:.3e}")
+        }
     });
     format!("({x}, {y}, {z})")
 }

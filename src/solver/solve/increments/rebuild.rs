@@ -20,12 +20,14 @@ use crate::solver::solve::rows::contact_rows::contact_rows;
 use std::collections::BTreeMap;
 
 impl Run<'_, '_> {
-    /// Prepares the model for what is expected now, and carries the state over.
+    /// Prepares the model for what is expected now, and carries the state over. Contact is integrated again only where
+    /// its reach has grown (`integrate`). The next increment starts from `guess`.
     pub(super) fn rebuild(
         &mut self,
         integrate: bool,
         guess: Option<&Point>,
     ) -> Result<(), SolveError> {
+        // First everything in terms that do not depend on the model: displacements of all nodes, plastic elements.
         let key = |r: &ContactRow| (r.pair, r.row.node);
         let settled = &self.history.settled;
         let all = |p: &Point, settled: &Settled| self.model.displacement(p, settled);
@@ -59,6 +61,7 @@ impl Run<'_, '_> {
             };
             Model::new(scene, expected, rows)
         })?;
+        // Then the same in terms of the new one. For each of its rows, the old row of the same contact node, if any.
         let map: Vec<Option<usize>> = model
             .rows
             .iter()

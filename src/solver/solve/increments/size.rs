@@ -3,6 +3,7 @@
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::params::{EQUAL_STEP_SHARES, UNLOADED_LOAD_LEFT};
 use crate::solver::solve::start::can_yield::can_yield;
+use crate::solver::solve::start::load_names::load_names;
 
 impl Run<'_, '_> {
     /// Share of a step that its first increment tries.
@@ -10,9 +11,10 @@ impl Run<'_, '_> {
         let scene = self.model.scene;
         let yields = (0..scene.mesh.hexes.len() as u32).any(|e| can_yield(scene, e));
         let path_matters = yields || self.model.rows.iter().any(|r| r.law.friction > 0.0);
-        match path_matters {
-            true => scene.controls.first_increment,
-            false => 1.0,
+        if path_matters {
+            scene.controls.first_increment
+        } else {
+            1.0
         }
     }
 
@@ -34,18 +36,18 @@ impl Run<'_, '_> {
     /// is solved in one increment from full load to next to none changes beyond recognition.
     pub(super) fn relief(&self, step: usize, time: f64) -> f64 {
         let scene = self.model.scene;
-        let names = (scene.tractions.iter().map(|t| &t.name))
-            .chain(scene.rigid_planes.iter().map(|p| &p.name))
-            .chain(scene.supports.iter().map(|s| &s.name));
-        let now_and_then = names.map(|name| {
+        let now_and_then = load_names(scene).map(|name| {
             let at = |time| self.model.scene.factor(name, step, time).abs();
             (at(time), at(1.0))
         });
         now_and_then
             .filter(|(now, _)| *now > 0.0)
-            .map(|(now, then)| match then < UNLOADED_LOAD_LEFT * now {
-                true => (1.0 - time) * (1.0 - UNLOADED_LOAD_LEFT) * now / (now - then),
-                false => f64::INFINITY,
+            .map(|(now, then)| {
+                if then < UNLOADED_LOAD_LEFT * now {
+                    (1.0 - time) * (1.0 - UNLOADED_LOAD_LEFT) * now / (now - then)
+                } else {
+                    f64::INFINITY
+                }
             })
             .reduce(f64::max)
             .unwrap_or(f64::INFINITY)
@@ -53,9 +55,10 @@ impl Run<'_, '_> {
 
     /// Share of a step that is done.
     pub(super) fn stands(&self, step: usize) -> f64 {
-        match self.point.step == step {
-            true => self.point.time,
-            false => 0.0,
+        if self.point.step == step {
+            self.point.time
+        } else {
+            0.0
         }
     }
 }

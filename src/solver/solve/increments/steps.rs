@@ -20,9 +20,10 @@ impl Run<'_, '_> {
     }
 
     fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
-        let mut time = match self.point.step == step && self.point.time < 1.0 {
-            true => self.point.time,
-            false => 0.0,
+        let mut time = if self.point.step == step && self.point.time < 1.0 {
+            self.point.time
+        } else {
+            0.0
         };
         if time == 0.0 {
             self.size = self.first_increment();

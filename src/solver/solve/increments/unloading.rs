@@ -3,6 +3,7 @@
 use crate::model::scene::LITTLE;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::start::load_names::load_names;
 
 impl Run<'_, '_> {
     /// What went wrong, if only the taking off of the load did. What is left of the answer stands; where next to
@@ -15,10 +16,7 @@ impl Run<'_, '_> {
             return None;
         }
         let (step, time) = (self.last.step, self.last.time);
-        let names = (scene.tractions.iter().map(|t| &t.name))
-            .chain(scene.rigid_planes.iter().map(|p| &p.name))
-            .chain(scene.supports.iter().map(|s| &s.name));
-        let mut shares = names.map(|name| {
+        let mut shares = load_names(scene).map(|name| {
             let at = |step, time| self.model.scene.factor(name, step, time).abs();
             (at(step, time), at(full, 1.0))
         });

@@ -13,10 +13,11 @@ use crate::solver::solve::equilibrium::evaluation::{Evaluation, flowing_points};
 use crate::solver::solve::linear_system::correction::{Correction, Sought};
 use crate::solver::solve::linear_system::low_rank_update::LowRankUpdate;
 use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
+use crate::solver::solve::linear_system::shifted_diagonal::{set_diagonal, shift_diagonal};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
     AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR,
-    FACTOR_DIRECTIONS, FACTOR_SHIFT, SINGLE_FACTOR_DIRECTIONS,
+    FACTOR_DIRECTIONS, SINGLE_FACTOR_DIRECTIONS,
 };
 
 /// The linear solver with the factor that it carries from iteration to iteration.
@@ -93,17 +94,20 @@ impl LinearSolver {
             } else {
                 FACTOR_DIRECTIONS
             };
-            let solve = || match model.is_soft() {
-                // Every direction costs as much as the last: no more than the next iteration can use.
-                true => krylov::minimise(
-                    multiply,
-                    precondition,
-                    residual,
-                    DIVIDED_CORRECTION_ERROR,
-                    tolerance,
-                    FACTOR_DIRECTIONS,
-                ),
-                false => krylov::solve(multiply, precondition, residual, tolerance, directions),
+            let solve = || {
+                if model.is_soft() {
+                    // Every direction costs as much as the last: no more than the next iteration can use.
+                    krylov::minimise(
+                        multiply,
+                        precondition,
+                        residual,
+                        DIVIDED_CORRECTION_ERROR,
+                        tolerance,
+                        FACTOR_DIRECTIONS,
+                    )
+                } else {
+                    krylov::solve(multiply, precondition, residual, tolerance, directions)
+                }
             };
             let (dx, outcome) = counters.timers.time(Phase::LinearSolve, solve);
             enough = sought.take(&dx, &outcome, multiply) || !is_single;
@@ -163,24 +167,18 @@ impl LinearSolver {
         enough
     }
 
-    /// A factor of `matrix`, of a diagonal that is [`FACTOR_SHIFT`] larger.
+    /// A factor of `matrix`, with a diagonal that is a trifle larger.
     fn factorise(
         &mut self,
         model: &Model,
         matrix: &mut SymmetricMatrix,
         counters: &mut Counters,
     ) -> Result<Prepared, FactorError> {
-        let diagonal = model.pattern.diagonal(matrix);
-        let starts = || model.pattern.columns.iter().zip(&diagonal);
-        for (start, d) in starts() {
-            matrix.values[*start as usize] = d * (1.0 + FACTOR_SHIFT);
-        }
+        let diagonal = shift_diagonal(&model.pattern, matrix);
         let (old, precision) = (self.factor.take(), self.precision);
         let factorise = || (model.preconditioner).factorise(&model.pattern, matrix, precision, old);
         let factor = counters.timers.time(Phase::Factorise, factorise)?;
-        for (start, d) in starts() {
-            matrix.values[*start as usize] = *d;
-        }
+        set_diagonal(&model.pattern, matrix, &diagonal);
         counters.factorisations += 1;
         Ok(factor)
     }

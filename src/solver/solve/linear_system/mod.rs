@@ -4,3 +4,4 @@ pub mod correction;
 pub mod linear_solver;
 pub mod low_rank_update;
 pub mod proximal_springs;
+pub mod shifted_diagonal;

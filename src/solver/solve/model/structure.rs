@@ -25,9 +25,10 @@ impl Structure {
         let bodies = CondensedBodies::new(plan)?;
         let dofs = bodies.kept_dofs(plan.dofs);
         let pattern = pattern(&plan.scene.mesh, &bodies, &dofs, rows);
-        let symbolic = match plan.condense {
-            true => Some(Symbolic::new(&pattern, &bodies.blocks)?),
-            false => None,
+        let symbolic = if plan.condense {
+            Some(Symbolic::new(&pattern, &bodies.blocks)?)
+        } else {
+            None
         };
         Ok(Self {
             bodies,

@@ -12,16 +12,18 @@ use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::progress::Progress;
 use crate::solver::solve::params::{FREE_SWITCHES, FREE_SWITCHING_ITERATIONS, UNCHANGED_FORCE};
 
-/// Tractions become multipliers, sets and friction bounds are decided anew; returns how many nodes
-/// changed.
+/// Decides multipliers, active set and friction bounds anew; returns how many nodes changed.
 ///
-/// Late in an increment, nodes that have changed between stick and slip a few times become cautious.
+/// A node has changed where it switched between open, stick and slip, where its friction bound moved, or where its shear
+/// did not become its multiplier. Changes by next to nothing of the largest contact force do not count. Late in an
+/// increment, nodes that have switched between stick and slip a few times become cautious.
 pub fn update_active_set(
     model: &Model,
     point: &mut Point,
     evaluation: &Evaluation,
     (iteration, progress): (usize, &mut Progress),
 ) -> usize {
+    // What is next to nothing is measured by the largest normal force.
     let forces =
         (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
     let largest = forces.fold(0.0, f64::max);

@@ -27,13 +27,18 @@ use crate::solver::solve::newton::progress::Progress;
 use crate::solver::solve::newton::violation::{count_statuses, violation, violations};
 use crate::solver::solve::observer::{Iteration, Observer};
 use crate::solver::solve::params::{
-    CAUTIOUS_SHEAR_RESIDUAL, CONVERGING_ITERATIONS_FACTOR, ITERATIONS_BEFORE_CAUTION,
-    LINGERING_VIOLATION, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL,
+    CAUTIOUS_SHEAR_RESIDUAL, CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE,
+    ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION,
+    PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
 
-/// Brings `point` into balance at its time, starting from its active set; with an `springs`, into balance
-/// with that, and roughly.
+/// Brings `point` into balance at its time, starting from its unknowns and its active set; returns what is known there.
+///
+/// With `springs` it is brought into balance with them, and only roughly: that is a turn of the proximal point method.
+///
+/// # Errors
+/// [`Stopped`] where no balance was found, the tangent could not be factored or the observer cancelled.
 pub fn balance_increment(
     model: &Model,
     history: &History,
@@ -45,7 +50,7 @@ pub fn balance_increment(
     let controls = &model.scene.controls;
     let external = model.external(point, &history.settled);
     let reference = model.reference.max(f64::MIN_POSITIVE);
-    let limit = 10.0 * extent(model.scene);
+    let limit = RUNAWAY_EXTENTS * extent(model.scene);
     let mut last = Iteration {
         step: point.step,
         time: point.time,
@@ -56,14 +61,16 @@ pub fn balance_increment(
         (node.cautious, node.switches) = (cautious, 0);
         (node.raised, node.firmer, node.missed) = (0, 0, 0.0);
     }
-    let patience = match cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
-        true => controls.iterations,
-        false => controls.iterations.min(ITERATIONS_BEFORE_CAUTION),
+    // Without caution stick and slip either settle soon or never.
+    let patience = if cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
+        controls.iterations
+    } else {
+        controls.iterations.min(ITERATIONS_BEFORE_CAUTION)
     };
-    // What a factor solves to is exact but for its age; parts that are put together leave what hardly resists.
-    let loosest = match model.is_divided() && !model.is_soft() {
-        true => 1e-6,
-        false => 1e-4,
+    let loosest = if model.is_divided() && !model.is_soft() {
+        LOOSEST_DIVIDED_CORRECTION
+    } else {
+        LOOSEST_CORRECTION
     };
     let evaluate = |point: &Point, x: &[f64], counters: &mut Counters| {
         let mut evaluation = evaluate_at(model, history, point, x, &external, counters);
@@ -78,9 +85,11 @@ pub fn balance_increment(
             why,
             flowing: flowing.clone(),
         };
+        // 1. The correction, as exact as the residual will need it.
         let residual = norm(&evaluation.residual) / reference;
         let begun = *progress.begun.get_or_insert(residual);
-        let tolerance = (0.05 * controls.residual / residual).clamp(1e-12, loosest);
+        let tolerance = (CORRECTION_TOLERANCE * controls.residual / residual)
+            .clamp(TIGHTEST_CORRECTION, loosest);
         let Correction {
             dx,
             directions,
@@ -88,6 +97,7 @@ pub fn balance_increment(
         } = solver
             .solve(model, &evaluation, (tolerance, springs), counters)
             .map_err(|error| stop(Failure::Factor(error)))?;
+        // 2. How far to follow it.
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
         let start = dot(&evaluation.residual, &dx);
@@ -106,12 +116,14 @@ pub fn balance_increment(
             return Err(stop(Failure::Runaway { node, axis }));
         }
         last.residual = norm(&evaluation.residual) / reference;
+        // 3. Multipliers, active set and friction bounds.
         let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
         let lingers = last.penetration > LINGERING_VIOLATION * before;
         last.changed =
             update_active_set(model, point, &evaluation, (last.iteration, &mut progress));
         count_statuses(&mut last, &evaluation);
         observer.iteration(&last);
+        // 4. Is that enough?
         let settled = last.residual <= PROXIMAL_RESIDUAL && last.changed == 0;
         if springs.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
             return Ok(evaluation);
@@ -120,10 +132,12 @@ pub fn balance_increment(
         if balanced && last.penetration <= controls.penetration {
             return Ok(evaluation);
         }
+        // A soft penalty is raised where multipliers come on slowly.
         if lingers {
             let nodes = point.nodes.iter_mut();
             nodes.for_each(|node| node.firmer = node.firmer.saturating_add(1));
         }
+        // Shears of cautious nodes become multipliers only when forces all but balance: an outer loop of augmented Lagrange.
         if balanced || last.residual <= CAUTIOUS_SHEAR_RESIDUAL * begun {
             take_shears(model, point, &evaluation);
             progress.begun = None;
@@ -143,7 +157,8 @@ pub fn balance_increment(
     }
 }
 
-/// Not settled after as many iterations as there may be.
+/// What to tell of an increment that has taken as many iterations as it may: the largest residual and the worst contact
+/// row.
 fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration) -> Failure {
     let largest = |values: &mut dyn Iterator<Item = f64>| {
         let most = values.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
@@ -158,6 +173,7 @@ fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iterati
     }
 }
 
+/// Evaluates the model at the unknowns `x`, and counts what that takes.
 fn evaluate_at(
     model: &Model,
     history: &History,
@@ -182,7 +198,7 @@ fn evaluate_at(
         .time(Phase::Evaluate, || model.evaluate(history, &trial))
 }
 
-/// The component that left the model, if any.
+/// Node and axis of a displacement that has left the model, or is no number, if any.
 fn runaway(model: &Model, x: &[f64], limit: f64) -> Option<(u32, usize)> {
     let equation = x.iter().position(|v| !(v.abs() <= limit))?;
     model

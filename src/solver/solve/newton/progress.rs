@@ -20,8 +20,11 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Is there no balance in sight? Beyond the plastic limit iterations wander far from it; what will be in balance
-    /// is near after a wave or two, and never as far as a third of the load for half of one.
+    /// Is there no balance in sight?
+    ///
+    /// Where shears become multipliers the residual may rise before it falls; such a wave takes [`WAVE_ITERATIONS`].
+    /// Beyond the plastic limit iterations wander far from balance. An increment that has a balance comes near it after
+    /// a wave or two, and never misses it by a third of the load for half a wave.
     pub fn is_lost(&self) -> bool {
         const HALF: usize = WAVE_ITERATIONS / 2;
         let least = |residuals: &[f64]| residuals.iter().copied().fold(f64::INFINITY, f64::min);

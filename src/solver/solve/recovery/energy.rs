@@ -61,9 +61,10 @@ fn of_planes(model: &Model, before: &State, after: &State) -> f64 {
 
 fn of_tractions(model: &Model, before: &State, after: &State) -> f64 {
     let scene = model.scene;
-    let start = match before.displacement.is_empty() {
-        true => 0.0,
-        false => before.time,
+    let start = if before.displacement.is_empty() {
+        0.0
+    } else {
+        before.time
     };
     let work = scene.tractions.iter().filter_map(|traction| {
         let surface = scene.mesh.surface(&traction.surface)?;
@@ -124,14 +125,18 @@ fn flow_stress(was: &[f64; 6], now: &[f64; 6]) -> f64 {
     let q = mises(now);
     let pressure = (now[0] + now[1] + now[2]) / 3.0;
     let along: f64 = (0..6)
-        .map(|i| match i < 3 {
-            true => was[i] * (now[i] - pressure),
-            false => 2.0 * was[i] * now[i],
+        .map(|i| {
+            if i < 3 {
+                was[i] * (now[i] - pressure)
+            } else {
+                2.0 * was[i] * now[i]
+            }
         })
         .sum();
-    match q > 0.0 {
-        true => 0.5 * (q + 1.5 * along / q),
-        false => 0.0,
+    if q > 0.0 {
+        0.5 * (q + 1.5 * along / q)
+    } else {
+        0.0
     }
 }
 

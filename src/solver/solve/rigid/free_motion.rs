@@ -6,7 +6,6 @@ use crate::solver::solve::params::{DRIVEN_MODE_LOAD, UNRESISTED_EIGENVALUE};
 use crate::solver::solve::rigid::resistance::Resistance;
 use crate::solver::solve::rigid::rigid_bodies::RigidBodies;
 use crate::solver::solve::rows::contact_row::ContactRow;
-use nalgebra::SymmetricEigen;
 
 /// A motion of bodies that nothing resists.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,13 +27,10 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     seen.planes(scene, &frames);
     seen.contacts(scene, rows, &frames);
     seen.shared_nodes(&frames);
-    let eigen = SymmetricEigen::new(seen.matrix);
-    let values = eigen.eigenvalues.iter().enumerate();
     let load = frames.load(scene, &|_| 1.0);
     let whole = load.iter().map(|f| f * f).sum::<f64>().sqrt();
-    let free = values.filter(|(_, value)| **value < UNRESISTED_EIGENVALUE);
-    let motions = free.filter_map(|(i, _)| {
-        let motion = eigen.eigenvectors.column(i);
+    let free = seen.unresisted(UNRESISTED_EIGENVALUE);
+    let motions = free.iter().filter_map(|motion| {
         let work: f64 = motion.iter().zip(&load).map(|(v, f)| v * f).sum();
         frames.motion(
             scene,

@@ -9,7 +9,7 @@ use crate::solver::solve::params::TOUCHING_GAP;
 use crate::solver::solve::rigid::rigid_bodies::{ModeRow, RigidBodies};
 use crate::solver::solve::rows::contact_row::ContactRow;
 use crate::solver::solve::start::extent::extent;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use std::collections::BTreeMap;
 
 /// What is seen of the motions of all bodies: a sum of squares.
@@ -41,6 +41,15 @@ impl Resistance {
         }
     }
 
+    /// The motions that are resisted by less than `most`: eigenvectors of length one.
+    pub fn unresisted(self, most: f64) -> Vec<DVector<f64>> {
+        let eigen = SymmetricEigen::new(self.matrix);
+        let free = (0..eigen.eigenvalues.len()).filter(|i| eigen.eigenvalues[*i] < most);
+        free.map(|i| eigen.eigenvectors.column(i).into_owned())
+            .collect()
+    }
+
+    /// Supports: the displacement of each of their nodes along each axis that they hold.
     pub fn supports(&mut self, scene: &Scene, frames: &RigidBodies) {
         for support in &scene.supports {
             let nodes = (scene.mesh.surface(&support.surface)).map(|s| s.nodes());

@@ -14,11 +14,10 @@ use crate::solver::solve::params::{
     EASY_REST_ITERATIONS, REST_ITERATIONS, REST_RESIDUAL, REST_STEP_RESIDUAL, REST_STEPS,
 };
 use crate::solver::solve::rigid::foundation::{FoundationPoint, unbalance};
-use crate::solver::solve::rigid::movable::movable_modes;
-use crate::solver::solve::rigid::rigid_bodies::RigidBodies;
+use crate::solver::solve::rigid::movable::Movable;
 use crate::solver::solve::rigid::touch::Touch;
 use crate::solver::solve::rows::contact_row::ContactRow;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// Where bodies have come to rest.
 pub struct Rest {
@@ -31,27 +30,26 @@ pub struct Rest {
 /// Where rigid bodies that touch at `rows` come to rest under loads of these `factors`; `None` where nothing is free
 /// or loaded, or no rest is found near where they stand.
 pub fn at_rest(scene: &Scene, rows: &[&ContactRow], factors: &dyn Fn(&str) -> f64) -> Option<Rest> {
-    let frames = RigidBodies::new(scene);
-    let free = movable_modes(scene, &frames)?;
-    let load = free.tr_mul(&DVector::from_vec(frames.load(scene, factors)));
-    if load.norm() == 0.0 {
-        return None;
-    }
+    let Movable {
+        bodies,
+        modes,
+        load,
+    } = Movable::new(scene, factors)?;
     let points = rows.iter().map(|row| FoundationPoint {
-        touch: Touch::new(row, &frames, &free),
+        touch: Touch::new(row, &bodies, &modes),
         gap: row.row.gap,
         stiffness: row.law.stiffness * row.row.area,
     });
     let points: Vec<FoundationPoint> = points.collect();
     let q = find_rest(&points, &load)?;
-    let motions = &free * &q;
-    if frames.largest_turn(motions.as_slice()) > FAR {
+    let motions = &modes * &q;
+    if bodies.largest_turn(motions.as_slice()) > FAR {
         return None;
     }
     let nodes = rows.iter().zip(&points).map(|(row, p)| p.node(row, &q));
     Some(Rest {
         nodes: nodes.collect(),
-        displacement: frames.displacement(motions.as_slice()),
+        displacement: bodies.displacement(motions.as_slice()),
     })
 }
 
@@ -61,10 +59,11 @@ fn find_rest(points: &[FoundationPoint], load: &DVector<f64>) -> Option<DVector<
     // At first as stiff as all contact together.
     let mut resistance: f64 = points.iter().map(|p| p.stiffness).sum();
     for _ in 0..REST_STEPS {
-        if unbalance(points, load, &q).0.norm() <= REST_RESIDUAL * load.norm() {
+        let here = unbalance(points, load, &q);
+        if here.0.norm() <= REST_RESIDUAL * load.norm() {
             return Some(q);
         }
-        match settle(points, load, &q, resistance) {
+        match settle(points, load, (&q, here), resistance) {
             Some((next, easy)) => {
                 q = next;
                 resistance *= if easy { 0.1 } else { 0.5 };
@@ -75,16 +74,19 @@ fn find_rest(points: &[FoundationPoint], load: &DVector<f64>) -> Option<DVector<
     None
 }
 
-/// The balance against a `resistance` to motion from `start`, and whether it was found easily.
+/// The balance against a `resistance` to motion from `start`, where forces and their derivative are known, and whether
+/// it was found easily.
 fn settle(
     points: &[FoundationPoint],
     load: &DVector<f64>,
-    start: &DVector<f64>,
+    (start, at_start): (&DVector<f64>, (DVector<f64>, DMatrix<f64>)),
     resistance: f64,
 ) -> Option<(DVector<f64>, bool)> {
     let mut q = start.clone();
+    let mut known = Some(at_start);
     for iteration in 0..REST_ITERATIONS {
-        let (contact, mut tangent) = unbalance(points, load, &q);
+        let here = known.take();
+        let (contact, mut tangent) = here.unwrap_or_else(|| unbalance(points, load, &q));
         let left = contact - resistance * (&q - start);
         if left.norm() <= REST_STEP_RESIDUAL * load.norm() {
             return Some((q, iteration <= EASY_REST_ITERATIONS));

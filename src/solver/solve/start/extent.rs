@@ -1,6 +1,7 @@
 //! Lengths of a scene: its size, what it is made to travel, and how far contact reaches.
 
 use crate::model::scene::{PlaneMotion, Scene};
+use crate::solver::solve::params::{FIRST_LIKELY_GAP, FIRST_REACH, REACH_OVER_TRAVEL};
 
 /// Diagonal of the box around the model.
 pub fn extent(scene: &Scene) -> f64 {
@@ -20,12 +21,14 @@ pub fn extent(scene: &Scene) -> f64 {
 /// The initial gap up to which contact is integrated: a little more than bodies approach each other
 /// in small-strain contact, and all that they are made to travel.
 pub fn reach(scene: &Scene) -> f64 {
-    scene.controls.contact_reach * (1e-3 * extent(scene)).max(2.0 * travel(scene))
+    scene.controls.contact_reach
+        * (FIRST_REACH * extent(scene)).max(REACH_OVER_TRAVEL * travel(scene))
 }
 
 /// The initial gap, over the least one, up to which contact is likely to close.
 pub fn likely_gap(scene: &Scene) -> f64 {
-    scene.controls.contact_reach * (1e-4 * extent(scene)).max(2.0 * travel(scene))
+    scene.controls.contact_reach
+        * (FIRST_LIKELY_GAP * extent(scene)).max(REACH_OVER_TRAVEL * travel(scene))
 }
 
 /// The largest displacement that is prescribed.

@@ -6,4 +6,5 @@ pub mod expected;
 pub mod extent;
 pub mod held_bodies;
 pub mod load_direction;
+pub mod load_names;
 pub mod nearest_row;

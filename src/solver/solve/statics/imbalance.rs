@@ -10,15 +10,13 @@
 use crate::model::scene::Scene;
 use crate::solver::solve::params::{BALANCE_REMAINDER, CONE_EDGES, ROUGHEST_FRICTION};
 use crate::solver::solve::rigid::free_motion::FreeMotion;
-use crate::solver::solve::rigid::movable::movable_modes;
-use crate::solver::solve::rigid::rigid_bodies::RigidBodies;
+use crate::solver::solve::rigid::movable::Movable;
 use crate::solver::solve::rigid::touch::Touch;
 use crate::solver::solve::rows::contact_row::ContactRow;
 use crate::solver::solve::statics::bears::{Bears, bears};
 use crate::solver::solve::statics::friction_cone::cones;
 use crate::solver::solve::statics::nonnegative::nearest;
 use crate::solver::solve::statics::ridges::ridges;
-use nalgebra::DVector;
 use std::f64::consts::PI;
 
 /// There is no balance of rigid bodies.
@@ -40,17 +38,16 @@ pub fn imbalance<'r>(
     rows: impl Iterator<Item = &'r ContactRow>,
     factors: &dyn Fn(&str) -> f64,
 ) -> Option<Imbalance> {
-    let frames = RigidBodies::new(scene);
-    let free = movable_modes(scene, &frames)?;
-    let load = free.tr_mul(&DVector::from_vec(frames.load(scene, factors)));
+    let Movable {
+        bodies,
+        modes,
+        load,
+    } = Movable::new(scene, factors)?;
     let whole = load.norm();
-    if whole == 0.0 {
-        return None;
-    }
     let rows = ridges(scene, rows.collect());
     let points: Vec<Touch> = rows
         .iter()
-        .map(|row| Touch::new(row, &frames, &free))
+        .map(|row| Touch::new(row, &bodies, &modes))
         .collect();
     let enclosing = 1.0 / (PI / CONE_EDGES as f64).cos();
     let found = nearest(&cones(&points, |friction| enclosing * friction), &load)?;
@@ -62,7 +59,7 @@ pub fn imbalance<'r>(
         let found = nearest(&cones(&points, |friction| friction.max(rough)), &load);
         found.is_some_and(|f| f.left.norm() <= BALANCE_REMAINDER * whole)
     };
-    let motion = frames.motion(scene, (&free * &found.left).as_slice(), true)?;
+    let motion = bodies.motion(scene, (&modes * &found.left).as_slice(), true)?;
     let body = scene
         .mesh
         .bodies
@@ -72,11 +69,11 @@ pub fn imbalance<'r>(
     let touched = |row: &&&ContactRow| {
         let nodes = row.row.terms.iter().map(|(node, _)| *node as usize);
         nodes
-            .flat_map(|node| &frames.bodies[node])
+            .flat_map(|node| &bodies.bodies[node])
             .any(|b| *b == body)
     };
     rows.iter().find(touched)?;
-    let bears = bears(scene, &rows, &frames, (&found.forces, body));
+    let bears = bears(scene, &rows, &bodies, (&found.forces, body));
     Some(Imbalance {
         motion,
         friction: stands(ROUGHEST_FRICTION).then(|| least(&stands)),

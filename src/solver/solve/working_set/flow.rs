@@ -10,6 +10,7 @@ use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
     EARLY_YIELD_SHARE, LEAST_FLOW_SHARE, STRESS_GROWTH_POWER, STRESS_TAKEN_OVER,
 };
+use crate::solver::solve::start::load_names::load_names;
 use crate::solver::solve::working_set::shares_of_yield::shares_of_yield;
 
 /// What is known of the flow to come.
@@ -83,10 +84,7 @@ fn with_neighbours(model: &Model, shares: &[(u32, f64)], elements: &[u32]) -> Ve
 /// How many times larger than now a load still gets.
 fn load_to_come(model: &Model, x: &Point) -> f64 {
     let scene = model.scene;
-    let names = (scene.tractions.iter().map(|t| &t.name))
-        .chain(scene.rigid_planes.iter().map(|p| &p.name))
-        .chain(scene.supports.iter().map(|s| &s.name));
-    let ratios = names.map(|name| {
+    let ratios = load_names(scene).map(|name| {
         let now = model.scene.factor(name, x.step, x.time).abs();
         let later = scene.steps[x.step..].iter();
         let most = later.map(|s| s.factor_of(name).abs()).fold(0.0, f64::max);

@@ -15,26 +15,27 @@ use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::model::system::Model;
+use crate::solver::solve::params::{CLOSING_GROWTH, CLOSING_MARGIN, REACH_MARGIN};
 use crate::solver::solve::rows::contact_row::ContactRow;
 use crate::solver::solve::start::expected::least_gaps;
 use crate::solver::solve::working_set::flow::{Ahead, unexpected_flow};
 use crate::solver::solve::working_set::overlap::{Overlap, closed_throughout};
 
-/// What it was not prepared for.
+/// What a solution asks for beyond the working set of its model.
 #[derive(Debug, Default, PartialEq)]
 pub struct Unforeseen {
-    /// Surfaces overlap where contact was not integrated: this far apart at first, or farther.
+    /// Initial gap of the farthest place where surfaces overlap though contact was not integrated there.
     approach: Option<f64>,
-    /// Contact closes at this initial gap over the least one, where it was left out.
+    /// Initial gap, over the least one of its pair, of the farthest row that was left out though contact closes there.
     contact: Option<f64>,
     /// Elements that yield, or soon will, though the model takes them for elastic.
     pub flow: Vec<u32>,
-    /// Is the solution wrong for it?
+    /// Is the solution wrong without it? Else it only helps the next increment.
     pub missed: bool,
 }
 
 impl Unforeseen {
-    /// Looks at all of the solution `x` of `model`, and `ahead`.
+    /// Checks all of the solution `x` of `model`, inner unknowns included; `ahead` says how far flow is to be foreseen.
     pub fn new(
         model: &Model,
         history: &History,
@@ -45,6 +46,7 @@ impl Unforeseen {
         let settled = &history.settled;
         let u = model.displacement(x, settled);
         let least = least_gaps(model.rows.iter());
+        // A row that was left out is penetrated where the relative displacement exceeds its gap.
         let beyond = |r: &&ContactRow| r.relative(&u)[0] > r.row.gap;
         let closing = model.spare.iter().filter(beyond);
         let closing = closing.map(|r| r.row.gap - least[r.pair]);
@@ -73,7 +75,7 @@ impl Unforeseen {
         self.approach.is_none() && self.contact.is_none()
     }
 
-    /// The contact that another look missed, too.
+    /// Adds the contact that another look found missing.
     pub fn add_contact(&mut self, other: Self) {
         self.missed = true;
         let most = |a: Option<f64>, b| a.into_iter().chain(b).reduce(f64::max);
@@ -81,20 +83,21 @@ impl Unforeseen {
         self.contact = most(self.contact, other.contact);
     }
 
+    /// Does contact have to be integrated farther?
     pub fn is_approach(&self) -> bool {
         self.approach.is_some()
     }
 }
 
 impl Expected {
-    /// Prepares for what was unforeseen, with some margin.
+    /// Enlarges the working set by what was unforeseen, with some margin so that the next increments need no more.
     pub fn learn(&mut self, unforeseen: Unforeseen) {
         if let Some(approach) = unforeseen.approach {
-            self.reach = 2.0 * approach;
-            self.contact = self.contact.max(1.5 * approach);
+            self.reach = REACH_MARGIN * approach;
+            self.contact = self.contact.max(CLOSING_MARGIN * approach);
         }
         if let Some(gap) = unforeseen.contact {
-            self.contact = (2.0 * self.contact).max(1.5 * gap);
+            self.contact = (CLOSING_GROWTH * self.contact).max(CLOSING_MARGIN * gap);
         }
         self.flow.extend(unforeseen.flow);
         self.flow.sort_unstable();

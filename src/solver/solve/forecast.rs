@@ -20,6 +20,7 @@ use crate::solver::solve::start::nearest_row::nearest_row;
 /// What solving a scene will take.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forecast {
+    /// Unknowns in all.
     pub unknowns: usize,
     /// Unknowns that contact acts on, which iterations cannot do without.
     pub kept: usize,
@@ -34,6 +35,7 @@ pub struct Forecast {
     pub processor_s: f64,
     /// Elements of steels that can yield.
     pub can_yield: usize,
+    /// The contact pairs, in the order of the scene.
     pub pairs: Vec<PairForecast>,
     /// Bodies that will be moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -44,6 +46,7 @@ pub struct Forecast {
 /// A contact pair before the load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairForecast {
+    /// Its name in the scene.
     pub name: String,
     /// Least gap as meshed, open positive; `None` where the sides do not face each other.
     pub gap: Option<f64>,
@@ -51,8 +54,9 @@ pub struct PairForecast {
     pub gap_at_touch: Option<f64>,
     /// Where that is, the carrier's node, and the unit normal from the carrier to the other side.
     pub at: Option<(u32, Vec3)>,
-    /// Contact nodes that are likely to close, and all within reach.
+    /// Contact nodes that are likely to close,
     pub likely: usize,
+    /// and all within reach.
     pub within_reach: usize,
 }
 

@@ -6,8 +6,11 @@ use std::fmt;
 /// Rigid bodies cannot be in balance under the loads of a step, whatever the solution tries.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NoBalance {
+    /// Name of the step.
     pub step: String,
+    /// Share of the step beyond which there is none, in percent.
     pub percent: f64,
+    /// The body that moves.
     pub body: String,
     /// Does it turn, whatever the friction?
     pub tips: bool,

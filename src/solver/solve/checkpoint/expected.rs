@@ -1,4 +1,4 @@
-//! What the condensed system is prepared for.
+//! The working set: what the condensed system is prepared for.
 
 use serde::{Deserialize, Serialize};
 

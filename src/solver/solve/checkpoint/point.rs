@@ -6,8 +6,11 @@ use serde::{Deserialize, Serialize};
 /// Where the load history stands and what the unknowns are there.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Point {
+    /// Index of the step.
     pub step: usize,
+    /// Share of the step that is done.
     pub time: f64,
+    /// The kept unknowns: displacements, and motions of rigid planes.
     pub x: Vec<f64>,
     /// Contact nodes, row by row.
     pub nodes: Vec<Node>,

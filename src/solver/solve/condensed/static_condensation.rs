@@ -24,7 +24,10 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// All bodies, and the equations that are left of them.
+///
+/// Equations and vertices are those of all unknowns; *kept* ones have numbers of their own.
 pub struct CondensedBodies {
+    /// The condensed groups.
     pub parts: Vec<Part>,
     /// Kept equation of each equation, or [`FIXED`].
     kept_of: Vec<u32>,
@@ -36,12 +39,12 @@ pub struct CondensedBodies {
     pub blocks: Vec<Block>,
     /// Elements that were not condensed.
     pub sparse_elements: Vec<u32>,
-    /// Kept vertices of each condensed part, and its stiffness seen from there.
+    /// Kept vertices of each condensed group, and its stiffness S seen from there: a superelement.
     superelements: Vec<(Range<u32>, Mat<f64>)>,
 }
 
 impl CondensedBodies {
-    /// Condenses what is worth it.
+    /// Condenses every group of bodies that is worth it.
     ///
     /// # Errors
     /// [`SolveError::Factor`] where memory runs out.

@@ -14,31 +14,38 @@ use crate::solver::solve::linear_system::linear_solver::LinearSolver;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::observer::Observer;
 
+/// All that a solution carries from increment to increment.
 pub struct Run<'a, 'o> {
     pub model: Model<'a>,
     /// Where the sides of each pair face each other.
     pub sights: Vec<Vec<Sight>>,
+    /// The working set that the model was prepared for.
     pub expected: Expected,
     pub observer: &'o mut dyn Observer,
     pub solver: LinearSolver,
     pub history: History,
     /// In increments twice as large; none where it is not wanted or has not converged.
     pub companion: Option<Companion>,
+    /// What is found beside the solution itself.
     pub beside: Beside,
+    /// The last accepted point.
     pub point: Point,
     /// A better first guess than the last accepted state.
     pub guess: Option<Point>,
     /// The end of the step if no steel yielded, from which its last increment starts.
     pub end: Option<Point>,
     pub counters: Counters,
-    /// Has statics been asked about this increment, and were bodies held back for a first guess?
+    /// Has statics been asked about this increment?
     pub asked: bool,
+    /// Were bodies held back by springs for its first guess?
     pub held_back: bool,
     /// Share of the step that the next increment tries.
     pub size: f64,
     /// Has it been cut back?
     pub cut: bool,
+    /// The ends of the finished steps.
     pub states: Vec<State>,
+    /// The last accepted state; empty before the first.
     pub last: State,
     /// What the states of the finished steps and the last one can be restored from.
     pub finished: Vec<Kept>,

@@ -17,6 +17,7 @@ pub struct Solution {
     pub elastic: Option<State>,
     /// The ends of steps in increments twice as large, where something has yielded.
     pub doubled: Vec<State>,
+    /// How often the expensive parts ran, and the sizes of the model.
     pub counters: Counters,
     /// Bodies that were moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -33,6 +34,7 @@ pub struct Solution {
 /// What came of a solution that did not get to its end.
 #[derive(Debug)]
 pub struct Unfinished {
+    /// Why it did not.
     pub error: SolveError,
     /// Up to the last accepted increment; `None` where there is none.
     pub solution: Option<Box<Solution>>,

@@ -19,6 +19,7 @@ impl Run<'_, '_> {
         Ok(true)
     }
 
+    /// Solves one step, increment by increment, from where it stands. Returns false where the observer cancelled.
     fn one_step(&mut self, step: usize) -> Result<bool, SolveError> {
         let mut time = if self.point.step == step && self.point.time < 1.0 {
             self.point.time
@@ -48,6 +49,7 @@ impl Run<'_, '_> {
             }
             let most = self.size.min(self.relief(step, time));
             let end = self.planned_end(step, time);
+            // No sliver of an increment is left before the end.
             let target = if time + 1.001 * most >= end {
                 end
             } else {
@@ -71,6 +73,7 @@ impl Run<'_, '_> {
                         self.size = (INCREMENT_GROWTH * self.size)
                             .min(LARGEST_INCREMENT * self.first_increment());
                     }
+                    // The working set may have been too small: then this increment is solved once more.
                     let mut unforeseen = self.look(&trial, self.size / target);
                     if !self.look_ahead(&mut unforeseen, &trial) {
                         return Ok(false);
@@ -85,6 +88,7 @@ impl Run<'_, '_> {
                     (self.asked, self.held_back) = (false, false);
                     time = target;
                     self.accompany();
+                    // What only the next increment needs is prepared after this one was accepted.
                     if !unforeseen.is_empty() {
                         self.prepare_for(unforeseen, None)?;
                     }

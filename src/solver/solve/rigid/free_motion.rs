@@ -1,4 +1,7 @@
 //! Which bodies are held: motions that neither supports nor contact at first touch resists.
+//!
+//! Contact counts both ways here, as if it could pull: the load keeps it shut. So a motion that is found free has no
+//! stiffness against it at all, and a solution would fail.
 
 use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
@@ -12,8 +15,9 @@ use crate::solver::solve::rows::contact_row::ContactRow;
 pub struct FreeMotion {
     /// The body that moves most.
     pub body: String,
-    /// Translation and turn about its middle, the larger of the two of length one.
+    /// Translation of its middle; the largest component of translation and turn is one.
     pub translation: Vec3,
+    /// Turn about its middle, times half the size of the model.
     pub turn: Vec3,
     /// Does the load drive it? Then there is no balance; else nothing but rounding moves it.
     pub driven: bool,
@@ -21,18 +25,18 @@ pub struct FreeMotion {
 
 /// The motions of `scene`, its bodies in touch at `rows`, that nothing resists.
 pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
-    let frames = RigidBodies::new(scene);
+    let bodies = RigidBodies::new(scene);
     let mut seen = Resistance::new(scene.mesh.bodies.len());
-    seen.supports(scene, &frames);
-    seen.planes(scene, &frames);
-    seen.contacts(scene, rows, &frames);
-    seen.shared_nodes(&frames);
-    let load = frames.load(scene, &|_| 1.0);
+    seen.supports(scene, &bodies);
+    seen.planes(scene, &bodies);
+    seen.contacts(scene, rows, &bodies);
+    seen.shared_nodes(&bodies);
+    let load = bodies.load(scene, &|_| 1.0);
     let whole = load.iter().map(|f| f * f).sum::<f64>().sqrt();
     let free = seen.unresisted(UNRESISTED_EIGENVALUE);
     let motions = free.iter().filter_map(|motion| {
         let work: f64 = motion.iter().zip(&load).map(|(v, f)| v * f).sum();
-        frames.motion(
+        bodies.motion(
             scene,
             motion.as_slice(),
             work.abs() > DRIVEN_MODE_LOAD * whole,

@@ -12,12 +12,14 @@ use crate::solver::solve::start::extent::extent;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use std::collections::BTreeMap;
 
-/// What is seen of the motions of all bodies: a sum of squares.
+/// The quadratic form of what resists the modes of all bodies.
 pub(in crate::solver::solve) struct Resistance {
+    /// Symmetric, six rows and columns a body.
     pub matrix: DMatrix<f64>,
 }
 
 impl Resistance {
+    /// Nothing resists.
     pub fn new(bodies: usize) -> Self {
         let size = 6 * bodies;
         Self {

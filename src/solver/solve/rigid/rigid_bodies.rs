@@ -7,20 +7,24 @@ use crate::ground::geometry::{Vec3, add, cross, norm, scale, sub};
 use crate::model::scene::Scene;
 use std::collections::BTreeMap;
 
-/// Where the bodies are: their middles, and their nodes.
+/// Where the bodies are.
 pub(in crate::solver::solve) struct RigidBodies {
+    /// Mean of the nodes of each body: turns are about it.
     pub middles: Vec<Vec3>,
-    /// Turns are measured at this distance, so that they weigh what translations do.
+    /// Half the size of the model. A turn counts as the displacement at this distance, so that it weighs what a
+    /// translation does.
     pub size: f64,
     /// Bodies of each node.
     pub bodies: Vec<Vec<usize>>,
+    /// Positions of the nodes.
     pub points: Vec<Vec3>,
 }
 
-/// One row: by body, what its six motions do to one number.
+/// A linear function of the modes of all bodies: its six coefficients by body.
 pub(in crate::solver::solve) type ModeRow = BTreeMap<usize, [f64; 6]>;
 
 impl RigidBodies {
+    /// The bodies of `scene` where they are meshed.
     pub fn new(scene: &Scene) -> Self {
         let mesh = &scene.mesh;
         let mut bodies = vec![Vec::new(); mesh.points.len()];
@@ -48,7 +52,7 @@ impl RigidBodies {
         }
     }
 
-    /// What the motions of `body` move the point `at` along `direction`.
+    /// Coefficients of the displacement of the point `at` of `body` along `direction`, times `sign`.
     pub fn row(&self, body: usize, at: Vec3, direction: Vec3, sign: f64) -> [f64; 6] {
         let arm = scale(sub(at, self.middles[body]), 1.0 / self.size);
         // d · (ω × r) = ω · (r × d)
@@ -57,6 +61,7 @@ impl RigidBodies {
         [x, y, z, turn[0], turn[1], turn[2]].map(|c| sign * c)
     }
 
+    /// The displacement of a node along a coordinate axis; `None` of a node without a body.
     pub fn of_node(&self, node: u32, axis: usize) -> Option<ModeRow> {
         let body = *self.bodies[node as usize].first()?;
         let mut direction = [0.0; 3];

@@ -15,10 +15,10 @@ pub struct Touch {
 
 impl Touch {
     /// Of a contact row, for the motions in the columns of `free`.
-    pub fn new(contact: &ContactRow, frames: &RigidBodies, free: &DMatrix<f64>) -> Self {
+    pub fn new(contact: &ContactRow, bodies: &RigidBodies, free: &DMatrix<f64>) -> Self {
         let on = |direction: Vec3| {
             let mut sum = DVector::zeros(free.ncols());
-            for (body, values) in relative(contact, direction, frames) {
+            for (body, values) in relative(contact, direction, bodies) {
                 for (i, value) in values.into_iter().enumerate() {
                     sum += value * free.row(6 * body + i).transpose();
                 }

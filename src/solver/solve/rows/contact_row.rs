@@ -14,8 +14,11 @@ use crate::solver::solve::params::{
 
 /// A contact row with its pair's law.
 pub struct ContactRow {
+    /// Weighted gap, area, normal, tangents, and the terms C_A.
     pub row: Row,
+    /// Index of its pair in the scene.
     pub pair: usize,
+    /// How it presses and rubs.
     pub law: Law,
 }
 

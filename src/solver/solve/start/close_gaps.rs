@@ -19,7 +19,9 @@ use crate::solver::solve::start::nearest_row::nearest_row;
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closing {
+    /// Its name.
     pub body: String,
+    /// In the length unit of the scene.
     pub shift: Vec3,
 }
 

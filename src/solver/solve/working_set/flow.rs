@@ -24,7 +24,11 @@ pub enum Ahead {
     Less,
 }
 
-/// Elements to keep from now on, and whether one of them yields already.
+/// Elements to keep from now on, and whether one of them yields already: then the solution is wrong without them.
+///
+/// `u` are the displacements of all nodes at the point `x`. If the largest share of yield will not reach one before the
+/// next look, nothing is added. Else all elements are added that will yield until the largest load to come, and one
+/// layer of their neighbours.
 pub fn unexpected_flow(
     model: &Model,
     settled: &Settled,
@@ -44,7 +48,7 @@ pub fn unexpected_flow(
         Ahead::Known => (1.0, EARLY_YIELD_SHARE),
         Ahead::Less => (1.0, 1.0),
     };
-    // As long as nothing will flow before the next look, all is well.
+    // Nothing will flow before the next look.
     if most * next.powf(STRESS_GROWTH_POWER) <= 1.0 {
         return (Vec::new(), false);
     }
@@ -52,24 +56,26 @@ pub fn unexpected_flow(
     (with_neighbours(model, &shares, &elements), most > 1.0)
 }
 
-/// Elements that will flow, from the `shares` of the elastic solution at full load. The more the stress exceeds
-/// yield the more the neighbours take over, and the more contact widens.
+/// Elements that will flow, from the `shares` of yield in the elastic solution at full load. Where the stress exceeds
+/// yield, neighbours take over some of it and contact widens: the more it exceeds, the smaller are the elastic shares
+/// from which elements flow in the end.
 pub fn flow_to_come(shares: &[(u32, f64)]) -> Vec<u32> {
     let share = 1.0 - STRESS_TAKEN_OVER * (largest_share(shares) - 1.0);
     shares_above(shares, share.clamp(LEAST_FLOW_SHARE, 1.0))
 }
 
+/// The largest share of yield.
 fn largest_share(shares: &[(u32, f64)]) -> f64 {
     shares.iter().map(|(_, share)| *share).fold(0.0, f64::max)
 }
 
-/// Elements of a larger share than that.
+/// Elements whose share of yield is larger than `share`.
 fn shares_above(shares: &[(u32, f64)], share: f64) -> Vec<u32> {
     let elements = shares.iter().filter(|(_, s)| *s > share);
     elements.map(|(element, _)| *element).collect()
 }
 
-/// Those of the elements with `shares` that have a node in common with `elements`.
+/// `elements` and all that have a node in common with them, of those that `shares` are known of.
 fn with_neighbours(model: &Model, shares: &[(u32, f64)], elements: &[u32]) -> Vec<u32> {
     let hexes = &model.scene.mesh.hexes;
     let mut beside = vec![false; model.scene.mesh.points.len()];

@@ -10,10 +10,13 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Where surfaces overlap and no row that was kept acts.
+///
+/// The gaps that are looked at here know nothing of rows: from each node and the middle of each facet the other surface
+/// is sought along the normal ([`Sight`]).
 pub struct Overlap {
-    /// The largest gap, over the least of its pair, of rows that were left out there.
+    /// The largest initial gap, over the least of its pair, of rows that were left out there.
     pub left_out: Option<f64>,
-    /// Contact was not integrated there: up to which initial gap it has to be, at least.
+    /// Where no row exists at all: the initial gap up to which contact has to be integrated, at least.
     pub not_integrated: Option<f64>,
 }
 

@@ -9,7 +9,7 @@ use crate::solver::solve::params::LIMIT_FLOW_SHARE;
 
 /// An element that yields, or has yielded before.
 pub struct PlasticAnswer {
-    /// Position in [`Model::yielding`].
+    /// Position in [`crate::solver::solve::model::system::Model::yielding`].
     pub index: usize,
     pub points: Box<[PlasticPoint; 8]>,
     pub flows: [Option<j2::Flow>; 8],

@@ -1,24 +1,26 @@
 //! Why a scene could not be solved.
 
-use super::restart::Stranger;
-use crate::ground::geometry::Vec3;
 use crate::model::state::turn::TOO_FAR;
 use crate::solver::fem::dofs::Conflict;
 use crate::solver::linear::cholesky::FactorError;
-use std::fmt;
+use crate::solver::solve::checkpoint::kept::Stranger;
+use crate::solver::solve::no_balance::NoBalance;
 
 /// Why a scene could not be solved. What was accepted before went to the observer.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum SolveError {
+    /// Two supports prescribe the same displacement differently.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Conflict(#[from] Conflict),
+    /// Every displacement component is prescribed.
     #[error("nothing is free to move: every displacement component is prescribed")]
     #[diagnostic(
         code(brinell::solve::nothing_free),
         help("free a surface, or apply a load")
     )]
     NothingFree,
+    /// The squares of the loads leave the range of floating-point numbers.
     #[error("the loads are too large: their squares leave the range of floating-point numbers")]
     #[diagnostic(
         code(brinell::solve::out_of_range),
@@ -27,9 +29,11 @@ pub enum SolveError {
         )
     )]
     OutOfRange,
+    /// A matrix could not be factored: memory ran out, or it is not positive definite.
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
     Factor(#[from] FactorError),
+    /// The scene needs more memory than there is.
     #[error(
         "{unknowns} unknowns take about {} GB of memory, and {:.2} GB are left",
         gigabytes(*needed),
@@ -40,11 +44,14 @@ pub enum SolveError {
         help("a coarser mesh, or `solver = \"divided\"` under [controls], which takes the least")
     )]
     Memory {
+        /// Unknowns of the scene.
         unknowns: usize,
         /// Bytes.
         needed: f64,
+        /// Bytes that are left.
         available: f64,
     },
+    /// A body can move without any resistance.
     #[error(
         "body `{body}` is free to move along {axis}: no support and no contact holds it{}",
         in_pieces(*pieces)
@@ -54,14 +61,18 @@ pub enum SolveError {
         help("support it, bring it into contact, or give the contact friction")
     )]
     FreeBody {
+        /// Name of the body.
         body: String,
+        /// `x`, `y` or `z`.
         axis: char,
         /// Parts of the body that share no nodes.
         pieces: usize,
     },
+    /// Rigid bodies cannot be in balance under the loads.
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::no_balance), help("{}", .0.remedy()))]
     NoBalance(Box<NoBalance>),
+    /// The smallest increment did not converge.
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
          iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
@@ -75,15 +86,22 @@ pub enum SolveError {
         )
     )]
     NotConverged {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in percent.
         percent: f64,
+        /// Iterations that were spent.
         iterations: usize,
+        /// Force that is left over, as a share.
         residual: f64,
+        /// Contact violation over the largest displacement.
         penetration: f64,
         /// Where the residual and the violation are largest, in words.
         place: String,
+        /// The contact that is furthest from settled, in words.
         contact: String,
     },
+    /// So much of a body flows that it carries no more.
     #[error(
         "body `{body}` gives way beyond {percent:.3} % of step `{step}`: {share:.1} % of its elements \
          flow, and no increment beyond finds balance"
@@ -96,11 +114,16 @@ pub enum SolveError {
         )
     )]
     LimitLoad {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in percent.
         percent: f64,
+        /// Name of the body.
         body: String,
+        /// Share of its elements that flow, in percent.
         share: f64,
     },
+    /// A body turns farther than small rotations describe.
     #[error(
         "body `{body}` turns by {angle:.3} rad beyond {percent:.3} % of step `{step}`: rotations are taken as \
          small, and up to {TOO_FAR} rad are solved for"
@@ -112,12 +135,16 @@ pub enum SolveError {
         )
     )]
     TurnsFar {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in percent.
         percent: f64,
+        /// Name of the body.
         body: String,
         /// Radians.
         angle: f64,
     },
+    /// Taking the load off takes too many iterations.
     #[error(
         "step `{step}` came to {percent:.3} % in {iterations} iterations, more than are spent on taking a load off"
     )]
@@ -128,87 +155,33 @@ pub enum SolveError {
         )
     )]
     Crawls {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in percent.
         percent: f64,
+        /// Iterations that were spent.
         iterations: usize,
     },
+    /// The displacement that stays was not found.
     #[error("what stays after unloading was not found: {residual:.1e} of the forces are left over")]
     #[diagnostic(
         code(brinell::solve::spring_back),
         help("`solver = \"direct\"` under [controls] takes more memory and is more robust")
     )]
-    SpringBack { residual: f64 },
+    SpringBack {
+        /// Force that is left over, as a share.
+        residual: f64,
+    },
+    /// A checkpoint belongs to another scene.
     #[error(transparent)]
     #[diagnostic(
         code(brinell::solve::restart),
         help("run it from the start, or give the case and the mesh that the earlier run had")
     )]
     Restart(#[from] Stranger),
+    /// The observer stopped the solution with an error.
     #[error("{0}")]
     Observer(Box<dyn std::error::Error + Send + Sync>),
-}
-
-/// Rigid bodies cannot be in balance under the loads of a step, whatever the solution tries.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NoBalance {
-    pub step: String,
-    pub percent: f64,
-    pub body: String,
-    /// Does it turn, whatever the friction?
-    pub tips: bool,
-    /// Unit vector along which it slides, or about which it turns.
-    pub along: Vec3,
-    /// The contact pair that it bears on most, and where.
-    pub bears: Option<(String, Vec3)>,
-    /// The least coefficient of friction with which the bodies stand, if any does.
-    pub friction: Option<f64>,
-}
-
-impl fmt::Display for NoBalance {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let vector = |v: Vec3| {
-            let [x, y, z] = v.map(|c| if c.abs() < 5e-4 { 0.0 } else { c });
-            format!("({x:.3}, {y:.3}, {z:.3})")
-        };
-        let how = match (self.tips, self.friction) {
-            (true, _) => "tips or rolls, turning about",
-            (false, Some(_)) => "slides along",
-            (false, None) => "moves off along",
-        };
-        write!(
-            f,
-            "there is no balance beyond {:.3} % of step `{}`: body `{}` {how} {}",
-            self.percent,
-            self.step,
-            self.body,
-            vector(self.along)
-        )?;
-        if let Some((pair, [x, y, z])) = &self.bears {
-            write!(
-                f,
-                "; it bears on `{pair}` about ({x:.4e}, {y:.4e}, {z:.4e})"
-            )?;
-        }
-        write!(
-            f,
-            ". So says the statics of rigid bodies, without any solution"
-        )
-    }
-}
-
-impl NoBalance {
-    fn remedy(&self) -> String {
-        match self.friction {
-            Some(friction) => format!(
-                "the bodies, as they are meshed, stand with a coefficient of friction of {friction:.4} or more, or with less slope \
-                 or offset"
-            ),
-            None => "no friction helps: bring the load nearer to the middle of what carries it (less offset), or \
-                     support the body; where the balance is close, a mesh that follows round ends and faces \
-                     more finely"
-                .to_owned(),
-        }
-    }
 }
 
 impl SolveError {
@@ -235,8 +208,9 @@ fn in_pieces(pieces: usize) -> String {
 
 /// What is next to nothing is more than what is left.
 fn gigabytes(bytes: f64) -> String {
-    match bytes < 1e7 {
-        true => format!("{:.0e}", 1e-9 * bytes),
-        false => format!("{:.2}", 1e-9 * bytes),
+    if bytes < 1e7 {
+        format!("{:.0e}", 1e-9 * bytes)
+    } else {
+        format!("{:.2}", 1e-9 * bytes)
     }
 }

@@ -1,19 +1,26 @@
 //! What solving a scene will take, reckoned without solving it.
 
-use super::error::SolveError;
-use super::foresight::Expected;
-use super::holding::{FreeMotion, free_motions};
-use super::model::{can_yield, needed};
-use super::rows::{ContactRow, contact_rows};
-use super::size::Size;
-use super::start::{Closing, nearest_row, touch};
 use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::DofMap;
+use crate::solver::solve::checkpoint::expected::Expected;
+use crate::solver::solve::condensed::size::Size;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::model::structure::needed;
+use crate::solver::solve::params::{
+    ITERATIONS_PER_INCREMENT, ITERATIONS_PER_PATH_FREE_STEP, SECONDS_PER_UNKNOWN_ITERATION,
+};
+use crate::solver::solve::rigid::free_motion::{FreeMotion, free_motions};
+use crate::solver::solve::rows::contact_row::ContactRow;
+use crate::solver::solve::rows::contact_rows::contact_rows;
+use crate::solver::solve::start::can_yield::can_yield;
+use crate::solver::solve::start::close_gaps::{Closing, touch};
+use crate::solver::solve::start::nearest_row::nearest_row;
 
 /// What solving a scene will take.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forecast {
+    /// Unknowns in all.
     pub unknowns: usize,
     /// Unknowns that contact acts on, which iterations cannot do without.
     pub kept: usize,
@@ -28,6 +35,7 @@ pub struct Forecast {
     pub processor_s: f64,
     /// Elements of steels that can yield.
     pub can_yield: usize,
+    /// The contact pairs, in the order of the scene.
     pub pairs: Vec<PairForecast>,
     /// Bodies that will be moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -38,6 +46,7 @@ pub struct Forecast {
 /// A contact pair before the load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairForecast {
+    /// Its name in the scene.
     pub name: String,
     /// Least gap as meshed, open positive; `None` where the sides do not face each other.
     pub gap: Option<f64>,
@@ -45,8 +54,9 @@ pub struct PairForecast {
     pub gap_at_touch: Option<f64>,
     /// Where that is, the carrier's node, and the unit normal from the carrier to the other side.
     pub at: Option<(u32, Vec3)>,
-    /// Contact nodes that are likely to close, and all within reach.
+    /// Contact nodes that are likely to close,
     pub likely: usize,
+    /// and all within reach.
     pub within_reach: usize,
 }
 
@@ -62,9 +72,10 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
     };
     let before = least(scene);
     let closings = touch(scene);
-    let after = match closings.is_empty() {
-        true => before.clone(),
-        false => least(scene),
+    let after = if closings.is_empty() {
+        before.clone()
+    } else {
+        least(scene)
     };
     let dofs = DofMap::new(scene)?;
     if dofs.is_empty() {
@@ -109,12 +120,11 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
 /// About how many Newton iterations the steps take: a few where nothing depends on the path, eight an
 /// increment of the first size where something does.
 fn iterations(scene: &Scene, yields: bool) -> f64 {
-    const AT_ONCE: f64 = 5.0;
-    const AN_INCREMENT: f64 = 8.0;
     let rubs = scene.contacts.iter().any(|pair| pair.friction > 0.0);
-    let a_step = match yields || rubs {
-        true => AN_INCREMENT / scene.controls.first_increment,
-        false => AT_ONCE,
+    let a_step = if yields || rubs {
+        ITERATIONS_PER_INCREMENT / scene.controls.first_increment
+    } else {
+        ITERATIONS_PER_PATH_FREE_STEP
     };
     scene.steps.len() as f64 * a_step
 }
@@ -122,7 +132,7 @@ fn iterations(scene: &Scene, yields: bool) -> f64 {
 /// Seconds of the processor: in `docs/performance.md` bearings of 36 thousand to a million unknowns
 /// take 0.9 to 1.6e-5 s an unknown and iteration.
 fn processor_seconds(unknowns: usize, iterations: f64) -> f64 {
-    1.4e-5 * unknowns as f64 * iterations
+    SECONDS_PER_UNKNOWN_ITERATION * unknowns as f64 * iterations
 }
 
 #[cfg(test)]

@@ -3,47 +3,57 @@
 //! Bodies are small-strain; contact is integrated once on the undeformed geometry, so that the
 //! sparsity pattern, the elastic stiffness and the contact operator are made once a scene. Each
 //! iteration changes only what yields, opens, sticks or slips.
+//!
+//! Layers, each of which uses only those above it:
+//!
+//! | layer | what it is |
+//! |---|---|
+//! | `params` | the tuning constants |
+//! | `checkpoint/` | all that is serialised, as plain data |
+//! | `observer`, `no_balance`, `error` | what the outside is told |
+//! | `rows/` | contact rows: mortar operator and law |
+//! | `start/` | lengths of the scene, floating bodies in touch, what is expected |
+//! | `rigid/`, `statics/` | rigid-body modes, rest and balance of rigid bodies |
+//! | `condensed/` | static condensation of the bodies |
+//! | `model/` | the condensed system: unknowns, stiffness, loads |
+//! | `equilibrium/` | residual, tangent, history |
+//! | `linear_system/` | one correction: Krylov method, aged factors |
+//! | `newton/` | one increment: Newton's method, active set, proximal point |
+//! | `recovery/` | a solution in the terms of the scene |
+//! | `working_set/` | what happened beyond what the model was prepared for |
+//! | `increments/` | steps, cut-back, a second solution, going on |
+//! | `forecast`, `spring_back` | what needs no increments |
 
-mod anchor;
-mod bodies;
-mod bounds;
-mod consistent;
-mod cost;
-mod counters;
-mod diagnosis;
-mod driver;
-mod effort;
-mod energy;
+mod checkpoint;
+mod condensed;
+mod equilibrium;
 mod error;
-mod evaluate;
 mod forecast;
-mod foresight;
-mod history;
-mod holding;
-mod line_search;
-mod linear_solver;
+mod increments;
+mod linear_system;
 mod model;
 mod newton;
+mod no_balance;
 mod observer;
-mod reaction;
-mod restart;
+mod params;
+mod recovery;
 mod rigid;
 mod rows;
-mod size;
 mod spring_back;
 mod start;
-mod state;
 mod statics;
-mod timers;
-mod update;
+mod working_set;
 
-pub use counters::Counters;
-pub use driver::{Solution, Unfinished, resume, solve};
-pub use error::{NoBalance, SolveError};
+pub use checkpoint::counters::Counters;
+pub use checkpoint::kept::Stranger;
+pub use checkpoint::restart::Restart;
+pub use checkpoint::timers::{Phase, Timers};
+pub use error::SolveError;
 pub use forecast::{Forecast, PairForecast, forecast};
-pub use holding::{FreeMotion, free_motions};
+pub use increments::solution::{Solution, Unfinished};
+pub use increments::solve::{resume, solve};
+pub use no_balance::NoBalance;
 pub use observer::{Iteration, Observer, Silent};
-pub use restart::{Restart, Stranger};
+pub use rigid::free_motion::{FreeMotion, free_motions};
 pub use spring_back::spring_back;
-pub use start::{Closing, close_gaps};
-pub use timers::{Phase, Timers};
+pub use start::close_gaps::{Closing, close_gaps};

@@ -1,23 +1,27 @@
 //! What a running solution tells the outside, and how it is stopped.
 
-use super::restart::Restart;
 use crate::model::scene::Scene;
 use crate::model::state::State;
+use crate::solver::solve::checkpoint::restart::Restart;
 
 /// One Newton iteration, all values relative where a tolerance is relative.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Iteration {
+    /// Index of the step.
     pub step: usize,
     /// Share of the step that this increment aims at.
     pub time: f64,
+    /// Number of the iteration in its increment, from one.
     pub iteration: usize,
     /// Residual force over applied force.
     pub residual: f64,
     /// Work of the residual on the correction over the work of the loads.
     pub energy: f64,
-    /// Contact nodes that carry pressure, and how many of them stick and slip.
+    /// Contact nodes that carry pressure.
     pub active: usize,
+    /// Those of them that stick,
     pub sticking: usize,
+    /// and those that slip.
     pub slipping: usize,
     /// Contact nodes whose status changed in this iteration.
     pub changed: usize,
@@ -25,8 +29,9 @@ pub struct Iteration {
     pub penetration: f64,
     /// Integration points that flow.
     pub flowing: usize,
-    /// Krylov directions of the linear solve, and whether a new factor was made for it.
+    /// Krylov directions of the linear solve.
     pub directions: usize,
+    /// Was a new factor made for it?
     pub refactored: bool,
     /// Share of the correction that the line search took.
     pub line_search: f64,

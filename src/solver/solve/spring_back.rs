@@ -1,20 +1,22 @@
 //! What stays of a displacement when all loads and contact forces are taken off.
 
-use super::error::SolveError;
-use super::foresight::Expected;
-use super::linear_solver::SHIFT;
-use super::model::Model;
 use crate::ground::geometry::sub;
-use crate::model::material::{Elastic, j2::PlasticPoint};
+use crate::model::material::Elastic;
+use crate::model::material::j2::PlasticPoint;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::solver::fem::loads::at_nodes;
 use crate::solver::linear::krylov;
 use crate::solver::linear::preconditioner::Precision;
+use crate::solver::solve::checkpoint::expected::Expected;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::linear_system::shifted_diagonal::shift_diagonal;
+use crate::solver::solve::model::system::Model;
+use crate::solver::solve::params::{
+    ELASTIC_FORCE_ROUNDING, FACTOR_DIRECTIONS, SPRING_BACK_LOOSEST, SPRING_BACK_RESIDUAL,
+    SPRING_BACK_TOLERANCE,
+};
 use rayon::prelude::*;
-
-/// Error of forces that are the difference of elastic ones, as a share of these.
-const ROUNDING: f64 = 1e-13;
 
 /// Displacement of every node, in the length unit of the scene, that stays when the bodies spring
 /// back elastically from `state`: that of elastic bodies under the plastic strains of `state` alone,
@@ -54,7 +56,7 @@ pub fn spring_back(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveE
     let mut all = model.all.gather(&forces);
     model.bodies.reduce(&mut all);
     let forces = model.bodies.restrict(&all);
-    let kept = solve(&model, &forces, ROUNDING * elastic)?;
+    let kept = solve(&model, &forces, ELASTIC_FORCE_ROUNDING * elastic)?;
     model.bodies.recover(&kept, &mut all);
     model.all.scatter_add(&all, 1.0, &mut stays);
     Ok(stays)
@@ -102,28 +104,22 @@ fn strain(elastic: &Elastic, stress: &[f64; 6]) -> [f64; 6] {
 
 /// Solves the stiffness for self-balanced forces that are known up to `rounding`; bodies may float.
 fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, SolveError> {
-    const TOLERANCE: f64 = 1e-9;
-    const ENOUGH: f64 = 1e-6;
-    // Forces that are nothing but rounding are solved for too: what comes out is as small.
-    const LITTLE: f64 = 0.1;
-    const DIRECTIONS: usize = 150;
     let (pattern, matrix) = (&model.pattern, &model.stiffness);
     let mut shifted = matrix.clone();
-    for start in &pattern.columns[..forces.len()] {
-        shifted.values[*start as usize] *= 1.0 + SHIFT;
-    }
+    shift_diagonal(pattern, &mut shifted);
     let factor = model
         .preconditioner
         .factorise(pattern, &shifted, Precision::default(), None)?;
     let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(matrix, x, y);
     let precondition = |x: &mut [f64]| (model.preconditioner).apply(pattern, &factor, multiply, x);
     let known = rounding / krylov::norm(forces).max(f64::MIN_POSITIVE);
-    let tolerance = known.clamp(TOLERANCE, LITTLE);
-    let (x, outcome) = krylov::solve(multiply, precondition, forces, tolerance, DIRECTIONS);
-    match outcome.residual <= known.max(ENOUGH) {
-        true => Ok(x),
-        false => Err(SolveError::SpringBack {
+    let tolerance = known.clamp(SPRING_BACK_TOLERANCE, SPRING_BACK_LOOSEST);
+    let (x, outcome) = krylov::solve(multiply, precondition, forces, tolerance, FACTOR_DIRECTIONS);
+    if outcome.residual <= known.max(SPRING_BACK_RESIDUAL) {
+        Ok(x)
+    } else {
+        Err(SolveError::SpringBack {
             residual: outcome.residual,
-        }),
+        })
     }
 }

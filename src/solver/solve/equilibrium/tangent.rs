@@ -1,0 +1,70 @@
+//! The tangent matrix: elastic bodies, changed by what flows, and closed contact rows.
+
+use crate::solver::contact::law::Answer;
+use crate::solver::linear::sparse::SymmetricMatrix;
+use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::model::system::Model;
+use crate::solver::solve::params::ENTRIES_PER_TASK;
+use crate::solver::solve::rows::contact_row::ContactRow;
+use rayon::prelude::*;
+
+impl Model<'_> {
+    /// The tangent, in the place of another: bodies with what flows, closed contact nodes.
+    pub fn tangent(&self, evaluation: &Evaluation, mut matrix: SymmetricMatrix) -> SymmetricMatrix {
+        matrix.values.resize(self.stiffness.values.len(), 0.0);
+        let shares = matrix.values.par_chunks_mut(ENTRIES_PER_TASK);
+        shares
+            .zip(self.stiffness.values.par_chunks(ENTRIES_PER_TASK))
+            .for_each(|(to, from)| to.copy_from_slice(from));
+        let changes: Vec<_> = evaluation
+            .plastic
+            .par_iter()
+            .filter(|answer| answer.flows())
+            .map(|answer| {
+                let element = self.yielding[answer.index];
+                let body = self.scene.mesh.body_of(element as usize);
+                let shape = self.element(element);
+                let change = Box::new(shape.tangent_change(&self.elastic[body], &answer.flows));
+                (self.element_equations(element), change)
+            })
+            .collect();
+        for (equations, change) in changes {
+            self.pattern
+                .add_block(&mut matrix, &equations, |i, j| change[i][j]);
+        }
+        for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
+            if answer.tangent[0][0] != 0.0 {
+                row.add_stiffness(self, answer, &mut matrix);
+            }
+        }
+        matrix
+    }
+}
+
+impl ContactRow {
+    /// Adds area · Cᵀ E C with the law's tangent E.
+    fn add_stiffness(&self, model: &Model, answer: &Answer, matrix: &mut SymmetricMatrix) {
+        let (n, e) = (self.row.normal, &answer.tangent);
+        let mut global = n.map(|i| n.map(|j| e[0][0] * i * j));
+        if let Some(frame) = self.row.tangents {
+            for a in 0..2 {
+                for b in 0..2 {
+                    for i in 0..3 {
+                        for j in 0..3 {
+                            global[i][j] += e[1 + a][1 + b] * frame[a][i] * frame[b][j];
+                        }
+                    }
+                }
+            }
+        }
+        let global = global.map(|row| row.map(|v| self.row.area * v));
+        let terms = &self.row.terms;
+        let equations: Vec<u32> = terms
+            .iter()
+            .flat_map(|(n, _)| model.dofs.equations[*n as usize])
+            .collect();
+        model.pattern.add_block(matrix, &equations, |i, j| {
+            terms[i / 3].1[i % 3] * terms[j / 3].1[j % 3] * global[i % 3][j % 3]
+        });
+    }
+}

@@ -1,0 +1,71 @@
+//! What an accepted increment leaves.
+
+use crate::model::state::turn::{TOO_FAR, largest_turn};
+use crate::model::state::{Energy, State};
+use crate::solver::solve::checkpoint::kept::Kept;
+use crate::solver::solve::checkpoint::point::Point;
+use crate::solver::solve::checkpoint::timers::Phase;
+use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::recovery::state::recovered_state;
+
+impl Run<'_, '_> {
+    pub(super) fn accept(
+        &mut self,
+        trial: Point,
+        evaluation: &Evaluation,
+        last: bool,
+    ) -> Result<(), SolveError> {
+        let mut accepted = trial;
+        self.history.advance(&mut accepted, evaluation);
+        self.point = accepted;
+        let mut timers = self.counters.timers;
+        let state = timers.time(Phase::Recover, || {
+            let (model, point) = (&self.model, &self.point);
+            let with = (evaluation, self.sights.as_slice());
+            let mut state = recovered_state(model, &self.history, point, with);
+            let before = if self.last.displacement.is_empty() {
+                Some(Energy::default())
+            } else {
+                self.last.energy
+            };
+            state.energy = before.and_then(|energy| energy.after(model, &self.last, &state));
+            state
+        });
+        self.counters.timers = timers;
+        self.refuse_far(&state)?;
+        self.observer
+            .increment(&state)
+            .map_err(SolveError::Observer)?;
+        if last {
+            let plastic = self.history.all_plastic(&self.model);
+            self.finished.push(Kept::new(&state, plastic));
+            self.states.push(state.clone());
+        }
+        self.last = state;
+        Ok(())
+    }
+
+    /// Refuses contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror
+    /// planes leave also turns where the whole only bends.
+    fn refuse_far(&self, state: &State) -> Result<(), SolveError> {
+        let scene = self.model.scene;
+        if scene.contacts.is_empty() || !scene.mirrors.is_empty() {
+            return Ok(());
+        }
+        match largest_turn(&scene.mesh, &state.displacement) {
+            Some((body, angle)) if angle > TOO_FAR => Err(SolveError::TurnsFar {
+                step: scene.steps[state.step].name.clone(),
+                percent: if self.last.step == state.step {
+                    100.0 * self.last.time
+                } else {
+                    0.0
+                },
+                body: body.to_owned(),
+                angle,
+            }),
+            _ => Ok(()),
+        }
+    }
+}

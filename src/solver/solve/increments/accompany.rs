@@ -1,0 +1,76 @@
+//! Keeping the second solution beside the first.
+
+use crate::solver::solve::checkpoint::kept::Kept;
+use crate::solver::solve::increments::companion::Companion;
+use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::newton::balance::balance_increment;
+use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::recovery::state::recovered_state;
+use std::mem::take;
+
+impl Run<'_, '_> {
+    /// Takes note of an accepted increment.
+    pub(super) fn accompany(&mut self) {
+        let virgin = self.history.is_virgin();
+        let Some(companion) = &mut self.companion else {
+            return;
+        };
+        if virgin {
+            // Both are the same as long as nothing has yielded.
+            *companion = Companion::at(&self.point, &self.history);
+        } else {
+            companion.passed.push(self.point.clone());
+        }
+    }
+
+    /// Brings the companion to the end of the step. Returns false where the observer cancelled.
+    pub(super) fn bring_companion(&mut self) -> bool {
+        let Some(mut companion) = self.companion.take() else {
+            return true;
+        };
+        let passed = take(&mut companion.passed);
+        // Every second one; the last in any case.
+        let odd = passed.len() % 2;
+        let ends = passed.into_iter().enumerate().filter(|(i, _)| i % 2 != odd);
+        let mut evaluation = None;
+        for (_, mut trial) in ends {
+            let before = self.counters.iterations;
+            let balanced = balance_increment(
+                &self.model,
+                &companion.history,
+                (&mut trial, None),
+                &mut self.solver,
+                self.observer,
+                &mut self.counters,
+            );
+            self.counters.effort.second += self.counters.iterations - before;
+            match balanced {
+                Ok(found) => {
+                    companion.history.advance(&mut trial, &found);
+                    companion.point = trial;
+                    evaluation = Some(found);
+                }
+                Err(Stopped {
+                    why: Failure::Cancelled,
+                    ..
+                }) => return false,
+                Err(_) => {
+                    self.observer.message(
+                        "the second solution, in increments twice as large, did not converge: what the \
+                         increments are worth is not known",
+                    );
+                    return true;
+                }
+            }
+        }
+        if let Some(evaluation) = evaluation {
+            let (model, history) = (&self.model, &companion.history);
+            let with = (&evaluation, self.sights.as_slice());
+            let state = recovered_state(model, history, &companion.point, with);
+            let plastic = history.all_plastic(model);
+            self.beside.doubled.push(Kept::new(&state, plastic));
+        }
+        self.companion = Some(companion);
+        true
+    }
+}

@@ -1,0 +1,102 @@
+//! A look at the end of the step as if no steel yielded.
+//!
+//! As long as nothing has flowed the condensed model is elastic, and solves to full load for next to
+//! nothing. From there the elements are known that will flow, the contact to begin with at full load,
+//! and the elastic peaks.
+
+use crate::model::mesh::hexahedron::volume;
+use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
+use crate::solver::solve::checkpoint::kept::Kept;
+use crate::solver::solve::checkpoint::point::Point;
+use crate::solver::solve::increments::flow_plan::{Growth, flow_ends};
+use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::newton::balance::balance_increment;
+use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT};
+use crate::solver::solve::recovery::state::recovered_state;
+use crate::solver::solve::working_set::flow::{Ahead, flow_to_come};
+use crate::solver::solve::working_set::shares_of_yield::shares_of_yield;
+use crate::solver::solve::working_set::unforeseen::Unforeseen;
+use std::mem::{swap, take};
+
+impl Run<'_, '_> {
+    /// Looks ahead where the elements of `unforeseen` are the first to flow in all; they give way to those
+    /// that will, and for the rest of the step none are guessed any more. Where the elastic model does not
+    /// converge all stays as it was. Returns false where the observer cancelled.
+    pub(super) fn look_ahead(&mut self, unforeseen: &mut Unforeseen, trial: &Point) -> bool {
+        let virgin = self.history.is_virgin();
+        let unknown = matches!(self.ahead(trial.step, 0.0), Ahead::To(_));
+        if !unknown || unforeseen.flow.is_empty() || !virgin {
+            return true;
+        }
+        // Elements of small bodies are watched from the start: here they are elastic like all others.
+        let watched = take(&mut self.model.yielding);
+        let mut plastic = take(&mut self.history.plastic);
+        let mut end = Point {
+            time: 1.0,
+            ..trial.clone()
+        };
+        let mut balance = |end: &mut Point| {
+            balance_increment(
+                &self.model,
+                &self.history,
+                (end, None),
+                &mut self.solver,
+                self.observer,
+                &mut self.counters,
+            )
+        };
+        let mut balanced = balance(&mut end);
+        if matches!(&balanced, Err(stopped) if stopped.why != Failure::Cancelled) && !end.cautious {
+            end.cautious = true;
+            balanced = balance(&mut end);
+        }
+        end.cautious = trial.cautious;
+        if let Ok(evaluation) = &balanced {
+            let model = &self.model;
+            let contact = Unforeseen::new(model, &self.history, &self.sights, &end, Ahead::Less);
+            if contact.is_flow_only() {
+                let settled = &self.history.settled;
+                let shares = |p| shares_of_yield(model, settled, &model.displacement(p, settled));
+                let [now, then] = [trial, &end].map(shares);
+                unforeseen.flow = flow_to_come(&then);
+                let corners = |element| model.scene.mesh.corners(element as usize);
+                let growth = now.iter().zip(&then).map(|((element, now), (_, then))| {
+                    Growth::new(volume(&corners(*element)), (trial.time, *now), *then)
+                });
+                let growth: Vec<_> = growth.collect();
+                self.beside.plan = Some(IncrementPlan {
+                    step: trial.step,
+                    ends: flow_ends(&growth, INCREMENT_GROWTH * self.first_increment()),
+                });
+                // From there on increments are as large as they have to be.
+                self.size = LARGEST_INCREMENT * self.first_increment();
+                let with = (evaluation, self.sights.as_slice());
+                let state = recovered_state(model, &self.history, &end, with);
+                self.beside.elastic = Some(Kept::new(&state, Vec::new()));
+                self.end = Some(end);
+            } else {
+                // First for a strip that outgrows what was prepared for it: the next look knows what flows.
+                unforeseen.flow.clear();
+                unforeseen.add_contact(contact);
+            }
+        } else if unforeseen.missed {
+            // Nothing is known of the flow to come: one increment of it would say nothing of its own error.
+            let (from, to) = (self.stands(trial.step), trial.time);
+            self.beside.plan = Some(IncrementPlan::even(
+                trial.step,
+                [from, to],
+                0.5 * (to - from),
+            ));
+        }
+        swap(&mut self.history.plastic, &mut plastic);
+        self.model.yielding = watched;
+        !matches!(
+            balanced,
+            Err(Stopped {
+                why: Failure::Cancelled,
+                ..
+            })
+        )
+    }
+}

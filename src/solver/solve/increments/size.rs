@@ -1,0 +1,64 @@
+//! How large the next increment may be.
+
+use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::params::{EQUAL_STEP_SHARES, UNLOADED_LOAD_LEFT};
+use crate::solver::solve::start::can_yield::can_yield;
+use crate::solver::solve::start::load_names::load_names;
+
+impl Run<'_, '_> {
+    /// Share of a step that its first increment tries.
+    pub(super) fn first_increment(&self) -> f64 {
+        let scene = self.model.scene;
+        let yields = (0..scene.mesh.hexes.len() as u32).any(|e| can_yield(scene, e));
+        let path_matters = yields || self.model.rows.iter().any(|r| r.law.friction > 0.0);
+        if path_matters {
+            scene.controls.first_increment
+        } else {
+            1.0
+        }
+    }
+
+    /// Do this step and all that follow take the loads off?
+    pub(super) fn unloads(&self, step: usize) -> bool {
+        let full = self.model.scene.before_unloading();
+        full.is_some_and(|full| step > full)
+    }
+
+    /// Where the next increment has to end at the latest.
+    pub(super) fn planned_end(&self, step: usize, time: f64) -> f64 {
+        let plan = self.beside.plan.iter().filter(|plan| plan.step == step);
+        let mut ends = plan.flat_map(|plan| plan.ends.iter().copied());
+        ends.find(|end| *end > time + EQUAL_STEP_SHARES)
+            .unwrap_or(1.0)
+    }
+
+    /// The share of the step in which all loads fall to a third. Contact shrinks with the load: what
+    /// is solved in one increment from full load to next to none changes beyond recognition.
+    pub(super) fn relief(&self, step: usize, time: f64) -> f64 {
+        let scene = self.model.scene;
+        let now_and_then = load_names(scene).map(|name| {
+            let at = |time| self.model.scene.factor(name, step, time).abs();
+            (at(time), at(1.0))
+        });
+        now_and_then
+            .filter(|(now, _)| *now > 0.0)
+            .map(|(now, then)| {
+                if then < UNLOADED_LOAD_LEFT * now {
+                    (1.0 - time) * (1.0 - UNLOADED_LOAD_LEFT) * now / (now - then)
+                } else {
+                    f64::INFINITY
+                }
+            })
+            .reduce(f64::max)
+            .unwrap_or(f64::INFINITY)
+    }
+
+    /// Share of a step that is done.
+    pub(super) fn stands(&self, step: usize) -> f64 {
+        if self.point.step == step {
+            self.point.time
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! What a solved scene leaves behind.
+
+use crate::model::state::State;
+use crate::solver::solve::checkpoint::counters::Counters;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::start::close_gaps::Closing;
+
+/// What a solved scene leaves behind.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The state at the end of each finished step.
+    pub states: Vec<State>,
+    /// The last accepted state.
+    pub last: State,
+    /// The end of a step if no steel had yielded, where that was found on the way: displacements,
+    /// stresses and contact, no accumulated slip.
+    pub elastic: Option<State>,
+    /// The ends of steps in increments twice as large, where something has yielded.
+    pub doubled: Vec<State>,
+    /// How often the expensive parts ran, and the sizes of the model.
+    pub counters: Counters,
+    /// Bodies that were moved into touch before the load.
+    pub closings: Vec<Closing>,
+    /// Contact pairs that never came within reach of each other.
+    pub untouched: Vec<String>,
+    /// Were all steps finished, or all but the taking off of the load?
+    pub complete: bool,
+    /// Why the load was not taken off to the end, in words, where all steps before were finished.
+    pub stuck: Option<String>,
+    /// Why it took many iterations, in words, where it did.
+    pub laborious: Option<String>,
+}
+
+/// What came of a solution that did not get to its end.
+#[derive(Debug)]
+pub struct Unfinished {
+    /// Why it did not.
+    pub error: SolveError,
+    /// Up to the last accepted increment; `None` where there is none.
+    pub solution: Option<Box<Solution>>,
+}
+
+impl<E: Into<SolveError>> From<E> for Unfinished {
+    fn from(error: E) -> Self {
+        Self {
+            error: error.into(),
+            solution: None,
+        }
+    }
+}

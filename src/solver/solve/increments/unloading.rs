@@ -1,0 +1,32 @@
+//! A load that could not be taken off to the end.
+
+use crate::model::scene::LITTLE;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::start::load_names::load_names;
+
+impl Run<'_, '_> {
+    /// What went wrong, if only the taking off of the load did. What is left of the answer stands; where next to
+    /// no load was left, it counts as taken off.
+    pub(super) fn stuck(&mut self, error: &SolveError) -> Option<String> {
+        let scene = self.model.scene;
+        let full = scene.before_unloading()?;
+        let unloads = self.states.len() > full && self.last.step > full;
+        if !unloads || !error.is_of_balance() {
+            return None;
+        }
+        let (step, time) = (self.last.step, self.last.time);
+        let mut shares = load_names(scene).map(|name| {
+            let at = |step, time| self.model.scene.factor(name, step, time).abs();
+            (at(step, time), at(full, 1.0))
+        });
+        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= LITTLE * then) {
+            self.states.push(self.last.clone());
+        }
+        Some(format!(
+            "the load was taken off to {:.3} % of step `{}` only; what is said at full load stands ({error})",
+            100.0 * time,
+            scene.steps[step].name,
+        ))
+    }
+}

@@ -1,0 +1,39 @@
+//! A correction, and what is left to be solved for while it is sought.
+
+use crate::solver::linear::krylov::Outcome;
+
+/// How a correction was found.
+pub struct Correction {
+    pub dx: Vec<f64>,
+    pub directions: usize,
+    pub refactored: bool,
+}
+
+/// A correction that is being sought: the sum of what has been found, and what is left to be solved for.
+pub struct Sought {
+    pub residual: Vec<f64>,
+    /// As a share of the residual.
+    pub tolerance: f64,
+    pub found: Correction,
+}
+
+impl Sought {
+    /// Takes what was found for the residual. Is it enough?
+    pub fn take(
+        &mut self,
+        dx: &[f64],
+        outcome: &Outcome,
+        multiply: impl Fn(&[f64], &mut [f64]),
+    ) -> bool {
+        (self.found.dx.iter_mut().zip(dx)).for_each(|(x, d)| *x += d);
+        self.found.directions += outcome.iterations;
+        let enough = outcome.residual <= self.tolerance;
+        if !enough {
+            let mut product = vec![0.0; dx.len()];
+            multiply(dx, &mut product);
+            (self.residual.iter_mut().zip(&product)).for_each(|(r, p)| *r -= p);
+            self.tolerance /= outcome.residual;
+        }
+        enough
+    }
+}

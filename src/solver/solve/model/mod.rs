@@ -1,0 +1,9 @@
+//! The scene, discretised and condensed: what Newton's method iterates on.
+
+pub mod displacement;
+pub mod loads;
+pub mod places;
+pub mod prepare;
+pub mod settled;
+pub mod structure;
+pub mod system;

@@ -1,0 +1,112 @@
+//! Making the model of a scene.
+
+use crate::ground::memory::available;
+use crate::model::material::Elastic;
+use crate::model::scene::{Scene, SolverKind};
+use crate::solver::fem::dofs::DofMap;
+use crate::solver::linear::preconditioner::Preconditioner;
+use crate::solver::linear::schwarz::Schwarz;
+use crate::solver::solve::checkpoint::expected::Expected;
+use crate::solver::solve::condensed::assembly::{Condensing, assemble_elastic};
+use crate::solver::solve::condensed::size::Size;
+use crate::solver::solve::error::SolveError;
+use crate::solver::solve::model::loads::load_vectors;
+use crate::solver::solve::model::places::places;
+use crate::solver::solve::model::structure::{Structure, needed};
+use crate::solver::solve::model::system::{Model, is_soft};
+use crate::solver::solve::rows::contact_row::{ContactRow, law};
+
+impl<'a> Model<'a> {
+    /// Prepares `scene` with its contact `rows` for what is expected to happen.
+    ///
+    /// # Errors
+    /// [`SolveError`] where supports contradict each other, nothing is free or memory runs out.
+    pub fn new(
+        scene: &'a Scene,
+        expected: &Expected,
+        rows: Vec<ContactRow>,
+    ) -> Result<Self, SolveError> {
+        let all = DofMap::new(scene)?;
+        if all.is_empty() {
+            return Err(SolveError::NothingFree);
+        }
+        let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
+        let (mut rows, spare) = expected.split(rows);
+        let needed = needed(scene, &all, &rows, &expected.flow);
+        let reckon = |large| Size::new(scene, &all, &needed, (&expected.flow, large));
+        let mut size = reckon(expected.divided);
+        if let Some(available) = available().filter(|available| size.memory > *available) {
+            return Err(SolveError::Memory {
+                unknowns: all.len(),
+                needed: size.memory,
+                available,
+            });
+        }
+        let plan = |divided: bool| Condensing {
+            scene,
+            dofs: &all,
+            elastic: &elastic,
+            needed: &needed,
+            flow: &expected.flow,
+            condense: !divided,
+        };
+        let mut structure = Structure::new(&plan(size.divided), &rows)?;
+        if scene.controls.solver == SolverKind::Auto && structure.is_dear(all.len()) {
+            // Two of them at once would be twice the memory.
+            drop(structure);
+            size = reckon(true);
+            structure = Structure::new(&plan(true), &rows)?;
+        }
+        let Size {
+            divided, memory, ..
+        } = size;
+        let Structure {
+            mut bodies,
+            dofs,
+            pattern,
+            symbolic,
+        } = structure;
+        let soft = is_soft(divided, all.len());
+        for r in &mut rows {
+            r.law = law(&scene.contacts[r.pair], r.law.stiffness, soft);
+        }
+        let number = |e| bodies.kept_of(e);
+        let mut stiffness =
+            assemble_elastic(&plan(divided), &bodies.sparse_elements, &pattern, number);
+        bodies.add_stiffness(&pattern, &mut stiffness);
+        bodies.release();
+        let preconditioner = match symbolic {
+            Some(symbolic) => Preconditioner::Direct(Box::new(symbolic)),
+            None => {
+                let places = places(scene, &dofs);
+                Preconditioner::Schwarz(Box::new(Schwarz::new(&pattern, &stiffness, &places)?))
+            }
+        };
+        let mut model = Self {
+            loads: load_vectors(scene, &all),
+            reference: 0.0,
+            yielding: expected.flow.clone(),
+            scene,
+            elastic,
+            pattern,
+            preconditioner,
+            stiffness,
+            rows,
+            spare,
+            reach: expected.reach,
+            memory,
+            bodies,
+            dofs,
+            all,
+        };
+        model.loads.extend(model.prescribed_forces());
+        model.reference = model.largest_load();
+        if !(model.reference * model.reference).is_finite() {
+            return Err(SolveError::OutOfRange);
+        }
+        for (_, vector) in &mut model.loads {
+            model.bodies.reduce(vector);
+        }
+        Ok(model)
+    }
+}

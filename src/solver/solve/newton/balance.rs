@@ -1,0 +1,213 @@
+//! Newton iterations of one increment.
+//!
+//! Each iteration takes four steps:
+//! 1. Solve the tangent system for a correction of the displacements. Multipliers, active set and friction bounds are
+//!    fixed meanwhile, so that the tangent is symmetric and positive definite.
+//! 2. Follow the correction as far as the line search lets it.
+//! 3. Take the contact tractions as multipliers, and decide active set and friction bounds anew ([`super::active_set`]).
+//! 4. Stop when forces balance, contact conditions hold *and* nothing changes any more: then the answer does not depend on
+//!    the penalty.
+
+use crate::solver::linear::krylov::{dot, norm};
+use crate::solver::solve::checkpoint::counters::Counters;
+use crate::solver::solve::checkpoint::point::Point;
+use crate::solver::solve::checkpoint::timers::Phase;
+use crate::solver::solve::equilibrium::evaluation::{
+    Evaluation, Trial, flowing_elements, much_flows,
+};
+use crate::solver::solve::equilibrium::history::History;
+use crate::solver::solve::linear_system::correction::Correction;
+use crate::solver::solve::linear_system::linear_solver::LinearSolver;
+use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
+use crate::solver::solve::model::system::Model;
+use crate::solver::solve::newton::active_set::{take_shears, update_active_set};
+use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::line_search::search_line;
+use crate::solver::solve::newton::progress::Progress;
+use crate::solver::solve::newton::violation::{count_statuses, violation, violations};
+use crate::solver::solve::observer::{Iteration, Observer};
+use crate::solver::solve::params::{
+    CAUTIOUS_SHEAR_RESIDUAL, CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE,
+    ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION,
+    PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
+};
+use crate::solver::solve::start::extent::extent;
+
+/// Brings `point` into balance at its time, starting from its unknowns and its active set; returns what is known there.
+///
+/// With `springs` it is brought into balance with them, and only roughly: that is a turn of the proximal point method.
+///
+/// # Errors
+/// [`Stopped`] where no balance was found, the tangent could not be factored or the observer cancelled.
+pub fn balance_increment(
+    model: &Model,
+    history: &History,
+    (point, springs): (&mut Point, Option<&ProximalSprings>),
+    solver: &mut LinearSolver,
+    observer: &mut dyn Observer,
+    counters: &mut Counters,
+) -> Result<Evaluation, Stopped> {
+    let controls = &model.scene.controls;
+    let external = model.external(point, &history.settled);
+    let reference = model.reference.max(f64::MIN_POSITIVE);
+    let limit = RUNAWAY_EXTENTS * extent(model.scene);
+    let mut last = Iteration {
+        step: point.step,
+        time: point.time,
+        ..Iteration::default()
+    };
+    let cautious = point.cautious;
+    for node in &mut point.nodes {
+        (node.cautious, node.switches) = (cautious, 0);
+        (node.raised, node.firmer, node.missed) = (0, 0, 0.0);
+    }
+    // Without caution stick and slip either settle soon or never.
+    let patience = if cautious || model.rows.iter().all(|r| r.law.friction == 0.0) {
+        controls.iterations
+    } else {
+        controls.iterations.min(ITERATIONS_BEFORE_CAUTION)
+    };
+    let loosest = if model.is_divided() && !model.is_soft() {
+        LOOSEST_DIVIDED_CORRECTION
+    } else {
+        LOOSEST_CORRECTION
+    };
+    let evaluate = |point: &Point, x: &[f64], counters: &mut Counters| {
+        let mut evaluation = evaluate_at(model, history, point, x, &external, counters);
+        springs.inspect(|springs| springs.pull(&mut evaluation.residual, x));
+        evaluation
+    };
+    let mut evaluation = evaluate(point, &point.x, counters);
+    let mut progress = Progress::default();
+    loop {
+        let flowing = flowing_elements(model, &evaluation);
+        let stop = |why: Failure| Stopped {
+            why,
+            flowing: flowing.clone(),
+        };
+        // 1. The correction, as exact as the residual will need it.
+        let residual = norm(&evaluation.residual) / reference;
+        let begun = *progress.begun.get_or_insert(residual);
+        let tolerance = (CORRECTION_TOLERANCE * controls.residual / residual)
+            .clamp(TIGHTEST_CORRECTION, loosest);
+        let Correction {
+            dx,
+            directions,
+            refactored,
+        } = solver
+            .solve(model, &evaluation, (tolerance, springs), counters)
+            .map_err(|error| stop(Failure::Factor(error)))?;
+        // 2. How far to follow it.
+        let step =
+            |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
+        let start = dot(&evaluation.residual, &dx);
+        evaluation = evaluate(point, &step(1.0), counters);
+        let full = dot(&evaluation.residual, &dx);
+        last.line_search = search_line(start, full, |s| {
+            evaluation = evaluate(point, &step(s), counters);
+            dot(&evaluation.residual, &dx)
+        });
+        point.x = step(last.line_search);
+        counters.iterations += 1;
+        last.iteration += 1;
+        last.energy = start.abs() / (reference * norm(&point.x)).max(f64::MIN_POSITIVE);
+        (last.directions, last.refactored) = (directions, refactored);
+        if let Some((node, axis)) = runaway(model, &point.x, limit) {
+            return Err(stop(Failure::Runaway { node, axis }));
+        }
+        last.residual = norm(&evaluation.residual) / reference;
+        // 3. Multipliers, active set and friction bounds.
+        let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
+        let lingers = last.penetration > LINGERING_VIOLATION * before;
+        last.changed =
+            update_active_set(model, point, &evaluation, (last.iteration, &mut progress));
+        count_statuses(&mut last, &evaluation);
+        observer.iteration(&last);
+        // 4. Is that enough?
+        let settled = last.residual <= PROXIMAL_RESIDUAL && last.changed == 0;
+        if springs.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
+            return Ok(evaluation);
+        }
+        let balanced = last.changed == 0 && last.residual <= controls.residual;
+        if balanced && last.penetration <= controls.penetration {
+            return Ok(evaluation);
+        }
+        // A soft penalty is raised where multipliers come on slowly.
+        if lingers {
+            let nodes = point.nodes.iter_mut();
+            nodes.for_each(|node| node.firmer = node.firmer.saturating_add(1));
+        }
+        // Shears of cautious nodes become multipliers only when forces all but balance: an outer loop of augmented Lagrange.
+        if balanced || last.residual <= CAUTIOUS_SHEAR_RESIDUAL * begun {
+            take_shears(model, point, &evaluation);
+            progress.begun = None;
+        }
+        progress.energies.push(last.energy);
+        progress.residuals.push(last.residual);
+        if observer.cancelled() {
+            return Err(stop(Failure::Cancelled));
+        }
+        let patient = last.iteration < patience || progress.goes_on();
+        let lost = much_flows(model, &flowing) && progress.is_lost();
+        if lost || !patient || last.iteration >= CONVERGING_ITERATIONS_FACTOR * controls.iterations
+        {
+            return Err(stop(gave_up(model, point, &evaluation, &last)));
+        }
+        evaluation = evaluate(point, &point.x, counters);
+    }
+}
+
+/// What to tell of an increment that has taken as many iterations as it may: the largest residual and the worst contact
+/// row.
+fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration) -> Failure {
+    let largest = |values: &mut dyn Iterator<Item = f64>| {
+        let most = values.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        most.map(|(index, _)| index)
+    };
+    Failure::Slow {
+        residual: last.residual,
+        penetration: last.penetration,
+        changed: last.changed,
+        equation: largest(&mut evaluation.residual.iter().map(|r| r.abs())).unwrap_or(0),
+        row: largest(&mut violations(model, point, evaluation)),
+    }
+}
+
+/// Evaluates the model at the unknowns `x`, and counts what that takes.
+fn evaluate_at(
+    model: &Model,
+    history: &History,
+    point: &Point,
+    x: &[f64],
+    external: &[f64],
+    counters: &mut Counters,
+) -> Evaluation {
+    counters.evaluations += 1;
+    counters.contact_updates += model.rows.len();
+    counters.plastic_updates += 8 * model.yielding.len();
+    counters.friction_updates += model.rows.iter().filter(|r| r.law.friction > 0.0).count();
+    let trial = Trial {
+        x,
+        nodes: &point.nodes,
+        external,
+        step: point.step,
+        time: point.time,
+    };
+    counters
+        .timers
+        .time(Phase::Evaluate, || model.evaluate(history, &trial))
+}
+
+/// Node and axis of a displacement that has left the model, or is no number, if any.
+fn runaway(model: &Model, x: &[f64], limit: f64) -> Option<(u32, usize)> {
+    let equation = x.iter().position(|v| !(v.abs() <= limit))?;
+    model
+        .dofs
+        .equations
+        .iter()
+        .enumerate()
+        .find_map(|(node, axes)| {
+            let axis = axes.iter().position(|e| *e as usize == equation)?;
+            Some((node as u32, axis))
+        })
+}

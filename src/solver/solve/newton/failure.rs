@@ -1,0 +1,33 @@
+//! Why an increment was given up.
+
+use crate::solver::linear::cholesky::FactorError;
+
+/// Why an increment was given up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Failure {
+    /// The iteration limit was reached at this residual and penetration.
+    Slow {
+        residual: f64,
+        penetration: f64,
+        /// Contact nodes that changed in the last iteration.
+        changed: usize,
+        /// Where the residual and the violation of contact are largest.
+        equation: usize,
+        row: Option<usize>,
+    },
+    /// Displacements grew beyond the model, or stopped being numbers.
+    Runaway {
+        node: u32,
+        axis: usize,
+    },
+    Factor(FactorError),
+    Cancelled,
+}
+
+/// An increment that was given up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stopped {
+    pub why: Failure,
+    /// Elements that flowed as long as displacements were sound.
+    pub flowing: Vec<u32>,
+}

@@ -1,0 +1,70 @@
+//! Consistent nodal values of the contact traction.
+//!
+//! A multiplier is the coefficient of its node's hat function in the traction z(x) = Σ z_B N_B(x).
+//! Where a strip ends within an element these coefficients oscillate about the traction that they
+//! stand for. The force on a node over the area that it stands for does not:
+//! ```text
+//! t_A = ∫ N_A z dA / ∫ N_A dA = Σ_B C_AB z_B,   C_AB = ∫ N_A N_B dA / w_A
+//! ```
+//! It is what dual (biorthogonal) multipliers carry, and C is the carrier's own part of the contact
+//! rows. Sums of t_A w_A are sums of z_B w_B, so that no force is lost, and as C is not negative,
+//! |shear| ≤ μ p holds of the consistent values where it holds of the coefficients. A node beside
+//! those in contact has a share of their traction, though it is open itself.
+
+use crate::ground::geometry::{Vec3, add, dot, norm, scale};
+use crate::model::state::ContactField;
+use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::model::system::Model;
+use crate::solver::solve::rows::contact_row::ContactRow;
+
+/// Normal and tangential traction of one contact node: coefficients of its hat function.
+#[derive(Clone, Copy, Default)]
+struct Coefficient {
+    normal: Vec3,
+    shear: Vec3,
+}
+
+/// Sets pressure and tangential traction (on the lower body) of all nodes that a row exists for.
+pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut [ContactField]) {
+    let none = |field: &ContactField| vec![Coefficient::default(); field.nodes.len()];
+    let mut coefficients: Vec<Vec<Coefficient>> = fields.iter().map(none).collect();
+    for (row, answer) in model.rows.iter().zip(&evaluation.contact) {
+        let [pressure, s, t] = answer.traction;
+        let coefficient = Coefficient {
+            normal: scale(row.row.normal, pressure),
+            shear: row.global(&[0.0, s, t]),
+        };
+        for node in row.row.nodes() {
+            if let Ok(at) = fields[row.pair].nodes.binary_search(&node) {
+                coefficients[row.pair][at] = coefficient;
+            }
+        }
+    }
+    for row in model.rows.iter().chain(&model.spare) {
+        let field = &mut fields[row.pair];
+        let Coefficient { normal, shear } = mean(row, field, &coefficients[row.pair]);
+        let sign = model.scene.contacts[row.pair].carrier.sign();
+        for node in row.row.nodes() {
+            let Ok(at) = field.nodes.binary_search(&node) else {
+                continue;
+            };
+            // On a curved carrier the normals of the nodes around differ: the length of their mean is
+            // the pressure, so that forces add up.
+            field.pressure[at] = norm(normal).copysign(dot(normal, row.row.normal));
+            field.traction[at] = scale(shear, sign);
+        }
+    }
+}
+
+/// Σ_B C_AB z_B over the nodes B of the carrier that the row of node A knows.
+fn mean(row: &ContactRow, field: &ContactField, coefficients: &[Coefficient]) -> Coefficient {
+    let mut mean = Coefficient::default();
+    for (node, share) in &row.row.terms {
+        // The other terms are of the opposite side.
+        if let Ok(b) = field.nodes.binary_search(node) {
+            mean.normal = add(mean.normal, scale(coefficients[b].normal, share[0]));
+            mean.shear = add(mean.shear, scale(coefficients[b].shear, share[0]));
+        }
+    }
+    mean
+}

@@ -1,0 +1,165 @@
+//! Where the work of the loads goes: elastic energy, plastic flow, friction.
+//!
+//! Each increment adds the trapezoidal sum over its two ends. Then
+//!
+//! W = U + D_p + D_f + W_c
+//!
+//! holds to the residual of the increments, whatever their size, by virtual work: ½ (σ₀ + σ₁) : Δε
+//! is the change of ½ σ : C⁻¹ : σ and ½ (σ₀ + σ₁) : Δε_p. W_c is what the pressure does on closing
+//! gaps within an increment; like every error of the sum it vanishes with their size.
+
+use crate::ground::geometry::dot;
+use crate::model::material::{Elastic, mises};
+use crate::model::scene::PlaneMotion;
+use crate::model::state::{Energy, State};
+use crate::solver::fem::loads;
+use crate::solver::solve::model::system::Model;
+use rayon::prelude::*;
+
+impl Energy {
+    /// With the increment from `before`, which is empty at the start, to `after`. `None` where a
+    /// support moves: what it takes is not known here.
+    pub(in crate::solver::solve) fn after(
+        self,
+        model: &Model,
+        before: &State,
+        after: &State,
+    ) -> Option<Self> {
+        let supports = &model.scene.supports;
+        let moves = |s: &crate::model::scene::Support| {
+            let parts = s.components.iter().flatten();
+            parts.chain(s.gradient.as_flattened()).any(|u| *u != 0.0)
+        };
+        if supports.iter().any(moves) {
+            return None;
+        }
+        let work = of_planes(model, before, after) + of_tractions(model, before, after);
+        let (elastic, plastic) = in_bodies(model, before, after);
+        let (friction, contact) = at_contacts(model, before, after);
+        Some(Self {
+            work: self.work + work,
+            turned_over: self.turned_over + work.abs(),
+            elastic,
+            plastic: self.plastic + plastic,
+            friction: self.friction + friction,
+            contact: self.contact + contact,
+        })
+    }
+}
+
+fn of_planes(model: &Model, before: &State, after: &State) -> f64 {
+    let planes = &model.scene.rigid_planes;
+    let work = planes.iter().zip(&after.planes).enumerate();
+    work.map(|(i, (plane, now))| {
+        let was = before.planes.get(i).copied().unwrap_or_default();
+        let axes = (0..3).filter(|axis| plane.motion[*axis] != PlaneMotion::Free);
+        axes.map(|a| 0.5 * (was.force[a] + now.force[a]) * (now.travel[a] - was.travel[a]))
+            .sum::<f64>()
+    })
+    .sum()
+}
+
+fn of_tractions(model: &Model, before: &State, after: &State) -> f64 {
+    let scene = model.scene;
+    let start = if before.displacement.is_empty() {
+        0.0
+    } else {
+        before.time
+    };
+    let work = scene.tractions.iter().filter_map(|traction| {
+        let surface = scene.mesh.surface(&traction.surface)?;
+        let factor = |state: &State, time| model.scene.factor(&traction.name, state.step, time);
+        let mean = 0.5 * (factor(before, start) + factor(after, after.time));
+        let mut force = vec![[0.0; 3]; scene.mesh.points.len()];
+        loads::add_traction(&scene.mesh, surface, traction.value, mean, &mut force);
+        let nodes = surface.nodes().into_iter().map(|n| n as usize);
+        Some(
+            nodes
+                .map(|n| dot(force[n], moved(before, after, n)))
+                .sum::<f64>(),
+        )
+    });
+    work.sum()
+}
+
+/// Displacement of a node in the increment.
+fn moved(before: &State, after: &State, node: usize) -> [f64; 3] {
+    let was = before.displacement.get(node).copied().unwrap_or_default();
+    let now = after.displacement[node];
+    [0, 1, 2].map(|i| now[i] - was[i])
+}
+
+/// The elastic energy at the end, and what the increment has put into plastic flow.
+fn in_bodies(model: &Model, before: &State, after: &State) -> (f64, f64) {
+    let elements: Vec<(f64, f64)> = (0..after.stress.len())
+        .into_par_iter()
+        .map(|element| {
+            let elastic = &model.elastic[model.scene.mesh.body_of(element)];
+            let shape = model.element(element as u32);
+            let (mut stored, mut spent) = (0.0, 0.0);
+            for (point, volume) in shape.volumes().iter().enumerate() {
+                let stress = &after.stress[element][point];
+                stored += volume * density(elastic, stress);
+                let flow = after.peeq_of(element)[point] - before.peeq_of(element)[point];
+                if flow > 0.0 {
+                    let was = before.stress.get(element).map_or([0.0; 6], |s| s[point]);
+                    spent += volume * flow * flow_stress(&was, stress);
+                }
+            }
+            (stored, spent)
+        })
+        .collect();
+    // In the order of the elements, whatever the number of threads.
+    let add = |sum: (f64, f64), e: &(f64, f64)| (sum.0 + e.0, sum.1 + e.1);
+    elements.iter().fold((0.0, 0.0), add)
+}
+
+/// Elastic energy by volume, q²/6G + p²/2K.
+fn density(elastic: &Elastic, stress: &[f64; 6]) -> f64 {
+    let pressure = (stress[0] + stress[1] + stress[2]) / 3.0;
+    mises(stress).powi(2) / (6.0 * elastic.shear) + pressure * pressure / (2.0 * elastic.bulk)
+}
+
+/// ½ (σ₀ + σ₁) : N with the direction of backward Euler's flow, N = 3 s₁ / 2 q₁.
+fn flow_stress(was: &[f64; 6], now: &[f64; 6]) -> f64 {
+    let q = mises(now);
+    let pressure = (now[0] + now[1] + now[2]) / 3.0;
+    let along: f64 = (0..6)
+        .map(|i| {
+            if i < 3 {
+                was[i] * (now[i] - pressure)
+            } else {
+                2.0 * was[i] * now[i]
+            }
+        })
+        .sum();
+    if q > 0.0 {
+        0.5 * (q + 1.5 * along / q)
+    } else {
+        0.0
+    }
+}
+
+/// What the increment has spent in friction, and what pressures have done on closing gaps.
+fn at_contacts(model: &Model, before: &State, after: &State) -> (f64, f64) {
+    let (mut friction, mut contact) = (0.0, 0.0);
+    for row in &model.rows {
+        let force_in = |state: &State| {
+            let field = state.contacts.get(row.pair)?;
+            let at = field.nodes.binary_search(&row.row.node).ok()?;
+            Some(field.force[at])
+        };
+        let [was, now] = [before, after].map(|state| force_in(state).unwrap_or_default());
+        let mut closed = [0.0; 3];
+        for (node, coefficient) in &row.row.terms {
+            let moved = moved(before, after, *node as usize);
+            (0..3).for_each(|i| closed[i] += coefficient[i] * moved[i]);
+        }
+        let sign = model.scene.contacts[row.pair].carrier.sign();
+        let force = [0, 1, 2].map(|i| 0.5 * sign * (was[i] + now[i]));
+        let normal = dot(force, row.row.normal) * dot(closed, row.row.normal);
+        contact += normal;
+        friction += dot(force, closed) - normal;
+    }
+    (friction, contact)
+}

@@ -1,0 +1,47 @@
+//! The gaps of the two surfaces of a pair as they are, whatever rows exist.
+
+use crate::model::state::ContactField;
+use crate::solver::contact::facing::Sight;
+use crate::solver::solve::params::RIM_OVERLAP;
+
+/// What is seen of a pair without any contact row: the gaps of nodes that no row exists for, and the
+/// deepest overlap of the two sides.
+pub fn see_gaps(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
+    let gaps: Vec<f64> = sights.iter().map(|sight| sight.gap_at(u)).collect();
+    let place = |node: u32| field.nodes.binary_search(&node).ok();
+    let mut seen = vec![None; field.nodes.len()];
+    for (sight, gap) in sights.iter().zip(&gaps) {
+        if let Some(at) = sight.node.and_then(place) {
+            seen[at] = Some(*gap);
+        }
+    }
+    // Where meshes do not match, flat facets on either side bend differently: by how much the middle of
+    // a facet is off the mean of its corners.
+    let mut bend = vec![0.0f64; field.nodes.len()];
+    for (sight, gap) in sights.iter().zip(&gaps).filter(|(s, _)| s.is_middle()) {
+        let corners = sight
+            .carrier
+            .0
+            .map(|node| place(node).and_then(|at| seen[at]));
+        if let [Some(a), Some(b), Some(c), Some(d)] = corners {
+            let off = (gap - 0.25 * (a + b + c + d)).abs();
+            let nodes = sight.carrier.0.into_iter().filter_map(place);
+            nodes.for_each(|at| bend[at] = bend[at].max(off));
+        }
+    }
+    let mut sagitta = vec![0.0f64; field.nodes.len()];
+    for (sight, gap) in sights.iter().zip(&gaps) {
+        let nodes = || sight.carrier.0.into_iter().filter_map(place);
+        nodes().for_each(|at| sagitta[at] = sagitta[at].max(sight.sagitta));
+        let bend = nodes().map(|at| bend[at]).fold(0.0, f64::max);
+        let explained = RIM_OVERLAP * (sight.sagitta + bend);
+        field.penetration = field.penetration.max(-gap);
+        field.unexplained = field.unexplained.max(-gap - explained);
+    }
+    field.sagitta = sagitta;
+    for (gap, seen) in field.gap.iter_mut().zip(seen) {
+        if gap.is_infinite() {
+            *gap = seen.unwrap_or(f64::INFINITY);
+        }
+    }
+}

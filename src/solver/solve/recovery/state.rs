@@ -1,0 +1,33 @@
+//! An accepted solution in the terms of the scene.
+
+use crate::model::state::State;
+use crate::solver::contact::facing::Sight;
+use crate::solver::solve::checkpoint::point::Point;
+use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::equilibrium::history::History;
+use crate::solver::solve::model::system::Model;
+use crate::solver::solve::recovery::contact_fields::contact_fields;
+use crate::solver::solve::recovery::plane_fields::plane_fields;
+use crate::solver::solve::recovery::stresses::stresses;
+
+/// The accepted state in the terms of the scene.
+pub fn recovered_state(
+    model: &Model,
+    history: &History,
+    point: &Point,
+    (evaluation, sights): (&Evaluation, &[Vec<Sight>]),
+) -> State {
+    let displacement = model.displacement(point, &history.settled);
+    let plastic = history.all_plastic(model);
+    let (stress, peeq) = stresses(model, &plastic, &displacement);
+    State {
+        step: point.step,
+        time: point.time,
+        contacts: contact_fields(model, history, (evaluation, sights), &displacement),
+        planes: plane_fields(model, &plastic, point, &displacement),
+        displacement,
+        stress,
+        peeq,
+        energy: None,
+    }
+}

@@ -1,0 +1,38 @@
+//! Generalised forces: the work of the loads on the rigid-body modes.
+
+use crate::model::scene::{PlaneMotion, Scene};
+use crate::solver::fem::loads::add_traction;
+use crate::solver::solve::rigid::rigid_bodies::RigidBodies;
+
+impl RigidBodies {
+    /// What the loads, times their factors by name, do to the motions of all bodies.
+    pub fn load(&self, scene: &Scene, factor: &dyn Fn(&str) -> f64) -> Vec<f64> {
+        let mut forces = vec![[0.0; 3]; scene.mesh.points.len()];
+        for traction in &scene.tractions {
+            if let Some(surface) = scene.mesh.surface(&traction.surface) {
+                let factor = factor(&traction.name);
+                add_traction(&scene.mesh, surface, traction.value, factor, &mut forces);
+            }
+        }
+        for plane in &scene.rigid_planes {
+            let nodes = scene.mesh.surface(&plane.surface).map(|s| s.nodes());
+            let nodes = nodes.unwrap_or_default();
+            for (axis, motion) in plane.motion.iter().enumerate() {
+                if let PlaneMotion::Driven(force) = motion {
+                    let each = factor(&plane.name) * force / nodes.len().max(1) as f64;
+                    nodes.iter().for_each(|n| forces[*n as usize][axis] += each);
+                }
+            }
+        }
+        let mut load = vec![0.0; 6 * self.middles.len()];
+        for (node, force) in forces.iter().enumerate() {
+            let Some(body) = self.bodies[node].first().filter(|_| *force != [0.0; 3]) else {
+                continue;
+            };
+            let does = self.row(*body, self.points[node], *force, 1.0);
+            let own = load.iter_mut().skip(6 * body);
+            own.zip(does).for_each(|(sum, does)| *sum += does);
+        }
+        load
+    }
+}

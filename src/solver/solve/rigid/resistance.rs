@@ -1,0 +1,168 @@
+//! What resists the rigid-body modes: supports, rigid planes, shared nodes, contact.
+//!
+//! Each of them sees the modes through a few linear functions, its rows. The mean of their squares is a quadratic form;
+//! the eigenvectors of its zero eigenvalues are the motions that nothing resists.
+
+use crate::ground::geometry::Vec3;
+use crate::model::scene::{PlaneMotion, Scene};
+use crate::solver::solve::params::TOUCHING_GAP;
+use crate::solver::solve::rigid::rigid_bodies::{ModeRow, RigidBodies};
+use crate::solver::solve::rows::contact_row::ContactRow;
+use crate::solver::solve::start::extent::extent;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use std::collections::BTreeMap;
+
+/// The quadratic form of what resists the modes of all bodies.
+pub(in crate::solver::solve) struct Resistance {
+    /// Symmetric, six rows and columns a body.
+    pub matrix: DMatrix<f64>,
+}
+
+impl Resistance {
+    /// Nothing resists.
+    pub fn new(bodies: usize) -> Self {
+        let size = 6 * bodies;
+        Self {
+            matrix: DMatrix::zeros(size, size),
+        }
+    }
+
+    /// Adds the mean square of `rows`.
+    fn add(&mut self, rows: &[ModeRow]) {
+        let weight = 1.0 / rows.len().max(1) as f64;
+        for row in rows {
+            for (a, first) in row {
+                for (b, second) in row {
+                    for (i, u) in first.iter().enumerate() {
+                        for (j, v) in second.iter().enumerate() {
+                            self.matrix[(6 * a + i, 6 * b + j)] += weight * u * v;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The motions that are resisted by less than `most`: eigenvectors of length one.
+    pub fn unresisted(self, most: f64) -> Vec<DVector<f64>> {
+        let eigen = SymmetricEigen::new(self.matrix);
+        let free = (0..eigen.eigenvalues.len()).filter(|i| eigen.eigenvalues[*i] < most);
+        free.map(|i| eigen.eigenvectors.column(i).into_owned())
+            .collect()
+    }
+
+    /// Supports: the displacement of each of their nodes along each axis that they hold.
+    pub fn supports(&mut self, scene: &Scene, frames: &RigidBodies) {
+        for support in &scene.supports {
+            let nodes = (scene.mesh.surface(&support.surface)).map(|s| s.nodes());
+            for axis in (0..3).filter(|axis| support.components[*axis].is_some()) {
+                let nodes = nodes.iter().flatten();
+                let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
+                self.add(&rows);
+            }
+        }
+    }
+
+    /// All nodes of a rigid plane move alike, where it is held not at all.
+    pub fn planes(&mut self, scene: &Scene, frames: &RigidBodies) {
+        for plane in &scene.rigid_planes {
+            let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
+            for axis in 0..3 {
+                let nodes = nodes.iter().flatten();
+                let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
+                match plane.motion[axis] {
+                    PlaneMotion::Free => {}
+                    PlaneMotion::Held(_) => self.add(&rows),
+                    PlaneMotion::Driven(_) => self.add(&about_mean(&rows)),
+                }
+            }
+        }
+    }
+
+    pub fn contacts(&mut self, scene: &Scene, rows: &[ContactRow], frames: &RigidBodies) {
+        let near = TOUCHING_GAP * extent(scene);
+        for index in 0..scene.contacts.len() {
+            let of_pair = || rows.iter().filter(|r| r.pair == index);
+            let least = of_pair().fold(f64::INFINITY, |least, r| least.min(r.row.gap));
+            let touching = of_pair().filter(|r| r.row.gap <= least + near);
+            let (mut normal, mut rubbing) = (Vec::new(), [Vec::new(), Vec::new()]);
+            for contact in touching {
+                normal.push(relative(contact, contact.row.normal, frames));
+                let Some(along) = contact.row.tangents else {
+                    continue;
+                };
+                for (rows, along) in rubbing.iter_mut().zip(along) {
+                    rows.push(relative(contact, along, frames));
+                }
+            }
+            self.add(&normal);
+            rubbing.iter().for_each(|rows| self.add(rows));
+        }
+    }
+
+    /// Bodies that share nodes move together there.
+    pub fn shared_nodes(&mut self, frames: &RigidBodies) {
+        let mut joints: BTreeMap<(usize, usize), Vec<ModeRow>> = BTreeMap::new();
+        for (bodies, at) in frames.bodies.iter().zip(&frames.points) {
+            for pair in bodies.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                for axis in 0..3 {
+                    let mut direction = [0.0; 3];
+                    direction[axis] = 1.0;
+                    let rows = joints.entry((a, b)).or_default();
+                    rows.push(ModeRow::from([
+                        (a, frames.row(a, *at, direction, 1.0)),
+                        (b, frames.row(b, *at, direction, -1.0)),
+                    ]));
+                }
+            }
+        }
+        joints.values().for_each(|rows| self.add(rows));
+    }
+}
+
+/// Rows less their mean.
+fn about_mean(rows: &[ModeRow]) -> Vec<ModeRow> {
+    let mut mean = ModeRow::new();
+    for (body, values) in rows.iter().flatten() {
+        let sum = mean.entry(*body).or_insert([0.0; 6]);
+        for (sum, value) in sum.iter_mut().zip(values) {
+            *sum += value / rows.len() as f64;
+        }
+    }
+    let less = |row: &ModeRow| {
+        let mut less = mean.clone();
+        less.values_mut().flatten().for_each(|v| *v = -*v);
+        for (body, values) in row {
+            let sum = less.entry(*body).or_insert([0.0; 6]);
+            for (sum, value) in sum.iter_mut().zip(values) {
+                *sum += value;
+            }
+        }
+        less
+    };
+    rows.iter().map(less).collect()
+}
+
+/// The relative displacement of a contact row along `direction`: what its terms add up to, which is
+/// the same as the bodies' motion at its nodes.
+pub(in crate::solver::solve) fn relative(
+    contact: &ContactRow,
+    direction: Vec3,
+    frames: &RigidBodies,
+) -> ModeRow {
+    let mut row = ModeRow::new();
+    for (node, factors) in &contact.row.terms {
+        let Some(body) = frames.bodies[*node as usize].first() else {
+            continue;
+        };
+        let along = std::array::from_fn(|axis| factors[axis] * direction[axis]);
+        let at = frames.points[*node as usize];
+        let values = frames.row(*body, at, along, 1.0);
+        let sum = row.entry(*body).or_insert([0.0; 6]);
+        for (sum, value) in sum.iter_mut().zip(values) {
+            *sum += value;
+        }
+    }
+    row
+}

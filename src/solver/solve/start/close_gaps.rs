@@ -1,0 +1,129 @@
+//! Bodies that float until they touch are moved until they do.
+//!
+//! A force on a body that nothing holds has no equilibrium. So, before any load, every body that
+//! no support holds along the load is moved along it, one after the other from the supported ones
+//! outward, until it just touches. From there the displacements count.
+//!
+//! "Touch" is meant in the measure of the contact method itself: the least weighted gap is zero. A
+//! cylinder on a flat with elements of size h then overlaps by about h²/12R at its lowest point,
+//! and the descent from there converges with a far smaller constant than from the touch of points.
+
+use crate::ground::geometry::{Vec3, add, dot, scale};
+use crate::model::scene::{ContactPair, Partner, Scene};
+use crate::solver::solve::params::CLOSING_ROUNDS;
+use crate::solver::solve::start::extent::extent;
+use crate::solver::solve::start::held_bodies::held_bodies;
+use crate::solver::solve::start::load_direction::load_direction;
+use crate::solver::solve::start::nearest_row::nearest_row;
+
+/// How far a body was moved to close its gap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closing {
+    /// Its name.
+    pub body: String,
+    /// In the length unit of the scene.
+    pub shift: Vec3,
+}
+
+/// Moves floating bodies into touch, as close as a solution asks for, and reports what was moved.
+pub fn touch(scene: &mut Scene) -> Vec<Closing> {
+    close_gaps(scene, 1e-10 * extent(scene))
+}
+
+/// Moves floating bodies into touch to `tolerance` and reports what was moved.
+pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
+    let Some(direction) = load_direction(scene) else {
+        return Vec::new();
+    };
+    let mut placed = held_bodies(scene, direction);
+    let mut closings = Vec::new();
+    let mut ways = vec![None; scene.contacts.len()];
+    while placed.iter().any(|p| !p) {
+        let nearest = nearest_floating(scene, &placed, &|_| true, direction, &mut ways);
+        let Some((body, distance)) = nearest else {
+            break;
+        };
+        let mut way = distance;
+        let mut total = 0.0;
+        // The gap of a curved side is not quite linear in the way: again, until it is closed.
+        for _ in 0..CLOSING_ROUNDS {
+            if way.abs() <= tolerance {
+                break;
+            }
+            total += way;
+            move_body(scene, body, scale(direction, way));
+            let mut fresh = vec![None; scene.contacts.len()];
+            let only = |other: usize| other == body;
+            let rest = nearest_floating(scene, &placed, &only, direction, &mut fresh);
+            way = rest.map_or(0.0, |(_, way)| way);
+        }
+        placed[body] = true;
+        if total != 0.0 {
+            closings.push(Closing {
+                body: scene.mesh.bodies[body].name.clone(),
+                shift: scale(direction, total),
+            });
+        }
+    }
+    closings
+}
+
+/// The floating `candidate` that touches what is placed after the shortest way, and that way along the
+/// load. `ways` keeps the way of each pair between a placed body and a floating one: neither moves
+/// until the latter is placed.
+fn nearest_floating(
+    scene: &Scene,
+    placed: &[bool],
+    candidate: &dyn Fn(usize) -> bool,
+    direction: Vec3,
+    ways: &mut [Option<Option<f64>>],
+) -> Option<(usize, f64)> {
+    let body_of = |partner: &Partner| match partner {
+        Partner::Surface(name) => {
+            let face = scene.mesh.surface(name)?.faces.first()?;
+            Some(Some(scene.mesh.body_of(face.element as usize)))
+        }
+        Partner::Plane { .. } => Some(None),
+    };
+    let mut best: Option<(usize, f64)> = None;
+    for (pair, known) in scene.contacts.iter().zip(ways) {
+        let (Some(upper), Some(lower)) = (body_of(&pair.upper), body_of(&pair.lower)) else {
+            continue;
+        };
+        let is_placed = |body: Option<usize>| body.is_none_or(|b| placed[b]);
+        let body = match (is_placed(upper), is_placed(lower)) {
+            (true, false) => lower,
+            (false, true) => upper,
+            _ => continue,
+        };
+        let Some(body) = body.filter(|b| candidate(*b)) else {
+            continue;
+        };
+        let way = known.get_or_insert_with(|| way_to_touch(scene, pair, direction));
+        if let Some(way) = *way
+            && best.is_none_or(|(_, b)| way.abs() < b.abs())
+        {
+            best = Some((body, way));
+        }
+    }
+    best
+}
+
+/// Distance along the load until the two sides touch.
+fn way_to_touch(scene: &Scene, pair: &ContactPair, direction: Vec3) -> Option<f64> {
+    let row = nearest_row(scene, pair)?;
+    let lean = dot(row.normal, direction).abs();
+    (lean > 0.1).then(|| row.gap / lean)
+}
+
+fn move_body(scene: &mut Scene, body: usize, shift: Vec3) {
+    let mut moved = vec![false; scene.mesh.points.len()];
+    for element in scene.mesh.bodies[body].elements.clone() {
+        for node in scene.mesh.hexes[element] {
+            if !std::mem::replace(&mut moved[node as usize], true) {
+                let point = &mut scene.mesh.points[node as usize];
+                *point = add(*point, shift);
+            }
+        }
+    }
+}

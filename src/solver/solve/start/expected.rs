@@ -1,0 +1,37 @@
+//! What is expected before anything is solved, and which contact rows that keeps.
+
+use crate::model::scene::Scene;
+use crate::solver::solve::checkpoint::expected::Expected;
+use crate::solver::solve::rows::contact_row::ContactRow;
+use crate::solver::solve::start::extent::{likely_gap, reach};
+
+impl Expected {
+    /// What is known before anything is solved, the bodies of `scene` in touch.
+    pub fn at_start(scene: &Scene) -> Self {
+        Self {
+            reach: reach(scene),
+            contact: likely_gap(scene),
+            flow: Vec::new(),
+            divided: false,
+        }
+    }
+
+    /// Splits rows into those that may close and the others.
+    pub fn split(&self, rows: Vec<ContactRow>) -> (Vec<ContactRow>, Vec<ContactRow>) {
+        let least = least_gaps(rows.iter());
+        rows.into_iter()
+            .partition(|r| r.row.gap <= least[r.pair] + self.contact)
+    }
+}
+
+/// Least gap of each pair.
+pub fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
+    let mut least: Vec<f64> = Vec::new();
+    for r in rows {
+        if least.len() <= r.pair {
+            least.resize(r.pair + 1, f64::INFINITY);
+        }
+        least[r.pair] = r.row.gap.min(least[r.pair]);
+    }
+    least
+}

@@ -1,0 +1,52 @@
+//! Lengths of a scene: its size, what it is made to travel, and how far contact reaches.
+
+use crate::model::scene::{PlaneMotion, Scene};
+use crate::solver::solve::params::{FIRST_LIKELY_GAP, FIRST_REACH, REACH_OVER_TRAVEL};
+
+/// Diagonal of the box around the model.
+pub fn extent(scene: &Scene) -> f64 {
+    let span = |axis: usize| {
+        let (low, high) = scene
+            .mesh
+            .points
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
+                (l.min(p[axis]), h.max(p[axis]))
+            });
+        high - low
+    };
+    span(0).hypot(span(1)).hypot(span(2))
+}
+
+/// The initial gap up to which contact is integrated: a little more than bodies approach each other
+/// in small-strain contact, and all that they are made to travel.
+pub fn reach(scene: &Scene) -> f64 {
+    scene.controls.contact_reach
+        * (FIRST_REACH * extent(scene)).max(REACH_OVER_TRAVEL * travel(scene))
+}
+
+/// The initial gap, over the least one, up to which contact is likely to close.
+pub fn likely_gap(scene: &Scene) -> f64 {
+    scene.controls.contact_reach
+        * (FIRST_LIKELY_GAP * extent(scene)).max(REACH_OVER_TRAVEL * travel(scene))
+}
+
+/// The largest displacement that is prescribed.
+fn travel(scene: &Scene) -> f64 {
+    let factors = |name: &str| {
+        let factors = scene.steps.iter().map(|s| s.factor_of(name).abs());
+        factors.fold(0.0, f64::max)
+    };
+    let supports = scene.supports.iter().flat_map(|s| {
+        let factor = factors(&s.name);
+        s.components.iter().flatten().map(move |v| v.abs() * factor)
+    });
+    let planes = scene.rigid_planes.iter().flat_map(|p| {
+        let factor = factors(&p.name);
+        p.motion.iter().map(move |m| match m {
+            PlaneMotion::Held(v) => v.abs() * factor,
+            _ => 0.0,
+        })
+    });
+    supports.chain(planes).fold(0.0, f64::max)
+}

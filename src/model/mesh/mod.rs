@@ -8,6 +8,7 @@ pub mod join;
 pub mod merge;
 pub mod msh;
 pub mod pieces;
+pub mod quadrilateral;
 pub mod quality;
 pub mod shape;
 pub mod split;

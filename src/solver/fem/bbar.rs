@@ -121,7 +121,7 @@ pub fn add_direction(
 mod tests {
     use super::*;
     use crate::model::material::Steel;
-    use crate::solver::fem::hex8::CORNERS;
+    use crate::model::mesh::hexahedron::CORNERS;
 
     fn distorted() -> [[f64; 3]; 8] {
         let mut c = CORNERS;

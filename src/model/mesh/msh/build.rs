@@ -1,11 +1,11 @@
 //! From the contents of a file to a mesh, checking that everything fits.
 
-use super::Reading;
 use super::error::MeshError;
 use super::file::File;
 use super::groups::Groups;
 use super::names::name_of;
 use super::raw::{Block, Places, Raw};
+use super::reading::Reading;
 use crate::model::mesh::surface::FaceFinder;
 use crate::model::mesh::{Body, Mesh, Surface};
 

@@ -4,12 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::error::MeshError;
 use super::kind::{HEXAHEDRON, QUADRILATERAL};
-use super::names::name_of;
+use super::names::{ENTITIES, name_of};
 use super::place::Place;
 use super::raw::{Block, Group, Key, Places, Raw};
-
-/// What entities and physical groups are called, by dimension.
-pub(super) const ENTITIES: [&str; 4] = ["point", "curve", "surface", "volume"];
 
 /// The runs of elements sorted by physical groups.
 #[derive(Default)]

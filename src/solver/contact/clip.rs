@@ -5,12 +5,13 @@ pub type Point = [f64; 2];
 /// Corners of a polygon, kept in place: two quadrilaterals overlap in eight corners at most.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Polygon {
-    corners: [Point; MOST],
+    corners: [Point; MOST_CORNERS],
     count: usize,
 }
 
-/// Room for facets that are not quite convex.
-const MOST: usize = 16;
+/// Corners that a polygon has room for: twice those of two convex quadrilaterals' overlap, for facets that are not
+/// quite convex.
+const MOST_CORNERS: usize = 16;
 
 impl Polygon {
     /// A copy of the first corners of a list.

@@ -171,10 +171,10 @@ impl Pattern {
 
     /// y = A x.
     pub fn multiply(&self, matrix: &SymmetricMatrix, x: &[f64], y: &mut [f64]) {
-        /// Entries that are worth a thread. The shares depend on the pattern alone, so that sums
+        /// Entries that are worth a task of their own. The cuts depend on the pattern alone, so that sums
         /// come out the same on any number of threads.
-        const SHARE: usize = 1 << 20;
-        let shares = self.rows.len().div_ceil(SHARE).clamp(1, 4);
+        const CHUNK: usize = 1 << 20;
+        let shares = self.rows.len().div_ceil(CHUNK).clamp(1, 4);
         let vertices = self.stretch_start.len() - 1;
         let bounds: Vec<usize> = (0..=shares)
             .map(|k| {

@@ -1,8 +1,25 @@
-//! The numeric factor, subtrees of the elimination tree side by side.
+//! The numeric Cholesky factor on several threads: subtrees of the elimination tree side by side.
 //!
-//! faer's threads split every product, and most products are too small for that: two threads take
-//! longer than one. Here each thread factors whole subtrees by itself, and only what is left above
-//! them is split. Left-looking, supernode by supernode (Ng and Peyton 1993), into faer's storage.
+//! Words (Liu, SIAM J. Matrix Anal. Appl. 11 (1990) 134; Ng and Peyton, SIAM J. Sci. Comput. 14 (1993) 1034):
+//!
+//! - A *supernode* is a run of columns of L with the same rows below them. It is stored as one dense block, column by
+//!   column: a triangle at the top, a rectangle below.
+//! - Supernode d *updates* supernode s where a row below d is a column of s. The parent of d in the *elimination
+//!   tree* is the first supernode that it updates; all others that it updates are further up on the way to the root.
+//!   So two supernodes of which neither is above the other have nothing to do with each other.
+//!
+//! The factor is made *left-looking*: when its turn comes, a supernode first takes all updates of those below it
+//!
+//! ```text
+//! A_s ← A_s − Σ_d L_d(rows from s on) · L_d(rows that are columns of s)ᵀ
+//! ```
+//!
+//! and is then factored as a dense block: Cholesky of the triangle, triangular solve for the rectangle.
+//!
+//! faer's threads split each of these products, and most are too small for that: two threads take longer than one.
+//! Here the tree is cut into subtrees of about equal work (`Tree::split`; Geist and Ng, Int. J. Parallel
+//! Programming 18 (1989) 291). Each is factored by one thread alone, and only the few large supernodes above them
+//! are worked on by all threads. The order of the updates of an entry does not depend on the threads.
 
 use super::entries::Entries;
 use super::number::Number;
@@ -20,8 +37,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Mutex;
 
-/// What is known of the work before any number: the elimination tree of supernodes, and where the
-/// matrix's entries go.
+/// What is known of the work before any number: the elimination tree, and where the entries of the matrix go.
 pub struct Plan {
     tree: Tree,
     entries: Entries,
@@ -32,11 +48,11 @@ struct Work<'a, T> {
     symbolic: &'a SymbolicSupernodalCholesky<u32>,
     tree: &'a Tree,
     entries: &'a Entries,
-    /// Of the matrix.
+    /// Entries of the matrix, in the order of its pattern.
     values: &'a [T],
 }
 
-/// A pivot that is not positive, in the order of the factor.
+/// The position, in the order of elimination, of a pivot that is not positive.
 pub struct Pivot(pub usize);
 
 impl Plan {
@@ -73,13 +89,15 @@ impl Plan {
 }
 
 impl<'a, T: Number> Work<'a, T> {
-    /// Rows below the columns of a supernode.
+    /// Rows of a supernode below its triangle, ascending, in the order of elimination.
     fn rows(&self, s: usize) -> &'a [u32] {
         self.symbolic.supernode(s).pattern()
     }
 
+    /// Factors all: subtrees first, then what is above them.
     fn factorise(&self, values: &mut [T], threads: usize) -> Result<(), Pivot> {
         let (subtrees, top) = self.tree.split(threads);
+        // The values of a subtree follow each other: each thread gets a slice of its own.
         let mut parts = Vec::new();
         let (mut rest, mut at) = (&mut *values, 0);
         for root in subtrees {
@@ -92,7 +110,7 @@ impl<'a, T: Number> Work<'a, T> {
             parts.push((root, own));
             (rest, at) = (tail, to);
         }
-        // The heaviest first, each to the next thread that is free.
+        // The heaviest first, each to the next thread that is free: the light ones at the end even out.
         parts.sort_by(|a, b| self.tree.work[b.0].total_cmp(&self.tree.work[a.0]));
         let queue = Mutex::new(parts.into_iter());
         (0..threads)
@@ -115,7 +133,7 @@ impl<'a, T: Number> Work<'a, T> {
         Ok(())
     }
 
-    /// Supernodes of a subtree; `values` are theirs.
+    /// Factors the supernodes of a subtree, whose `values` these are, on one thread.
     fn subtree(
         &self,
         supernodes: Range<usize>,
@@ -134,7 +152,7 @@ impl<'a, T: Number> Work<'a, T> {
         Ok(())
     }
 
-    /// A supernode above the subtrees, all threads on it.
+    /// Factors a supernode above the subtrees, all threads on it: each takes the updates of a stretch of columns.
     fn above(
         &self,
         s: usize,
@@ -142,18 +160,19 @@ impl<'a, T: Number> Work<'a, T> {
         scratch: &mut Scratch<T>,
         threads: usize,
     ) -> Result<(), Pivot> {
-        // Columns that are worth a task.
-        const SHARE: usize = 48;
-        const LARGE: f64 = 1e7;
+        /// Columns that are worth a task of their own.
+        const COLUMNS_PER_TASK: usize = 48;
+        /// Multiplications of the dense factor from which on faer's threads pay.
+        const LEAST_WORK_FOR_THREADS: f64 = 1e7;
         let (below, tail) = values.split_at_mut(self.tree.value[s]);
         let own = &mut tail[..self.tree.value[s + 1] - self.tree.value[s]];
         let mut block = self.scatter(s, own, &mut scratch.local);
         let columns = block.ncols();
-        let shares = (columns / SHARE).clamp(1, 4 * threads);
+        let tasks = (columns / COLUMNS_PER_TASK).clamp(1, 4 * threads);
         let mut parts = Vec::new();
         let (mut rest, mut at) = (block.rb_mut(), 0);
-        for k in 1..=shares {
-            let end = columns * k / shares;
+        for k in 1..=tasks {
+            let end = columns * k / tasks;
             let (own, tail) = rest.split_at_col_mut(end - at);
             parts.push((at, own));
             (rest, at) = (tail, end);
@@ -163,7 +182,7 @@ impl<'a, T: Number> Work<'a, T> {
             self.update(below, 0, part, s, at, local, product);
         });
         let own: f64 = columns as f64 * (block.nrows() as f64).powi(2);
-        let par = if own > LARGE {
+        let par = if own > LEAST_WORK_FOR_THREADS {
             Par::rayon(threads)
         } else {
             Par::Seq
@@ -171,7 +190,8 @@ impl<'a, T: Number> Work<'a, T> {
         self.finish(block, s, par)
     }
 
-    /// The matrix's entries in a supernode; `local` then holds the position of each of its rows.
+    /// Puts the entries of the matrix in a supernode. `local` then holds, of each row of the supernode, its position in
+    /// the block; what it holds of other rows is of no meaning.
     fn scatter<'v>(&self, s: usize, values: &'v mut [T], local: &mut [u32]) -> MatMut<'v, T> {
         let (begin, end) = (self.tree.begin[s], self.tree.begin[s + 1]);
         let rows = self.rows(s);
@@ -195,9 +215,15 @@ impl<'a, T: Number> Work<'a, T> {
         MatMut::from_column_major_slice_mut(values, height, end - begin)
     }
 
-    /// Takes off the columns from `at` on of supernode `s` what the supernodes `below` it, whose
-    /// values begin with the one numbered `base`, contribute.
-    #[allow(clippy::too_many_arguments)]
+    /// Takes all updates off `block`: the columns from `at` on of supernode `s`.
+    ///
+    /// `below` are values of the supernodes before it, from position `base` of all values on; `local` is that of
+    /// [`Self::scatter`]. The product of each update is made in `product`, then taken off row by row, as the
+    /// rows of the supernode below are some of those of `s`.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "slices of one thread's work, each borrowed by itself"
+    )]
     fn update(
         &self,
         below: &[T],
@@ -212,6 +238,7 @@ impl<'a, T: Number> Work<'a, T> {
         let (low, high) = (begin + at, begin + at + block.ncols());
         for d in self.tree.sources[s].iter().map(|d| *d as usize) {
             let rows = self.rows(d);
+            // Rows a..b are columns of the block; rows from a on are rows of it.
             let a = rows.partition_point(|r| (*r as usize) < low);
             let b = a + rows[a..].partition_point(|r| (*r as usize) < high);
             if a == b {
@@ -261,7 +288,7 @@ impl<'a, T: Number> Work<'a, T> {
         }
     }
 
-    /// Factors the columns of a supernode, once all updates are in.
+    /// Factors a supernode as a dense block, once all updates are in.
     fn finish(&self, block: MatMut<T>, s: usize, par: Par) -> Result<(), Pivot> {
         let columns = block.ncols();
         let (mut top, below) = block.split_at_row_mut(columns);
@@ -291,10 +318,11 @@ impl<'a, T: Number> Work<'a, T> {
     }
 }
 
-/// What a thread works with.
+/// Memory that a thread uses again for each supernode.
 struct Scratch<T> {
-    /// Position of each row in the supernode at hand.
+    /// Position of each row in the block of the supernode at hand.
     local: Vec<u32>,
+    /// The product of an update.
     product: Vec<T>,
 }
 

@@ -76,7 +76,8 @@ impl Tree {
     /// Roots of the subtrees that threads factor by themselves, and what is above them, both
     /// ascending: the heaviest is opened until the threads have about the same to do.
     pub fn split(&self, threads: usize) -> (Vec<usize>, Vec<usize>) {
-        const UNEVEN: f64 = 0.005;
+        /// What the busiest thread may have to do above the mean, over all work below the roots.
+        const MOST_UNEVEN: f64 = 0.005;
         let sum = |list: &[usize]| list.iter().map(|s| self.work[*s]).sum::<f64>();
         let total = sum(&self.roots);
         let (mut subtrees, mut top): (Vec<usize>, Vec<usize>) = (self.roots.clone(), Vec::new());
@@ -88,7 +89,7 @@ impl Tree {
                 least.into_iter().for_each(|load| *load += self.work[*s]);
             }
             let most = loads.into_iter().fold(0.0, f64::max);
-            let even = most - sum(&subtrees) / threads as f64 <= UNEVEN * total;
+            let even = most - sum(&subtrees) / threads as f64 <= MOST_UNEVEN * total;
             let opened = match subtrees.iter().position(|s| !self.is_run(*s)) {
                 Some(scattered) => scattered,
                 None if even => break,

@@ -1,45 +1,81 @@
-//! The coarse system: affine motions of the pieces, blended over their overlap.
+//! The coarse level: what subdomains cannot see of each other.
+//!
+//! A subdomain corrects its own unknowns well, but a motion that runs through many subdomains, such as a body
+//! moving as a whole, would take one iteration for each subdomain on its way. The coarse level solves for such
+//! motions at once. Its unknowns are, for every *piece* (one body within one subdomain), the coefficients of an
+//! affine motion
+//!
+//! ```text
+//! u_a(x) = c_a0 + c_a1 ξ + c_a2 η + c_a3 ζ,    a = 1, 2, 3,    (ξ, η, ζ) = (x − centre) / radius
+//! ```
+//!
+//! which are 12: three translations, three rotations, six uniform strains. Without contact and supports the
+//! translations and rotations cost no energy, so that local solves cannot see them (Nicolaides, SIAM J. Numer.
+//! Anal. 24 (1987) 355). The uniform strains carry loads from piece to piece.
+//!
+//! Pieces overlap. Where m pieces share a vertex each counts there by 1/m: these weights sum to one (a partition of
+//! unity), so that equal coefficients in all pieces make exactly that affine motion of the whole body
+//! (Toselli and Widlund, *Domain Decomposition Methods*, 2005, chapter 3).
+//!
+//! With the columns of Z the weighted motions, the coarse matrix is Zᵀ A Z and the correction of a residual r is
+//! Z (Zᵀ A Z)⁻¹ Zᵀ r. Z is never stored: its entries are computed where they are needed (`Coarse::mode`).
 
-use super::Place;
 use super::partition::Division;
+use super::place::Place;
 use crate::ground::geometry::Vec3;
 use crate::solver::linear::cholesky::{Factor, FactorError, Symbolic};
 use crate::solver::linear::ordering::Block;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use rayon::prelude::*;
 
-/// Of each displacement component: 1, x, y, z.
+/// Functions that each displacement component of a piece is made of: 1, ξ, η, ζ.
 const FORMS: usize = 4;
+/// Coarse unknowns of a piece.
 const MODES: usize = 3 * FORMS;
+/// Values of the four functions at a vertex, times the piece's weight there.
 type Mode = [f64; FORMS];
+/// Block of the coarse matrix: modes of one piece by modes of another.
 type Coupling = [[f64; MODES]; MODES];
 
-/// One body within one subdomain.
+/// Stiffness of a mode, over that of the stiffest, below which it is none but rounding.
+const STIFFLESS: f64 = 1e-13;
+
+/// What is added to the diagonal of the coarse matrix, over the diagonal: modes of neighbours may be all but
+/// dependent, as where two pieces share most of their vertices.
+const SHIFT: f64 = 1e-9;
+
+/// One body within one subdomain, overlap included.
 struct Piece {
     vertices: Vec<u32>,
+    /// Mean of its points.
     centre: Vec3,
+    /// Root mean square of their distances from it, so that all modes have about the same size.
     radius: f64,
 }
 
-/// The pieces and how they couple.
+/// The pieces and which of them couple, found once a pattern.
 pub struct Coarse {
     pieces: Vec<Piece>,
-    /// Pieces of each vertex.
+    /// Pieces that each vertex belongs to.
     of_vertex: Vec<Vec<u32>>,
     places: Vec<Place>,
-    /// A vertex is a piece.
+    /// Of the coarse matrix; a piece is a vertex of it.
     pattern: Pattern,
     symbolic: Symbolic,
 }
 
 /// The coarse matrix and its factor.
 pub struct CoarseFactor {
-    /// Of each piece, its couplings with itself and lower pieces.
+    /// Blocks of Zᵀ A Z: of each piece those with itself and with pieces of lower numbers.
     couplings: Vec<Vec<(u32, Box<Coupling>)>>,
     factor: Factor<f64>,
 }
 
 impl Coarse {
+    /// The coarse level of a `division` of the vertices of `pattern`.
+    ///
+    /// # Errors
+    /// [`FactorError::Memory`].
     pub fn new(
         pattern: &Pattern,
         places: &[Place],
@@ -56,6 +92,7 @@ impl Coarse {
                 of_vertex[*v as usize].push(index as u32);
             }
         }
+        // Pieces couple where a vertex of one is a neighbour of a vertex of the other.
         let pairs: Vec<[u32; 2]> = (pieces.par_iter().enumerate())
             .flat_map_iter(|(index, piece)| {
                 let mut near: Vec<u32> = (piece.vertices.iter())
@@ -82,11 +119,15 @@ impl Coarse {
         })
     }
 
+    /// Entries of the factor.
     pub fn factor_entries(&self) -> usize {
         self.symbolic.factor_entries()
     }
 
-    /// Zᵀ A Z and its factor; of `old` what has no changed equation is kept.
+    /// Zᵀ A Z and its factor. Blocks of `old` are kept for pieces without an equation that has `changed`.
+    ///
+    /// # Errors
+    /// [`FactorError`] where memory runs out or Zᵀ A Z is not positive definite.
     pub fn factorise(
         &self,
         pattern: &Pattern,
@@ -123,11 +164,16 @@ impl Coarse {
                 }
             }
         }
-        // A mode without stiffness: of a component that is held, or of a shared motion.
+        // A mode without stiffness stands for nothing: components that are held everywhere in the piece, or the slopes
+        // of a motion that many nodes share. A stiffness of its own keeps it at zero.
         let diagonal = self.pattern.diagonal(&coarse);
         let most = diagonal.iter().copied().fold(0.0, f64::max);
         for (start, d) in self.pattern.columns.iter().zip(diagonal) {
-            let added = if d > 1e-13 * most { 1e-9 * d } else { most };
+            let added = if d > STIFFLESS * most {
+                SHIFT * d
+            } else {
+                most
+            };
             coarse.values[*start as usize] += added;
         }
         Ok(CoarseFactor {
@@ -136,7 +182,10 @@ impl Coarse {
         })
     }
 
-    /// Couplings of a piece with itself and lower ones.
+    /// Blocks of Zᵀ A Z between a piece and itself, and pieces of lower numbers.
+    ///
+    /// Row by row of A: at each vertex v of the piece, A times the modes of every piece near v (the `forces`
+    /// that those motions make at v), and these times the piece's own modes at v.
     fn couple(
         &self,
         pattern: &Pattern,
@@ -144,7 +193,7 @@ impl Coarse {
         index: u32,
     ) -> Vec<(u32, Box<Coupling>)> {
         let mut list: Vec<(u32, Box<Coupling>)> = Vec::new();
-        // Of each piece near a vertex: its modes, times the matrix.
+        // At the vertex at hand, of each piece near it: the force along each axis that each of its modes makes.
         let mut forces: Vec<(u32, [[Mode; 3]; 3])> = Vec::new();
         let starts = &pattern.vertex_start;
         let axes = |v: u32| {
@@ -187,11 +236,12 @@ impl Coarse {
         list
     }
 
+    /// The axis of an equation; the first for a motion that many nodes share.
     fn axis(&self, equation: u32) -> usize {
         self.places[equation as usize].map_or(0, |p| p.1)
     }
 
-    /// The forms of a piece at a vertex, times its share of the vertex.
+    /// The four functions of a piece at a vertex, times its weight there: the entries of Z.
     fn mode(&self, piece: &Piece, v: u32, starts: &[u32]) -> Mode {
         let share = 1.0 / self.of_vertex[v as usize].len() as f64;
         match self.places[starts[v as usize] as usize] {
@@ -204,7 +254,7 @@ impl Coarse {
         }
     }
 
-    /// Z (ZᵀAZ)⁻¹ Zᵀ r.
+    /// The coarse correction Z (Zᵀ A Z)⁻¹ Zᵀ r of a residual `r`.
     pub fn solve(&self, pattern: &Pattern, factor: &CoarseFactor, r: &[f64]) -> Vec<f64> {
         let starts = &pattern.vertex_start;
         let mut c: Vec<f64> = (self.pieces.par_iter())
@@ -253,6 +303,7 @@ fn entry<T>(list: &mut Vec<(u32, T)>, key: u32, new: impl Fn() -> T) -> &mut T {
 }
 
 impl Piece {
+    /// The piece of `vertices`, whose points are given by `point`.
     fn new(vertices: &[u32], point: impl Fn(u32) -> Option<Vec3>) -> Self {
         let points: Vec<Vec3> = vertices.iter().filter_map(|v| point(*v)).collect();
         let count = points.len().max(1) as f64;

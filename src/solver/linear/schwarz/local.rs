@@ -22,7 +22,8 @@ pub struct LocalFactor {
     scale: Vec<f32>,
 }
 
-/// Added to the diagonal, which is one: single precision has to see a floating body as stiff.
+/// Tried one after the other, added to the diagonal, which is one. A subdomain that nothing holds is singular, and single
+/// precision has to see it as positive definite.
 const SHIFTS: [f32; 3] = [1e-6, 1e-4, 1e-2];
 
 impl Local {

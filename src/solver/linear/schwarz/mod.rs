@@ -1,26 +1,31 @@
 //! Two-level overlapping Schwarz preconditioner, for models too large for one factor.
 //!
-//! Vertices are split into small subdomains, each extended by one layer of neighbours. Each
-//! subdomain's part of the matrix is factored by itself, in single precision, and corrects its own
-//! vertices (restricted additive Schwarz, Cai and Sarkis 1999); before that a coarse system of
-//! affine motions carries what subdomains cannot see of each other (Toselli and Widlund 2005,
-//! chapters 2 and 3). Work and memory grow with the number of unknowns, and only what has changed
-//! since the last matrix is factored anew.
+//! Vertices are split into small subdomains, each extended by one layer of neighbours (`partition`). Applied
+//! to a residual r it makes two corrections, one after the other:
+//!
+//! ```text
+//! x₀ = Z (Zᵀ A Z)⁻¹ Zᵀ r                      coarse: affine motions of all pieces (`coarse`)
+//! x  = x₀ + Σᵢ R̃ᵢᵀ Aᵢ⁻¹ Rᵢ (r − A x₀)          local: each subdomain by itself (`local`)
+//! ```
+//!
+//! Rᵢ picks the unknowns of subdomain i with its overlap, Aᵢ = Rᵢ A Rᵢᵀ is its part of the matrix, and R̃ᵢᵀ puts back
+//! only those that it owns: restricted additive Schwarz (Cai and Sarkis, SIAM J. Sci. Comput. 21 (1999)
+//! 792). The theory is in Toselli and Widlund, *Domain Decomposition Methods*, 2005, chapters 2 and 3.
+//!
+//! The map from r to x is linear but not symmetric. Work and memory grow with the number of unknowns, and only
+//! what has changed since the last matrix is factored anew.
 
 mod coarse;
 mod local;
 mod partition;
+mod place;
 
 use super::cholesky::FactorError;
 use super::sparse::{Pattern, SymmetricMatrix};
-use crate::ground::geometry::Vec3;
 use coarse::{Coarse, CoarseFactor};
 use local::{Local, LocalFactor};
+pub use place::Place;
 use rayon::prelude::*;
-
-/// Point and axis of the displacement component that an equation stands for; none for a motion that
-/// many nodes share.
-pub type Place = Option<(Vec3, usize)>;
 
 /// Subdomains and their structure, found once a pattern.
 pub struct Schwarz {
@@ -38,14 +43,15 @@ pub struct SchwarzFactor {
     coarse_diagonal: Vec<f64>,
 }
 
-/// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each and
-/// need more modes in the coarse system.
-const SIZES: (usize, usize) = (200, 600);
-/// How many subdomains there are between these sizes.
+/// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each, but more of
+/// them make a larger coarse system.
+const SUBDOMAIN_SIZES: (usize, usize) = (200, 600);
+/// How many subdomains there are where that lets their sizes be between these.
 const SUBDOMAINS: usize = 100;
 
-/// A subdomain is factored anew where an entry of its diagonal has changed by more than this share.
-const CHANGE: f64 = 0.05;
+/// A subdomain is factored anew where an entry of its diagonal has changed by more than this share: within it the
+/// old factor still preconditions about as well.
+const STALE_CHANGE: f64 = 0.05;
 
 impl Schwarz {
     /// Splits the graph of `pattern` across its weak couplings in `guide`, the matrix without
@@ -59,7 +65,7 @@ impl Schwarz {
         places: &[Place],
     ) -> Result<Self, FactorError> {
         let vertices = pattern.vertex_start.len() - 1;
-        let size = (vertices / SUBDOMAINS).clamp(SIZES.0, SIZES.1);
+        let size = (vertices / SUBDOMAINS).clamp(SUBDOMAIN_SIZES.0, SUBDOMAIN_SIZES.1);
         let division = partition::divide(pattern, guide, places, size);
         let coarse = Coarse::new(pattern, places, &division)?;
         let locals = (division.subdomains.par_iter().enumerate())
@@ -92,7 +98,7 @@ impl Schwarz {
             });
         };
         let changed: Vec<bool> = (diagonal.iter().zip(&old.diagonal))
-            .map(|(now, then)| (now - then).abs() > CHANGE * now.abs().min(then.abs()))
+            .map(|(now, then)| (now - then).abs() > STALE_CHANGE * now.abs().min(then.abs()))
             .collect();
         (self.locals.par_iter())
             .zip(&mut old.locals)
@@ -101,8 +107,8 @@ impl Schwarz {
                 *factor = local.factorise(pattern, matrix)?;
                 Ok(())
             })?;
-        // In the coarse system old and new must not mix: next to stiff contact what is little beside
-        // a diagonal is much beside the stiffness of a motion.
+        // The coarse system gets every change: next to stiff contact what is little beside an entry of the diagonal
+        // may be much beside the stiffness of a whole motion.
         let renewed: Vec<bool> = (diagonal.iter().zip(&old.coarse_diagonal))
             .map(|(now, then)| now != then)
             .collect();

@@ -6,7 +6,7 @@ use crate::ground::geometry::{cross, scale, sub};
 
 /// What a quadrilateral is to the hexahedra.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FaceMatch {
+pub(super) enum FaceMatch {
     /// It is the face of no hexahedron.
     None,
     /// It is a face of exactly one hexahedron; here it is, turned outward.
@@ -16,7 +16,7 @@ pub enum FaceMatch {
 }
 
 /// Finds the hexahedra that quadrilaterals belong to.
-pub struct FaceFinder<'a> {
+pub(super) struct FaceFinder<'a> {
     hexes: &'a [[u32; 8]],
     /// The elements around node `n` are `around[start[n]..start[n + 1]]`.
     start: Vec<usize>,

@@ -8,7 +8,5 @@ mod orientation;
 mod trilinear;
 
 pub use numbering::{CORNERS, EDGES, FACES, faces_of, mirrored};
-pub use orientation::{Orientation, edge_lengths, orientation, scaled_jacobians};
-pub use trilinear::{
-    GAUSS, gauss_jacobians, jacobian, jacobian_matrix, shape, shape_derivatives, volume,
-};
+pub(super) use orientation::{Orientation, edge_lengths, orientation, scaled_jacobians};
+pub use trilinear::{GAUSS, jacobian_matrix, shape, shape_derivatives, volume};

@@ -5,11 +5,11 @@ use super::trilinear::gauss_jacobians;
 use crate::ground::geometry::{Vec3, cross, dot, norm, sub};
 
 /// Below this, a scaled Jacobian counts as zero.
-const FLAT: f64 = 1e-9;
+const ZERO_JACOBIAN: f64 = 1e-9;
 
 /// How the corners of a hexahedron lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Orientation {
+pub(in crate::model::mesh) enum Orientation {
     /// The Jacobian is positive at every corner and integration point.
     Sound,
     /// The Jacobian is negative everywhere: the nodes are numbered for the mirror image.
@@ -23,7 +23,7 @@ pub enum Orientation {
 
 /// Scaled Jacobian at each corner: the triple product of the unit vectors along its edges, from
 /// -1 to 1; 1 for a box. Not a number where an edge has no length.
-pub fn scaled_jacobians(x: &[[f64; 3]; 8]) -> [f64; 8] {
+pub(in crate::model::mesh) fn scaled_jacobians(x: &[[f64; 3]; 8]) -> [f64; 8] {
     std::array::from_fn(|corner| {
         let [a, b, c] = NEIGHBOURS[corner].map(|n| direction(sub(x[n], x[corner])));
         dot(cross(a, b), c)
@@ -31,24 +31,25 @@ pub fn scaled_jacobians(x: &[[f64; 3]; 8]) -> [f64; 8] {
 }
 
 /// Lengths of the twelve edges.
-pub fn edge_lengths(x: &[[f64; 3]; 8]) -> [f64; 12] {
+pub(in crate::model::mesh) fn edge_lengths(x: &[[f64; 3]; 8]) -> [f64; 12] {
     EDGES.map(|[a, b]| norm(sub(x[b], x[a])))
 }
 
 /// Whether the element is sound, and what is wrong otherwise.
-pub fn orientation(x: &[[f64; 3]; 8]) -> Orientation {
+pub(in crate::model::mesh) fn orientation(x: &[[f64; 3]; 8]) -> Orientation {
     let corners = scaled_jacobians(x);
     let gauss = gauss_jacobians(&unit_size(x));
-    if corners.iter().all(|&j| j > FLAT) && gauss.iter().all(|&j| j > 0.0) {
+    if corners.iter().all(|&j| j > ZERO_JACOBIAN) && gauss.iter().all(|&j| j > 0.0) {
         return Orientation::Sound;
     }
-    if corners.iter().all(|&j| j < -FLAT) && gauss.iter().all(|&j| j < 0.0) {
+    if corners.iter().all(|&j| j < -ZERO_JACOBIAN) && gauss.iter().all(|&j| j < 0.0) {
         return Orientation::Mirrored;
     }
     // The comparison is false for NaN, so that an edge without length counts as flat.
-    let clear = |j: f64| j.abs() > FLAT;
+    let clear = |j: f64| j.abs() > ZERO_JACOBIAN;
     let folded = corners.iter().all(|&j| clear(j))
-        || (corners.iter().any(|&j| j > FLAT) && corners.iter().any(|&j| j < -FLAT));
+        || (corners.iter().any(|&j| j > ZERO_JACOBIAN)
+            && corners.iter().any(|&j| j < -ZERO_JACOBIAN));
     let rank = |j: f64| if folded { j } else { j.abs() };
     let mut worst = 0;
     for (corner, &j) in corners.iter().enumerate() {

@@ -43,14 +43,14 @@ pub fn jacobian_matrix(corners: &[[f64; 3]; 8], derivatives: &[[f64; 3]; 8]) -> 
 
 /// Determinant of the Jacobian at natural coordinates `s`: volume in space over volume in natural
 /// coordinates.
-pub fn jacobian(corners: &[[f64; 3]; 8], s: [f64; 3]) -> f64 {
+fn jacobian(corners: &[[f64; 3]; 8], s: [f64; 3]) -> f64 {
     let rows = jacobian_matrix(corners, &shape_derivatives(s));
     let [a, b, c] = [0, 1, 2].map(|j| rows.map(|row| row[j]));
     dot(cross(a, b), c)
 }
 
 /// Determinants of the Jacobian at the 2×2×2 Gauss points, in the order of the corners.
-pub fn gauss_jacobians(corners: &[[f64; 3]; 8]) -> [f64; 8] {
+pub(super) fn gauss_jacobians(corners: &[[f64; 3]; 8]) -> [f64; 8] {
     CORNERS.map(|corner| jacobian(corners, corner.map(|c| c * GAUSS)))
 }
 

@@ -295,14 +295,22 @@ impl<'a> Cursor<'a> {
 
 /// What was found, for a message: short and printable.
 pub(super) fn quoted(found: &[u8]) -> String {
-    const LONGEST: usize = 40;
+    /// Characters that a message quotes.
+    const MOST_CHARACTERS: usize = 40;
     if found.is_empty() {
         return "nothing".to_owned();
     }
-    let shown: Vec<char> = String::from_utf8_lossy(&found[..found.len().min(4 * LONGEST)])
+    let shown: Vec<char> = String::from_utf8_lossy(&found[..found.len().min(4 * MOST_CHARACTERS)])
         .chars()
         .map(|c| if c.is_control() { '.' } else { c })
         .collect();
-    let cut = if shown.len() > LONGEST { "..." } else { "" };
-    format!("`{}{cut}`", shown.iter().take(LONGEST).collect::<String>())
+    let cut = if shown.len() > MOST_CHARACTERS {
+        "..."
+    } else {
+        ""
+    };
+    format!(
+        "`{}{cut}`",
+        shown.iter().take(MOST_CHARACTERS).collect::<String>()
+    )
 }

@@ -16,15 +16,17 @@ use super::{Mesh, Surface};
 use patch::Patch;
 pub use surface_shape::Shape;
 
-/// How far nodes may be off the shape, as a share of the surface's size.
-const OFF: f64 = 1e-6;
-/// How much better than a plane a round shape must fit.
-const BETTER: f64 = 0.01;
+/// How far nodes may be off the shape, as a share of the surface's size: as much as
+/// coordinates with six digits are.
+const MOST_OFF: f64 = 1e-6;
+/// What a round shape may leave of the distance of the nodes from a plane: a plane with rounded
+/// coordinates fits some round shape, too, but hardly better.
+const MOST_LEFT_OF_PLANE: f64 = 0.01;
 /// Facets may subtend twice this angle, in radians (twice 20 degrees), to pass as round: a
 /// hexagonal bar is not a cylinder.
-const COARSE: f64 = 0.35;
+const MOST_SUBTENDED: f64 = 0.35;
 /// Angle by which rounded coordinates may turn a facet, in radians.
-const TURNED: f64 = 1e-3;
+const MOST_TURNED: f64 = 1e-3;
 
 /// The shape on which all nodes of `surface` lie within a millionth of the size of the surface,
 /// and from which its facets differ by no more than the angle they subtend.
@@ -38,10 +40,10 @@ pub fn fit(mesh: &Mesh, surface: &Surface) -> Shape {
     };
     let (plane, deviation) = patch.plane();
     // A narrow strip of a cylinder is nearly plane: its width is the measure, not its length.
-    if deviation <= OFF * patch.width.min(1.0) && follows(&plane, &patch) {
+    if deviation <= MOST_OFF * patch.width.min(1.0) && follows(&plane, &patch) {
         return patch.in_place(plane);
     }
-    let allowed = OFF.min(BETTER * deviation);
+    let allowed = MOST_OFF.min(MOST_LEFT_OF_PLANE * deviation);
     let round = [fitting::cylinder(&patch), fitting::sphere(&patch)];
     for shape in round.into_iter().flatten() {
         if off(&shape, &patch) <= allowed && enough_nodes(&shape, &patch) && follows(&shape, &patch)
@@ -49,7 +51,7 @@ pub fn fit(mesh: &Mesh, surface: &Surface) -> Shape {
             return patch.in_place(shape);
         }
     }
-    if deviation <= OFF && follows(&plane, &patch) {
+    if deviation <= MOST_OFF && follows(&plane, &patch) {
         patch.in_place(plane)
     } else {
         Shape::Facets
@@ -79,7 +81,7 @@ fn follows(shape: &Shape, patch: &Patch) -> bool {
             };
             subtended = subtended.max(angle(normal, there));
         }
-        subtended <= COARSE && angle(normal, facet.normal) <= subtended + TURNED
+        subtended <= MOST_SUBTENDED && angle(normal, facet.normal) <= subtended + MOST_TURNED
     })
 }
 

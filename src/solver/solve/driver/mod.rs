@@ -22,7 +22,7 @@ use super::rigid;
 use super::rows::{contact_rows, sights};
 use super::start::{self, Closing};
 use super::timers::{Phase, Timers};
-use crate::model::scene::{LITTLE, Scene};
+use crate::model::scene::{Scene, UNLOADED_SHARE};
 use crate::model::state::State;
 use crate::solver::contact::facing::Sight;
 use crate::solver::contact::law::Node;
@@ -278,7 +278,7 @@ impl<'a, 'o> Run<'a, 'o> {
             let at = |step, time| self.model.scene.factor(name, step, time).abs();
             (at(step, time), at(full, 1.0))
         });
-        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= LITTLE * then) {
+        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= UNLOADED_SHARE * then) {
             self.states.push(self.last.clone());
         }
         Some(format!(

@@ -6,21 +6,21 @@ use crate::model::mesh::quadrilateral;
 
 /// Cosine between the outward normals of two facets that face each other, at most: beyond 107 degrees. Facets
 /// that stand flatter to each other than that lie on a rim, and press on nothing.
-pub const MOST_FACING: f64 = -0.3;
+pub(super) const MOST_FACING: f64 = -0.3;
 
 /// Unit normal of a facet's mean plane; `None` for a facet without area.
-pub fn normal(facet: &[Vec3; 4]) -> Option<Vec3> {
+pub(super) fn normal(facet: &[Vec3; 4]) -> Option<Vec3> {
     unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))
 }
 
 /// Area of a facet.
-pub fn area([a, b, c, d]: &[Vec3; 4]) -> f64 {
+pub(super) fn area([a, b, c, d]: &[Vec3; 4]) -> f64 {
     0.5 * norm(cross(sub(*c, *a), sub(*d, *b)))
 }
 
 /// Point of a facet with the given shape functions; of displacements likewise.
 #[inline]
-pub fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
+pub(super) fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
     facet
         .iter()
         .zip(shape)
@@ -29,7 +29,7 @@ pub fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
 
 /// Shape functions of a facet where the line through `p` along the unit vector `direction` meets it;
 /// `None` where it does not.
-pub fn meets(facet: &[Vec3; 4], p: Vec3, direction: Vec3) -> Option<[f64; 4]> {
+pub(super) fn meets(facet: &[Vec3; 4], p: Vec3, direction: Vec3) -> Option<[f64; 4]> {
     /// How far a shape function may fall below zero, which says that the line passes the facet
     /// outside an edge: no farther than rounding moves it.
     const OUTSIDE: f64 = 1e-6;
@@ -42,7 +42,7 @@ pub fn meets(facet: &[Vec3; 4], p: Vec3, direction: Vec3) -> Option<[f64; 4]> {
 /// Shape functions of the plane quadrilateral `corners` at its point `p`: the natural coordinates
 /// of the point by Newton's method. `None` where it runs away, far outside.
 #[inline]
-pub fn shape_at(corners: &[Point; 4], p: Point) -> Option<[f64; 4]> {
+pub(super) fn shape_at(corners: &[Point; 4], p: Point) -> Option<[f64; 4]> {
     const ITERATIONS: usize = 20;
     /// Natural coordinates beyond which the point is given up; those of the facet end at 1.
     const FAR_OUTSIDE: f64 = 10.0;

@@ -10,7 +10,7 @@ use crate::ground::geometry::{Vec3, add, dot, scale, sub, tangents};
 
 /// A point of a segment.
 #[derive(Debug, Clone, Copy)]
-pub struct SegmentPoint {
+pub(super) struct SegmentPoint {
     /// Shape functions of the carrier facet and of the opposite facet.
     pub carrier: [f64; 4],
     pub opposite: [f64; 4],
@@ -19,7 +19,7 @@ pub struct SegmentPoint {
 }
 
 /// A carrier facet, seen along the direction in which it is projected.
-pub struct View {
+pub(super) struct View {
     origin: Vec3,
     axes: [Vec3; 2],
     corners: [Point; 4],

@@ -3,7 +3,7 @@
 use crate::solver::linear::sparse::Pattern;
 
 /// The pattern in the order of the factor: of each column its rows, and where their values are.
-pub struct Entries {
+pub(super) struct Entries {
     pub columns: Vec<usize>,
     pub rows: Vec<u32>,
     pub places: Vec<u32>,

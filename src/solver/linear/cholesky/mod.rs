@@ -10,6 +10,7 @@ mod number;
 mod numeric;
 mod scaling;
 mod subtrees;
+mod supernode;
 #[cfg(test)]
 pub(super) mod tests;
 mod tree;

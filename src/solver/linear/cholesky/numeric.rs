@@ -3,7 +3,8 @@
 use super::analysis::structure;
 use super::error::FactorError;
 use super::number::Number;
-use super::subtrees::{Pivot, Plan};
+use super::subtrees::Plan;
+use super::supernode::Pivot;
 use crate::solver::linear::sparse::Pattern;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};

@@ -3,7 +3,7 @@
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 
 /// The elimination tree of supernodes.
-pub struct Tree {
+pub(super) struct Tree {
     /// First column of each supernode, and the number of columns.
     pub begin: Vec<usize>,
     /// First value of each supernode, and the number of values.

@@ -7,7 +7,7 @@ use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::cholesky as sparse;
 
 /// A subdomain and the structure of its factor.
-pub struct Local {
+pub(super) struct Local {
     /// Equations of the subdomain, ascending.
     pub equations: Vec<u32>,
     /// Does the subdomain own the equation, or only see it?
@@ -16,7 +16,7 @@ pub struct Local {
 }
 
 /// Its factor.
-pub struct LocalFactor {
+pub(super) struct LocalFactor {
     values: Vec<f32>,
     /// One over the root of the diagonal.
     scale: Vec<f32>,

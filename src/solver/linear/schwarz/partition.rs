@@ -6,7 +6,7 @@ use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use rayon::prelude::*;
 
 /// How the vertices are divided.
-pub struct Division {
+pub(super) struct Division {
     /// Vertices of each subdomain with its overlap, ascending.
     pub subdomains: Vec<Vec<u32>>,
     /// The subdomain that owns each vertex.
@@ -31,7 +31,7 @@ struct Graph<'a> {
 }
 
 /// Divides into subdomains of about `size` vertices.
-pub fn divide(
+pub(super) fn divide(
     pattern: &Pattern,
     guide: &SymmetricMatrix,
     places: &[Place],

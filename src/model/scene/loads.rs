@@ -5,7 +5,9 @@ use serde::Serialize;
 /// Prescribed displacement components on a surface: constant, or linear in position.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Support {
+    /// What steps and messages call it.
     pub name: String,
+    /// The surface of the mesh.
     pub surface: String,
     /// Displacement of each component, `None` where free. Times the factor of the step.
     pub components: [Option<f64>; 3],
@@ -25,8 +27,11 @@ impl Support {
 /// A surface that translates as a rigid plane without rotating.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RigidPlane {
+    /// What steps and messages call it.
     pub name: String,
+    /// The surface of the mesh.
     pub surface: String,
+    /// What it does along x, y and z.
     pub motion: [PlaneMotion; 3],
 }
 
@@ -45,8 +50,11 @@ pub enum PlaneMotion {
 /// A force per area on a surface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Traction {
+    /// What steps and messages call it.
     pub name: String,
+    /// The surface of the mesh.
     pub surface: String,
+    /// The traction at factor one, in the stress unit of the scene.
     pub value: TractionValue,
 }
 

@@ -23,17 +23,25 @@ pub use unloading::UNLOADED_SHARE;
 /// Everything the solver needs.
 #[derive(Debug, Clone, Serialize)]
 pub struct Scene {
+    /// What messages and results call it.
     pub name: String,
+    /// The bodies, undeformed.
     pub mesh: Mesh,
     /// One steel a body, in the order of [`Mesh::bodies`].
     pub materials: Vec<Steel>,
+    /// Pairs of surfaces that may touch.
     pub contacts: Vec<ContactPair>,
+    /// Prescribed displacements.
     pub supports: Vec<Support>,
+    /// Surfaces that translate as rigid planes.
     pub rigid_planes: Vec<RigidPlane>,
+    /// Forces per area on surfaces.
     pub tractions: Vec<Traction>,
+    /// Load steps, one after the other.
     pub steps: Vec<Step>,
     /// Axes (0, 1, 2) that the model is mirrored along: `[0, 1]` is a quarter model.
     pub mirrors: Vec<usize>,
+    /// Tolerances and choices of the solver.
     pub controls: Controls,
 }
 

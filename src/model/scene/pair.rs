@@ -8,7 +8,9 @@ use serde::Serialize;
 pub struct ContactPair {
     /// `<upper>-<lower>`.
     pub name: String,
+    /// The upper partner,
     pub upper: Partner,
+    /// and the lower one.
     pub lower: Partner,
     /// The side whose nodes carry the contact pressure, the non-mortar or slave side; never a plane.
     pub carrier: Side,

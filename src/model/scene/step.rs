@@ -5,6 +5,7 @@ use serde::Serialize;
 /// One step: loads and prescribed displacements move linearly to these factors.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
+    /// What messages and results call it.
     pub name: String,
     /// Factor at the end of the step for every support, plane and traction not named below.
     pub factor: f64,

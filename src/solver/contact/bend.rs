@@ -1,14 +1,18 @@
 //! How far flat facets overlap where the round surfaces that they stand for only touch.
+//!
+//! The chord of an arc with curvature κ over a length h lies κ h² / 8 below its crown, the *sagitta*. The curvature of a
+//! surface is read from how its normal turns from node to node.
 
 use super::side::Side;
 use crate::ground::geometry::{Vec3, add, dot, norm, sub, unit};
 use std::collections::BTreeMap;
 
-/// How a surface turns over a facet, along its edges one way and the other: directions, and the angles by
-/// which it turns over a length.
+/// The curvature of a surface over a facet.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Bend {
+    /// Unit vectors along its edges, one way and the other.
     along: [Vec3; 2],
+    /// The larger of the two curvatures along opposite edges, 1 / length, not negative.
     curvature: [f64; 2],
 }
 
@@ -66,9 +70,11 @@ fn extent(corners: &[Vec3; 4], along: Vec3) -> f64 {
     most - at.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// What flat facets on both sides, of surfaces that touch, may overlap by: either side takes the shape
-/// of the other, so that the chords of both lie below the curvature of both, (κ₁ + κ₂) (h₁² + h₂²) / 8,
-/// along that edge where it is most: a fillet curves along the roller, where elements are long.
+/// What flat facets on both sides, of surfaces that touch, may overlap by, a length.
+///
+/// Pressed together, either side takes the shape of the other, so that the chords of both lie below the curvature of
+/// both: (κ₁ + κ₂) (h₁² + h₂²) / 8. Taken along that edge where it is most: a fillet curves along the roller, where
+/// elements are long.
 pub(super) fn sagitta([a, b]: [Bend; 2], corners: [&[Vec3; 4]; 2]) -> f64 {
     let along = |direction: Vec3| {
         let curvature = a.curvature_along(direction) + b.curvature_along(direction);

@@ -38,7 +38,7 @@ impl std::ops::Deref for Polygon {
 }
 
 /// The part of `subject` inside `window`, both counter-clockwise and convex
-/// (Sutherland and Hodgman 1974). Empty where they do not overlap.
+/// (Sutherland and Hodgman, Comm. ACM 17 (1974) 32). Empty where they do not overlap.
 pub(super) fn intersect(subject: &[Point], window: &[Point]) -> Polygon {
     let mut polygon = Polygon::of(subject);
     for (k, a) in window.iter().enumerate() {

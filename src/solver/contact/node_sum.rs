@@ -7,6 +7,9 @@ use super::row::Row;
 use crate::ground::geometry::{Vec3, add, cross, dot, planes_through, scale, tangents, unit};
 use std::collections::BTreeMap;
 
+/// A node is on a plane that is held, and its normal in it, to within this share: coordinates are rounded.
+const ROUNDING: f64 = 1e-9;
+
 /// The integrals over all facets around a carrier node.
 #[derive(Default)]
 pub(super) struct NodeSum {
@@ -82,7 +85,7 @@ impl NodeSum {
         let gap = dot(gap, normal) / area;
         let size = at.iter().fold(0.0f64, |size, c| size.max(c.abs()));
         let holds = |(axis, c): &&(usize, f64)| {
-            normal[*axis].abs() < 1e-9 && (at[*axis] - c).abs() <= 1e-9 * size
+            normal[*axis].abs() < ROUNDING && (at[*axis] - c).abs() <= ROUNDING * size
         };
         let held = pair.held.iter().filter(holds).map(|(axis, _)| *axis);
         let mut across: Vec<usize> = mirrors.iter().copied().chain(held).collect();

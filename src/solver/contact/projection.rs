@@ -31,6 +31,7 @@ pub(super) fn on_surface(
         index,
         others: tree.near(
             corners,
+            // Along the normal as far as counts, and a little to all sides, as the direction is not known yet.
             normal.map(|n| farthest * n.abs() + 0.1 * pair.reach),
         ),
         carrier,

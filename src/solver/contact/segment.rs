@@ -1,7 +1,7 @@
 //! Where a carrier facet and an opposite facet overlap: quadrature points on both.
 //!
 //! Both facets are projected along one direction, their overlap is cut into triangles, and each
-//! triangle gets a Gauss rule (Puso and Laursen 2004). On parallelograms the products of two
+//! triangle gets a Gauss rule (Puso and Laursen, CMAME 193 (2004) 601). On parallelograms the products of two
 //! bilinear shape functions are integrated exactly.
 
 use super::clip::{self, Point};
@@ -11,8 +11,9 @@ use crate::ground::geometry::{Vec3, add, dot, scale, sub, tangents};
 /// A point of a segment.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SegmentPoint {
-    /// Shape functions of the carrier facet and of the opposite facet.
+    /// Shape functions of the carrier facet,
     pub carrier: [f64; 4],
+    /// and of the opposite facet; zero before a rigid plane.
     pub opposite: [f64; 4],
     /// Area that the point stands for, measured on the carrier facet.
     pub area: f64,
@@ -27,7 +28,10 @@ pub(super) struct View {
     stretch: f64,
 }
 
-/// Degree-4 rule on a triangle (Dunavant 1985): barycentric coordinates and weights.
+/// An overlap of no more than this share of the facet is rounding along a common edge.
+const ROUNDING: f64 = 1e-12;
+
+/// Degree-4 rule on a triangle (Dunavant, IJNME 21 (1985) 1129): barycentric coordinates and weights.
 const RULE: [([f64; 3], f64); 6] = {
     const A: f64 = 0.445_948_490_915_965;
     const B: f64 = 0.091_576_213_509_771;
@@ -74,7 +78,7 @@ impl View {
         turned.reverse();
         let polygon = clip::intersect(&self.corners, &turned);
         let facet_area = clip::area(&self.corners);
-        if polygon.is_empty() || clip::area(&polygon) <= 1e-12 * facet_area {
+        if polygon.is_empty() || clip::area(&polygon) <= ROUNDING * facet_area {
             return;
         }
         self.points(&polygon, |p| shape_at(&window, p), each);

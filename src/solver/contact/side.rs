@@ -10,8 +10,11 @@ use crate::solver::fem::hex8::Geometry;
 /// One side's facets with what is needed of them at a quadrature point.
 #[derive(Clone)]
 pub(super) struct Side {
+    /// Nodes of each facet, counter-clockwise seen from outside,
     pub nodes: Vec<[u32; 4]>,
+    /// their points,
     pub corners: Vec<[Vec3; 4]>,
+    /// and the outward unit normal of the facet.
     pub normals: Vec<Vec3>,
     /// Stiffness of the element below each facet, stress per length: E / (1 − ν²) over the element's depth.
     pub stiffness: Vec<f64>,
@@ -21,6 +24,7 @@ pub(super) struct Side {
 }
 
 impl Side {
+    /// The facets of `surface`, one side of `pair`.
     pub fn new(pair: &Pair, surface: &Surface) -> Self {
         let mesh = pair.mesh;
         let faces = &surface.faces;

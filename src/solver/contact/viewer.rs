@@ -33,11 +33,13 @@ struct Seen {
 }
 
 impl Viewer {
+    /// The side as one that looks.
     pub fn new(side: Side) -> Self {
         let bends = Bend::all(&side);
         Self { side, bends }
     }
 
+    /// The side as one that is looked at, from no farther than `distance`.
     pub fn scenery(&self, mirrors: &[usize], distance: f64) -> Scenery {
         let side = self.side.clone().with_images(mirrors, distance);
         Scenery {
@@ -126,7 +128,7 @@ impl Scenery {
             scale(outward, -self.distance),
         ]
         .map(|d| add(from, d));
-        // A little to the side, for lines that run along edges of facets.
+        // A little to the side, for lines that run along edges of facets: by a millionth of the diagonal.
         let corners = &side.corners[index];
         let beside = 1e-6 * norm(sub(corners[2], corners[0]));
         let mut best: Option<Seen> = None;

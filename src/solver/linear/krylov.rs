@@ -136,6 +136,7 @@ pub fn minimise(
 /// that they come out the same on any.
 const CHUNK: usize = 1 << 14;
 
+/// Scalar product, the same on any number of threads.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let of = |(a, b): (&[f64], &[f64])| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     if a.len() <= CHUNK {
@@ -149,6 +150,7 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     shares.iter().sum()
 }
 
+/// Euclidean norm.
 pub fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }

@@ -25,6 +25,7 @@ pub struct Node {
     pub bound: f64,
     /// The linearised shear of a slipping node is λ + `slope` (d − `origin`), tangential parts only.
     pub origin: [f64; 2],
+    /// ∂z/∂d of the tangential part.
     pub slope: [[f64; 2]; 2],
     /// Is friction treated with caution here: by radial return, not by sets?
     pub cautious: bool,
@@ -46,5 +47,6 @@ pub struct Answer {
     pub traction: [f64; 3],
     /// ∂z/∂d, symmetric.
     pub tangent: [[f64; 3]; 3],
+    /// Is the node open, does it stick, does it slip?
     pub status: Status,
 }

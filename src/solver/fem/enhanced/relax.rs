@@ -6,7 +6,7 @@
 //! f_a(a) = ∫ B_aᵀ σ(B_u u + B_a a, ε_p) dV = 0                                         (1)
 //! ```
 //!
-//! (Simo and Rifai, IJNME 29 (1990) 1595). There are two cases.
+//! which is (Simo and Rifai, IJNME 29 (1990) 1595) the element's own balance. There are two cases.
 //!
 //! *Frozen*: the plastic strain ε_p stays as it is. Then σ = C (ε − ε_p) is linear and (1) is nine linear equations,
 //! K_aa a = −∫ B_aᵀ C (B_u u − ε_p) dV, with the elastic K_aa = ∫ B_aᵀ C B_a dV.
@@ -22,8 +22,8 @@ use crate::model::material::{Elastic, Steel};
 use crate::solver::fem::bbar::ElementVector;
 use crate::solver::linear::small::SmallCholesky;
 
-/// The bubbles balance where what is left of their force is below this share of the forces that cancel in it: a
-/// hundred roundings.
+/// The bubbles balance where what is left of their force is below this share of the forces that cancel in it: some
+/// fifty roundings.
 const BALANCED: f64 = 1e-14;
 /// Left of the force after the last iteration, as such a share: above this the bubbles have found no balance.
 const MOST_UNBALANCED: f64 = 1e-9;

@@ -14,8 +14,11 @@ use faer::{Accum, MatMut, MatRef, Par};
 
 /// A factorisation under way.
 pub(super) struct Work<'a, T> {
+    /// Structure of the factor.
     pub symbolic: &'a SymbolicSupernodalCholesky<u32>,
+    /// Who updates whom.
     pub tree: &'a Tree,
+    /// Where the entries of the matrix go.
     pub entries: &'a Entries,
     /// Entries of the matrix, in the order of its pattern.
     pub values: &'a [T],

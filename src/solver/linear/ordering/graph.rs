@@ -21,6 +21,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
+    /// The graph of the marked vertices of a pattern.
     pub fn of(pattern: &Pattern, marked: impl Fn(usize) -> bool) -> Self {
         let mut local = vec![-1i32; vertices(pattern)];
         let mut graph = Self {

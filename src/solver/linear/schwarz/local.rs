@@ -55,6 +55,7 @@ impl Local {
         })
     }
 
+    /// Entries of the factor.
     pub fn factor_entries(&self) -> usize {
         self.inner.len_val()
     }

@@ -13,6 +13,7 @@ pub struct Pattern {
     pub vertex_start: Vec<u32>,
     /// Neighbours of each vertex, itself excluded, ascending: the graph that is ordered.
     pub adjacency_start: Vec<u32>,
+    /// The neighbours themselves, vertex by vertex.
     pub adjacency: Vec<u32>,
     /// Start of each equation's column in `rows`.
     pub columns: Vec<u32>,
@@ -108,6 +109,7 @@ impl Pattern {
         self.columns.len() - 1
     }
 
+    /// No equation at all?
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -15,6 +15,8 @@ pub(super) fn build(raw: Raw, places: &Places<'_>) -> Result<Reading, MeshError>
     let indices = file.node_indices()?;
     file.check_element_tags()?;
     let groups = Groups::new(&raw, places)?;
+    groups.check_complete(&raw, places)?;
+    groups.check_names(&raw, places)?;
     let nodes = file.element_nodes(&indices)?;
 
     let mut mesh = Mesh {

@@ -11,6 +11,7 @@
 mod ascii;
 mod binary;
 mod build;
+mod completeness;
 mod cursor;
 mod error;
 mod faces;
@@ -23,6 +24,8 @@ mod names;
 mod place;
 mod raw;
 mod reading;
+mod records;
+mod sections;
 mod tags;
 mod usage;
 mod v2;

@@ -19,7 +19,8 @@
 //! faer's threads split each of these products, and most are too small for that: two threads take longer than one.
 //! Here the tree is cut into subtrees of about equal work (`Tree::split`; Geist and Ng, Int. J. Parallel
 //! Programming 18 (1989) 291). Each is factored by one thread alone, and only the few large supernodes above them
-//! are worked on by all threads. The order of the updates of an entry does not depend on the threads.
+//! are worked on by all threads. The updates of an entry come in the same
+//! order on any number of threads; only the dense factors of the large supernodes may round differently.
 
 use super::entries::Entries;
 use super::number::Number;

@@ -3,7 +3,7 @@
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 
 /// The elimination tree of supernodes; words as in [`super::subtrees`]. Supernodes are numbered so that children come
-/// before their parents (a postorder).
+/// before their parents.
 pub(super) struct Tree {
     /// First column of each supernode, and the number of columns.
     pub begin: Vec<usize>,

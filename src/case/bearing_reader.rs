@@ -8,7 +8,7 @@ use super::keys;
 use super::parse::{Field, Table};
 use super::source::Located;
 use crate::ground::units::Dimension;
-use crate::model::scene::LITTLE;
+use crate::model::scene::UNLOADED_SHARE;
 
 /// Share of the load that is left after unloading, where the case does not say.
 pub(super) const UNLOAD_TO: f64 = 1e-3;
@@ -206,7 +206,7 @@ impl<'a, 'b> Reader<'a, 'b> {
             None => UNLOAD_TO,
             Some(field) => {
                 // Beyond that the end would be a lesser load, of which the figures are.
-                let within = |share: &f64| *share > 0.0 && *share <= LITTLE;
+                let within = |share: &f64| *share > 0.0 && *share <= UNLOADED_SHARE;
                 field
                     .ratio()?
                     .require(within, "must lie between 0 and 0.05")?

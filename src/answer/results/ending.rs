@@ -2,7 +2,7 @@
 
 use super::load::whole;
 use crate::ground::geometry::{add, norm};
-use crate::model::scene::{LITTLE, Scene};
+use crate::model::scene::{Scene, UNLOADED_SHARE};
 use crate::model::state::State;
 
 /// What a history of steps ends in.
@@ -31,7 +31,7 @@ pub fn ending<'s>(scene: &Scene, ended: &'s [State], last: &'s State) -> Ending<
         };
     }
     // Forces are known to be off; what goes back a prescribed way may still press.
-    let left = pressing(scene, last) > LITTLE * pressing(scene, reported);
+    let left = pressing(scene, last) > UNLOADED_SHARE * pressing(scene, reported);
     if scene.is_moved_in(step) && left {
         return Ending {
             reported: last,

@@ -1,11 +1,6 @@
 //! Symmetric stress tensors in the order xx yy zz xy yz zx.
 
-/// Mises stress of a stress tensor.
-pub fn mises(s: &[f64; 6]) -> f64 {
-    let [xx, yy, zz, xy, yz, zx] = *s;
-    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
-    (0.5 * normal + 3.0 * (xy * xy + yz * yz + zx * zx)).sqrt()
-}
+pub use crate::model::material::mises;
 
 /// Mean of several stress tensors; zero for none.
 pub fn mean(tensors: &[[f64; 6]]) -> [f64; 6] {

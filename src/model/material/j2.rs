@@ -19,7 +19,9 @@ pub struct PlasticPoint {
 /// The answer of one integration point to a total strain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Update {
+    /// Stress xx yy zz xy yz zx.
     pub stress: [f64; 6],
+    /// The history at the end of the update.
     pub point: PlasticPoint,
     /// Present where the point flows in this update.
     pub flow: Option<Flow>,
@@ -29,7 +31,9 @@ pub struct Update {
 /// C = K 1⊗1 + 2G β I_dev − `softening` N⊗N, N the unit direction of the deviator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flow {
+    /// β, what flow leaves of the shear stiffness of the deviator; below 1.
     pub beta: f64,
+    /// Stiffness that is lost along the direction of flow, a stress.
     pub softening: f64,
     /// Unit stress deviator.
     pub direction: [f64; 6],

@@ -53,7 +53,9 @@ impl Steel {
 /// Isotropic moduli G and K.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elastic {
+    /// G, a stress.
     pub shear: f64,
+    /// K, a stress.
     pub bulk: f64,
 }
 

@@ -9,7 +9,7 @@ use super::{Body, Face, Mesh, Surface};
 
 /// Names of the six faces of a block, in the order of
 /// [`FACES`](crate::model::mesh::surface::FACES).
-pub const FACE_NAMES: [&str; 6] = ["z_min", "z_max", "y_min", "x_max", "y_max", "x_min"];
+const FACE_NAMES: [&str; 6] = ["z_min", "z_max", "y_min", "x_max", "y_max", "x_min"];
 
 /// What is wrong with a structured mesh.
 #[derive(Debug, Error, Diagnostic, PartialEq)]

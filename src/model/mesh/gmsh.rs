@@ -9,7 +9,7 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 /// Environment variable that names the gmsh executable, where it is not `gmsh`.
-pub const EXECUTABLE: &str = "BRINELL_GMSH";
+const EXECUTABLE: &str = "BRINELL_GMSH";
 
 /// Why gmsh made no mesh.
 #[derive(Debug, Error, Diagnostic)]

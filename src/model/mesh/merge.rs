@@ -9,7 +9,7 @@ impl Mesh {
     /// The same mesh with nodes of one body that lie within `tolerance` (a length) of each other
     /// merged into the first of them. Nodes of different bodies stay apart. Nodes that no element
     /// uses afterwards are dropped.
-    pub fn merge_nodes(mut self, tolerance: f64) -> Self {
+    fn merge_nodes(mut self, tolerance: f64) -> Self {
         let mut target: Vec<u32> = (0..self.points.len() as u32).collect();
         for body in &self.bodies {
             let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();

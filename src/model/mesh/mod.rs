@@ -8,6 +8,7 @@ pub mod join;
 pub mod merge;
 pub mod msh;
 pub mod pieces;
+pub mod quadrilateral;
 pub mod quality;
 pub mod shape;
 pub mod split;
@@ -48,6 +49,7 @@ pub struct Mesh {
 /// A physical volume.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Body {
+    /// Its name in the mesh file.
     pub name: String,
     /// Its elements, as a range of [`Mesh::hexes`].
     pub elements: std::ops::Range<usize>,
@@ -56,13 +58,16 @@ pub struct Body {
 /// A physical surface: outer faces of hexahedra.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Surface {
+    /// Its name in the mesh file.
     pub name: String,
+    /// Its faces, in the order of the file.
     pub faces: Vec<Face>,
 }
 
 /// An outer face of a hexahedron, its nodes counter-clockwise seen from outside the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Face {
+    /// Node indices.
     pub nodes: [u32; 4],
     /// The hexahedron it belongs to.
     pub element: u32,

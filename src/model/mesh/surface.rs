@@ -1,25 +1,12 @@
 //! Faces of hexahedra: which are outer, which element a quadrilateral belongs to, which way is out.
 
+pub use super::hexahedron::{FACES, faces_of};
 use super::{Face, Mesh};
-
-/// Corners of the six faces of a hexahedron, counter-clockwise seen from outside.
-pub const FACES: [[usize; 4]; 6] = [
-    [0, 3, 2, 1],
-    [4, 5, 6, 7],
-    [0, 1, 5, 4],
-    [1, 2, 6, 5],
-    [2, 3, 7, 6],
-    [3, 0, 4, 7],
-];
-
-/// The six faces of a hexahedron by node index, counter-clockwise seen from outside.
-pub fn faces_of(hex: &[u32; 8]) -> [[u32; 4]; 6] {
-    FACES.map(|face| face.map(|corner| hex[corner]))
-}
+use crate::ground::geometry::{cross, scale, sub};
 
 /// What a quadrilateral is to the hexahedra.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FaceMatch {
+pub(super) enum FaceMatch {
     /// It is the face of no hexahedron.
     None,
     /// It is a face of exactly one hexahedron; here it is, turned outward.
@@ -29,7 +16,7 @@ pub enum FaceMatch {
 }
 
 /// Finds the hexahedra that quadrilaterals belong to.
-pub struct FaceFinder<'a> {
+pub(super) struct FaceFinder<'a> {
     hexes: &'a [[u32; 8]],
     /// The elements around node `n` are `around[start[n]..start[n + 1]]`.
     start: Vec<usize>,
@@ -123,13 +110,7 @@ impl Face {
     /// Outward normal times area, exact for the bilinear face.
     pub fn area_vector(&self, mesh: &Mesh) -> [f64; 3] {
         let [a, b, c, d] = self.corners(mesh);
-        let p = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-        let q = [d[0] - b[0], d[1] - b[1], d[2] - b[2]];
-        [
-            0.5 * (p[1] * q[2] - p[2] * q[1]),
-            0.5 * (p[2] * q[0] - p[0] * q[2]),
-            0.5 * (p[0] * q[1] - p[1] * q[0]),
-        ]
+        scale(cross(sub(c, a), sub(d, b)), 0.5)
     }
 
     /// Mean of its nodes.

@@ -2,8 +2,9 @@
 
 use super::{PlaneMotion, Scene};
 
-/// The share of a load that may be left where it counts as taken off.
-pub const LITTLE: f64 = 0.05;
+/// The share of a load that may be left where it counts as taken off: a part that is unloaded is often held by a little
+/// force, so that it stays where it is.
+pub const UNLOADED_SHARE: f64 = 0.05;
 
 /// The factor of one load or prescribed motion at the end of every step.
 struct Course {
@@ -15,7 +16,7 @@ impl Course {
     /// Does it go towards zero, or stay, in step `step`? Beyond zero a little is none.
     fn falls(&self, step: usize) -> bool {
         let (was, is) = (self.factors[step - 1], self.factors[step]);
-        is.abs() <= LITTLE * was.abs() || (is * was >= 0.0 && is.abs() <= was.abs())
+        is.abs() <= UNLOADED_SHARE * was.abs() || (is * was >= 0.0 && is.abs() <= was.abs())
     }
 
     fn stays(&self, step: usize) -> bool {
@@ -25,7 +26,7 @@ impl Course {
 
 impl Scene {
     /// The last step before those at the end that only unload: in none of them does a load or a
-    /// prescribed motion grow, and in the end every force is down to [`LITTLE`] of what it was. What
+    /// prescribed motion grow, and in the end every force is down to [`UNLOADED_SHARE`] of what it was. What
     /// motions that go back leave is not known before they have: nothing is asked of it here. `None`
     /// where the scene ends under load.
     pub fn before_unloading(&self) -> Option<usize> {
@@ -42,7 +43,7 @@ impl Scene {
         }
         let off = |course: &Course| {
             let [was, is] = [loaded, last].map(|step| course.factors[step].abs());
-            !course.forces || is <= LITTLE * was
+            !course.forces || is <= UNLOADED_SHARE * was
         };
         (loaded < last && all(&off)).then_some(loaded)
     }

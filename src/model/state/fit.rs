@@ -8,8 +8,11 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("the state does not belong to the scene: {what} has {found} entries, expected {expected}")]
 pub struct Misfit {
+    /// The array.
     pub what: String,
+    /// Its length,
     pub found: usize,
+    /// and the length that the scene asks for.
     pub expected: usize,
 }
 

@@ -1,16 +1,17 @@
 //! Overlap of two convex polygons in a plane.
 
-pub type Point = [f64; 2];
+pub(super) type Point = [f64; 2];
 
 /// Corners of a polygon, kept in place: two quadrilaterals overlap in eight corners at most.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Polygon {
-    corners: [Point; MOST],
+pub(super) struct Polygon {
+    corners: [Point; MOST_CORNERS],
     count: usize,
 }
 
-/// Room for facets that are not quite convex.
-const MOST: usize = 16;
+/// Corners that a polygon has room for: twice those of two convex quadrilaterals' overlap, for facets that are not
+/// quite convex.
+const MOST_CORNERS: usize = 16;
 
 impl Polygon {
     /// A copy of the first corners of a list.
@@ -37,8 +38,8 @@ impl std::ops::Deref for Polygon {
 }
 
 /// The part of `subject` inside `window`, both counter-clockwise and convex
-/// (Sutherland and Hodgman 1974). Empty where they do not overlap.
-pub fn intersect(subject: &[Point], window: &[Point]) -> Polygon {
+/// (Sutherland and Hodgman, Comm. ACM 17 (1974) 32). Empty where they do not overlap.
+pub(super) fn intersect(subject: &[Point], window: &[Point]) -> Polygon {
     let mut polygon = Polygon::of(subject);
     for (k, a) in window.iter().enumerate() {
         let b = window[(k + 1) % window.len()];
@@ -64,7 +65,7 @@ pub fn intersect(subject: &[Point], window: &[Point]) -> Polygon {
 }
 
 /// Area of a polygon, positive if counter-clockwise.
-pub fn area(polygon: &[Point]) -> f64 {
+pub(super) fn area(polygon: &[Point]) -> f64 {
     let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
     0.5 * pairs.map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
 }

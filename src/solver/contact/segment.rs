@@ -1,24 +1,26 @@
 //! Where a carrier facet and an opposite facet overlap: quadrature points on both.
 //!
 //! Both facets are projected along one direction, their overlap is cut into triangles, and each
-//! triangle gets a Gauss rule (Puso and Laursen 2004). On parallelograms the products of two
+//! triangle gets a Gauss rule (Puso and Laursen, CMAME 193 (2004) 601). On parallelograms the products of two
 //! bilinear shape functions are integrated exactly.
 
 use super::clip::{self, Point};
-use crate::ground::geometry::{Vec3, add, cross, dot, scale, sub, tangents, unit};
+use super::facet::shape_at;
+use crate::ground::geometry::{Vec3, add, dot, scale, sub, tangents};
 
 /// A point of a segment.
 #[derive(Debug, Clone, Copy)]
-pub struct SegmentPoint {
-    /// Shape functions of the carrier facet and of the opposite facet.
+pub(super) struct SegmentPoint {
+    /// Shape functions of the carrier facet,
     pub carrier: [f64; 4],
+    /// and of the opposite facet; zero before a rigid plane.
     pub opposite: [f64; 4],
     /// Area that the point stands for, measured on the carrier facet.
     pub area: f64,
 }
 
 /// A carrier facet, seen along the direction in which it is projected.
-pub struct View {
+pub(super) struct View {
     origin: Vec3,
     axes: [Vec3; 2],
     corners: [Point; 4],
@@ -26,7 +28,10 @@ pub struct View {
     stretch: f64,
 }
 
-/// Degree-4 rule on a triangle (Dunavant 1985): barycentric coordinates and weights.
+/// An overlap of no more than this share of the facet is rounding along a common edge.
+const ROUNDING: f64 = 1e-12;
+
+/// Degree-4 rule on a triangle (Dunavant, IJNME 21 (1985) 1129): barycentric coordinates and weights.
 const RULE: [([f64; 3], f64); 6] = {
     const A: f64 = 0.445_948_490_915_965;
     const B: f64 = 0.091_576_213_509_771;
@@ -43,11 +48,6 @@ const RULE: [([f64; 3], f64); 6] = {
         ([D, B, B], W),
     ]
 };
-
-/// Unit normal of a facet's mean plane; `None` for a facet without area.
-pub fn normal(facet: &[Vec3; 4]) -> Option<Vec3> {
-    unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))
-}
 
 impl View {
     /// Of a facet with the unit normal `normal` along the unit vector `direction`, which must not
@@ -78,10 +78,10 @@ impl View {
         turned.reverse();
         let polygon = clip::intersect(&self.corners, &turned);
         let facet_area = clip::area(&self.corners);
-        if polygon.is_empty() || clip::area(&polygon) <= 1e-12 * facet_area {
+        if polygon.is_empty() || clip::area(&polygon) <= ROUNDING * facet_area {
             return;
         }
-        self.points(&polygon, |p| inverse_bilinear(&window, p), each);
+        self.points(&polygon, |p| shape_at(&window, p), each);
     }
 
     /// Hands on the quadrature points of the whole facet; the opposite shape functions are zero.
@@ -107,9 +107,7 @@ impl View {
                     l[0] * centre[0] + l[1] * a[0] + l[2] * b[0],
                     l[0] * centre[1] + l[1] * a[1] + l[2] * b[1],
                 ];
-                if let (Some(carrier), Some(opposite)) =
-                    (inverse_bilinear(&self.corners, p), opposite(p))
-                {
+                if let (Some(carrier), Some(opposite)) = (shape_at(&self.corners, p), opposite(p)) {
                     each(SegmentPoint {
                         carrier,
                         opposite,
@@ -119,67 +117,6 @@ impl View {
             }
         }
     }
-}
-
-/// Point of a facet with the given shape functions.
-pub fn interpolate(facet: &[Vec3; 4], shape: &[f64; 4]) -> Vec3 {
-    facet
-        .iter()
-        .zip(shape)
-        .fold([0.0; 3], |sum, (p, n)| add(sum, scale(*p, *n)))
-}
-
-/// Shape functions of a facet where the line through `p` along the unit vector `direction` meets it;
-/// `None` where it does not.
-pub fn meets(facet: &[Vec3; 4], p: Vec3, direction: Vec3) -> Option<[f64; 4]> {
-    // Beside an edge, by rounding only.
-    const BESIDE: f64 = 1e-6;
-    let axes = tangents(direction);
-    let seen = facet.map(|corner| axes.map(|axis| dot(sub(corner, p), axis)));
-    let shape = inverse_bilinear(&seen, [0.0; 2])?;
-    shape.iter().all(|n| *n >= -BESIDE).then_some(shape)
-}
-
-/// Bilinear shape functions of the quadrilateral `corners` at the point `p`, by Newton.
-fn inverse_bilinear(corners: &[Point; 4], p: Point) -> Option<[f64; 4]> {
-    let mut s = [0.0; 2];
-    for _ in 0..20 {
-        let n = bilinear(s);
-        let dn = [
-            [s[1] - 1.0, 1.0 - s[1], 1.0 + s[1], -1.0 - s[1]],
-            [s[0] - 1.0, -1.0 - s[0], 1.0 + s[0], 1.0 - s[0]],
-        ];
-        let (mut r, mut j) = ([-p[0], -p[1]], [[0.0; 2]; 2]);
-        for (k, c) in corners.iter().enumerate() {
-            for i in 0..2 {
-                r[i] += n[k] * c[i];
-                j[i][0] += 0.25 * dn[0][k] * c[i];
-                j[i][1] += 0.25 * dn[1][k] * c[i];
-            }
-        }
-        let det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-        let step = [
-            (j[1][1] * r[0] - j[0][1] * r[1]) / det,
-            (j[0][0] * r[1] - j[1][0] * r[0]) / det,
-        ];
-        s = [s[0] - step[0], s[1] - step[1]];
-        if !(s[0].abs() < 10.0 && s[1].abs() < 10.0) {
-            return None;
-        }
-        if step[0].abs() + step[1].abs() < 1e-14 {
-            return Some(bilinear(s));
-        }
-    }
-    Some(bilinear(s))
-}
-
-fn bilinear(s: [f64; 2]) -> [f64; 4] {
-    [
-        0.25 * (1.0 - s[0]) * (1.0 - s[1]),
-        0.25 * (1.0 + s[0]) * (1.0 - s[1]),
-        0.25 * (1.0 + s[0]) * (1.0 + s[1]),
-        0.25 * (1.0 - s[0]) * (1.0 + s[1]),
-    ]
 }
 
 #[cfg(test)]

@@ -1,18 +1,22 @@
-//! The facets of one side of a pair, with what is needed of them at a quadrature point.
+//! One side of a pair: its facets, their images behind mirror planes, its true surface.
 
-use super::mortar::Pair;
-use super::segment::{self, interpolate};
-use crate::ground::geometry::{Vec3, cross, norm, sub};
+use super::facet;
+use super::pair::Pair;
+use crate::ground::geometry::{Vec3, times};
 use crate::model::mesh::shape::{self, Shape};
 use crate::model::mesh::{Face, Mesh, Surface};
+use crate::solver::fem::hex8::Geometry;
 
 /// One side's facets with what is needed of them at a quadrature point.
 #[derive(Clone)]
-pub struct Side {
+pub(super) struct Side {
+    /// Nodes of each facet, counter-clockwise seen from outside,
     pub nodes: Vec<[u32; 4]>,
+    /// their points,
     pub corners: Vec<[Vec3; 4]>,
+    /// and the outward unit normal of the facet.
     pub normals: Vec<Vec3>,
-    /// Stiffness per area of the element below each facet.
+    /// Stiffness of the element below each facet, stress per length: E / (1 − ν²) over the element's depth.
     pub stiffness: Vec<f64>,
     /// 1 along each axis, and −1 across the mirror planes behind which a facet is an image.
     pub signs: Vec<Vec3>,
@@ -20,13 +24,14 @@ pub struct Side {
 }
 
 impl Side {
+    /// The facets of `surface`, one side of `pair`.
     pub fn new(pair: &Pair, surface: &Surface) -> Self {
         let mesh = pair.mesh;
         let faces = &surface.faces;
         let corners: Vec<[Vec3; 4]> = faces.iter().map(|face| face.corners(mesh)).collect();
         let normals = corners
             .iter()
-            .map(|c| segment::normal(c).unwrap_or_default())
+            .map(|c| facet::normal(c).unwrap_or_default())
             .collect();
         let stiffness = faces.iter().zip(&corners).map(|(face, corners)| {
             let thickness = depth(mesh, face, corners);
@@ -74,7 +79,7 @@ impl Side {
 
     /// True position and outward normal at shape functions `n` of facet `index`.
     pub fn at(&self, index: usize, n: &[f64; 4]) -> (Vec3, Vec3) {
-        let point = interpolate(&self.corners[index], n);
+        let point = facet::interpolate(&self.corners[index], n);
         let signs = self.signs[index];
         let foot = self.shape.project(times(point, signs));
         foot.map_or((point, self.normals[index]), |(foot, normal)| {
@@ -83,18 +88,8 @@ impl Side {
     }
 }
 
-/// Component by component.
-fn times(a: Vec3, b: Vec3) -> Vec3 {
-    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
-}
-
 /// Depth of the element below a face: its volume over the face's area.
 fn depth(mesh: &Mesh, face: &Face, corners: &[Vec3; 4]) -> f64 {
-    let geometry = crate::solver::fem::hex8::Geometry::new(&mesh.corners(face.element as usize));
-    geometry.volume / area(corners)
-}
-
-/// Area of a facet.
-pub fn area([a, b, c, d]: &[Vec3; 4]) -> f64 {
-    0.5 * norm(cross(sub(*c, *a), sub(*d, *b)))
+    let element = Geometry::new(&mesh.corners(face.element as usize));
+    element.volume / facet::area(corners)
 }

@@ -7,24 +7,24 @@
 //! functions still sum to one wherever the sides face each other, so that no force is lost and a uniform
 //! pressure passes the patch test.
 
-use super::mortar::Sum;
+use super::node_sum::NodeSum;
 use std::collections::BTreeMap;
 
-/// Share of a facet's area that the other side has to cover with a node. Down to it the penalty grows as the share
-/// falls, and multipliers near their values as quickly as others; shears of cautious nodes do so by 1.6 in an
-/// iteration at this share. Below it pressures would be large numbers on next to no area.
-const COVERED: f64 = 0.02;
+/// Share of a facet's area that the other side has to cover before a node for it to have a multiplier. Down to this share the
+/// penalty grows as the share falls, and a multiplier comes near its value as quickly as others do; the shear of a cautious
+/// node still by a factor of 1.6 an iteration. Below it pressures would be large numbers on next to no area.
+const LEAST_COVERED: f64 = 0.02;
 
-/// Nodes that are covered alike to within this are: rounding decides no tie.
+/// Shares that differ by no more than this count as equal, so that rounding decides no tie.
 const TIE: f64 = 1e-9;
 
 /// Adds the sums of slivers to those of the nodes beside them. `facets` are the nodes of all facets that the
 /// other side covers in part.
-pub(super) fn absorb(nodes: &mut BTreeMap<u32, Sum>, facets: impl Iterator<Item = [u32; 4]>) {
+pub(super) fn absorb(nodes: &mut BTreeMap<u32, NodeSum>, facets: impl Iterator<Item = [u32; 4]>) {
     let slivers: BTreeMap<u32, f64> = nodes
         .iter()
         .map(|(node, sum)| (*node, sum.covered()))
-        .filter(|(_, covered)| *covered > 0.0 && *covered < COVERED)
+        .filter(|(_, covered)| *covered > 0.0 && *covered < LEAST_COVERED)
         .collect();
     // Of the nodes at the other ends of its edges that which is covered most; a tie goes to the lower number.
     let mut beside: BTreeMap<u32, (f64, u32)> = BTreeMap::new();

@@ -40,7 +40,12 @@ pub fn strain(g: &Geometry, k: usize, u: &ElementVector) -> [f64; 6] {
 }
 
 /// Adds B̄ᵀσ times the volume of integration point `k` to `force`.
-pub fn add_stress_force(g: &Geometry, k: usize, stress: &[f64; 6], force: &mut ElementVector) {
+pub(super) fn add_stress_force(
+    g: &Geometry,
+    k: usize,
+    stress: &[f64; 6],
+    force: &mut ElementVector,
+) {
     let s = stress;
     let tensor = [[s[0], s[3], s[5]], [s[3], s[1], s[4]], [s[5], s[4], s[2]]];
     let pressure = (s[0] + s[1] + s[2]) / 3.0;
@@ -82,7 +87,7 @@ fn add_dilatation(d: &[[f64; 3]; 8], factor: f64, matrix: &mut ElementMatrix) {
 }
 
 /// Adds `factor` ∫ 2 dev ε : dev ε of integration point `k` (its shear stiffness for factor G V).
-pub fn add_deviatoric(g: &Geometry, k: usize, factor: f64, matrix: &mut ElementMatrix) {
+pub(super) fn add_deviatoric(g: &Geometry, k: usize, factor: f64, matrix: &mut ElementMatrix) {
     for a in 0..8 {
         let da = g.gradients[k][a];
         for b in 0..8 {
@@ -100,7 +105,7 @@ pub fn add_deviatoric(g: &Geometry, k: usize, factor: f64, matrix: &mut ElementM
 }
 
 /// Adds `factor` (Bᵀn)(Bᵀn)ᵀ at integration point `k` for a deviatoric stress direction `n`.
-pub fn add_direction(
+pub(super) fn add_direction(
     g: &Geometry,
     k: usize,
     n: &[f64; 6],
@@ -121,7 +126,7 @@ pub fn add_direction(
 mod tests {
     use super::*;
     use crate::model::material::Steel;
-    use crate::solver::fem::hex8::CORNERS;
+    use crate::model::mesh::hexahedron::CORNERS;
 
     fn distorted() -> [[f64; 3]; 8] {
         let mut c = CORNERS;

@@ -26,16 +26,22 @@ pub struct DofMap {
 /// A displacement component whose value is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prescribed {
+    /// The node,
     pub node: u32,
+    /// the axis (0, 1, 2),
     pub axis: usize,
+    /// the displacement at factor one, a length,
     pub value: f64,
+    /// and what prescribes it.
     pub source: Source,
 }
 
 /// The entry of the scene that prescribes a component.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
+    /// A support, by its index in the scene.
     Support(usize),
+    /// A rigid plane, by its index in the scene.
     Plane(usize),
 }
 
@@ -50,9 +56,13 @@ pub enum Source {
     help("free the component in one of the two, or separate the surfaces")
 )]
 pub struct Conflict {
+    /// The two surfaces
     pub first: String,
+    /// that disagree,
     pub second: String,
+    /// the axis,
     pub axis: char,
+    /// and a node that both have.
     pub node: u32,
 }
 

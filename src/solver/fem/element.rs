@@ -25,7 +25,9 @@ pub enum Element {
 /// Histories at the end of an update, and where the integration points flow in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
+    /// Histories at the integration points.
     pub points: [PlasticPoint; 8],
+    /// The flow of each point that flows.
     pub flows: [Option<Flow>; 8],
 }
 

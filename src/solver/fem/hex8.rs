@@ -1,36 +1,8 @@
-//! Trilinear hexahedron: shape functions and 2×2×2 Gauss points.
+//! The trilinear hexahedron at its 2×2×2 Gauss points: gradients and volumes for the solver.
 
-/// Natural coordinates of the corners, in the order of [`crate::model::mesh::Mesh`].
-pub const CORNERS: [[f64; 3]; 8] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-];
+pub use crate::model::mesh::hexahedron::{CORNERS, GAUSS, shape, shape_derivatives};
 
-/// 1/√3: integration point k lies at this share of corner k's natural coordinates, weight 1.
-pub const GAUSS: f64 = 0.577_350_269_189_625_8;
-
-/// Shape functions at natural coordinates `s`.
-pub fn shape(s: [f64; 3]) -> [f64; 8] {
-    CORNERS.map(|c| 0.125 * (1.0 + c[0] * s[0]) * (1.0 + c[1] * s[1]) * (1.0 + c[2] * s[2]))
-}
-
-/// Derivatives of the shape functions by the natural coordinates.
-pub fn shape_derivatives(s: [f64; 3]) -> [[f64; 3]; 8] {
-    CORNERS.map(|c| {
-        let f = [1.0 + c[0] * s[0], 1.0 + c[1] * s[1], 1.0 + c[2] * s[2]];
-        [
-            0.125 * c[0] * f[1] * f[2],
-            0.125 * c[1] * f[0] * f[2],
-            0.125 * c[2] * f[0] * f[1],
-        ]
-    })
-}
+use crate::model::mesh::hexahedron::jacobian_matrix;
 
 /// Geometry of one element at its eight integration points.
 #[derive(Debug, Clone)]
@@ -59,7 +31,7 @@ impl Geometry {
         };
         for (k, corner) in CORNERS.iter().enumerate() {
             let dn = shape_derivatives(corner.map(|c| c * GAUSS));
-            let (inverse, det) = invert(&jacobian(corners, &dn));
+            let (inverse, det) = invert(&jacobian_matrix(corners, &dn));
             g.volumes[k] = det;
             g.volume += det;
             for a in 0..8 {
@@ -93,19 +65,6 @@ impl Geometry {
     }
 }
 
-/// ∂x_i/∂ξ_j from the corners and the derivatives of the shape functions.
-pub(super) fn jacobian(corners: &[[f64; 3]; 8], derivatives: &[[f64; 3]; 8]) -> [[f64; 3]; 3] {
-    let mut jacobian = [[0.0; 3]; 3];
-    for (x, d) in corners.iter().zip(derivatives) {
-        for i in 0..3 {
-            for j in 0..3 {
-                jacobian[i][j] += x[i] * d[j];
-            }
-        }
-    }
-    jacobian
-}
-
 /// Inverse and determinant of a 3×3 matrix.
 pub(super) fn invert(m: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
     let cofactor = |i: usize, j: usize| {
@@ -126,15 +85,6 @@ pub(super) fn invert(m: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn shape_functions_are_one_at_their_corner() {
-        for (a, corner) in CORNERS.iter().enumerate() {
-            for (b, value) in shape(*corner).iter().enumerate() {
-                assert_eq!(*value, if a == b { 1.0 } else { 0.0 });
-            }
-        }
-    }
 
     #[test]
     fn a_sheared_brick_has_its_exact_volume_and_linear_gradients() {

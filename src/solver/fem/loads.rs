@@ -1,7 +1,8 @@
 //! Nodal forces: of surface tractions, and gathered from elements.
 
-use crate::ground::geometry::Vec3;
-use crate::model::mesh::{Mesh, Surface};
+use crate::ground::geometry::{Vec3, cross, norm, scale};
+use crate::model::mesh::hexahedron::GAUSS;
+use crate::model::mesh::{Mesh, Surface, quadrilateral};
 use crate::model::scene::TractionValue;
 
 /// Nodes of an element, and the force on each of them.
@@ -28,14 +29,11 @@ pub fn add_traction(
     force: &mut [[f64; 3]],
 ) {
     for face in &surface.faces {
-        let x = face.nodes.map(|n| mesh.points[n as usize]);
+        let x = face.corners(mesh);
         for (n, normal) in face_points(&x) {
             let traction = match value {
                 TractionValue::Pressure(p) => normal.map(|c| -p * c),
-                TractionValue::Vector(t) => {
-                    let area = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
-                    t.map(|c| c * area)
-                }
+                TractionValue::Vector(t) => scale(t, norm(normal)),
             };
             for (node, n) in face.nodes.iter().zip(n) {
                 for axis in 0..3 {
@@ -50,25 +48,24 @@ pub fn add_traction(
 pub fn area(mesh: &Mesh, surface: &Surface) -> f64 {
     let faces = surface.faces.iter();
     faces
-        .flat_map(|f| face_points(&f.nodes.map(|n| mesh.points[n as usize])))
-        .map(|(_, n)| (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt())
+        .flat_map(|f| face_points(&f.corners(mesh)))
+        .map(|(_, n)| norm(n))
         .sum()
 }
 
 /// The 2×2 Gauss points of a face: shape functions and the outward normal times the area that
 /// the point stands for.
 fn face_points(x: &[[f64; 3]; 4]) -> [([f64; 4], [f64; 3]); 4] {
-    const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-    CORNERS.map(|point| {
-        let s = point.map(|c| c * super::hex8::GAUSS);
-        let n = CORNERS.map(|c| 0.25 * (1.0 + c[0] * s[0]) * (1.0 + c[1] * s[1]));
+    quadrilateral::CORNERS.map(|corner| {
+        let s = corner.map(|c| c * GAUSS);
         let mut tangents = [[0.0; 3]; 2];
-        for (c, x) in CORNERS.iter().zip(x) {
-            for i in 0..3 {
-                tangents[0][i] += 0.25 * c[0] * (1.0 + c[1] * s[1]) * x[i];
-                tangents[1][i] += 0.25 * c[1] * (1.0 + c[0] * s[0]) * x[i];
+        for (tangent, slopes) in tangents.iter_mut().zip(quadrilateral::shape_derivatives(s)) {
+            for (slope, x) in slopes.into_iter().zip(x) {
+                for i in 0..3 {
+                    tangent[i] += slope * x[i];
+                }
             }
         }
-        (n, crate::ground::geometry::cross(tangents[0], tangents[1]))
+        (quadrilateral::shape(s), cross(tangents[0], tangents[1]))
     })
 }

@@ -1,20 +1,27 @@
-//! Generalised conjugate residuals (GCR) for symmetric and unsymmetric systems.
+//! Krylov methods that keep all their directions: conjugate residuals and conjugate directions.
 //!
-//! Minimises the true residual over the directions tried so far (Eisenstat, Elman, Schultz
-//! 1983). With the current factor as preconditioner it ends after one direction; with a factor
-//! that has aged, or where friction makes the tangent unsymmetric, after a few more.
+//! Every matrix that comes here is symmetric, that of a frictional contact too (see
+//! [`contact::law`](crate::solver::contact::law)). Preconditioners need not be: an aged factor
+//! that is brought up to date for contact, a factor in single precision or restricted Schwarz is none, or is
+//! not quite the same linear map each time. So nothing is built on symmetry by short recurrences. Each new
+//! direction is made orthogonal to all before it, which also keeps rounding out; directions are few.
 
 use rayon::prelude::*;
 
 /// How a solve went.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
+    /// Directions tried.
     pub iterations: usize,
     /// Norm of the residual relative to that of the right-hand side.
     pub residual: f64,
 }
 
-/// Solves A x = b. `multiply(x, y)` sets y = A x; `precondition(x)` replaces x by M⁻¹x.
+/// Solves A x = b by generalised conjugate residuals (GCR; Eisenstat, Elman and Schultz, SIAM J. Numer.
+/// Anal. 20 (1983) 345). `multiply(x, y)` sets y = A x; `precondition(x)` replaces x by M⁻¹x.
+///
+/// It minimises the residual |b − A x| over the directions tried so far. A need not be symmetric. With a factor
+/// of A itself as preconditioner it ends after one direction, with one that has aged after a few more.
 ///
 /// Stops at `tolerance` (relative to |b|) or after `limit` directions; returns the best x.
 pub fn solve(
@@ -64,12 +71,14 @@ pub fn solve(
 
 /// Solves A x = b for positive definite A by conjugate directions with any preconditioner.
 ///
-/// Minimises the energy of the error, ½ eᵀ A e, over the directions tried so far (flexible conjugate
-/// gradients, Notay 2000, with all directions kept). A residual says little where a stiff contact
-/// makes the largest forces and soft motions the largest errors: here the energy that the last few
-/// directions gained says how far the solution is (Hestenes and Stiefel 1952). Stops where that
-/// estimate of the error, as a share of x in the energy norm, is below `tolerance`, or the residual
-/// below `floor`; `Outcome::residual` is that of the end, relative to |b|.
+/// Minimises the energy of the error, ½ eᵀ A e with e = A⁻¹ b − x, over the directions tried so far
+/// (flexible conjugate gradients with all directions kept; Notay, SIAM J. Sci. Comput. 22 (2000) 1444).
+///
+/// A residual says little where a stiff contact makes the largest forces and soft motions make the largest
+/// errors. Here the energy that the last few directions gained tells how much energy the error still has
+/// (Hestenes and Stiefel, J. Res. NBS 49 (1952) 409, theorem 6:1). Stops where that estimate of the error
+/// in the energy norm, √(eᵀ A e), is below `tolerance` times that of x, or the residual is below
+/// `floor`, or after `limit` directions. `Outcome::residual` is that of the end, relative to |b|.
 pub fn minimise(
     multiply: impl Fn(&[f64], &mut [f64]),
     precondition: impl Fn(&mut [f64]),
@@ -78,7 +87,8 @@ pub fn minimise(
     floor: f64,
     limit: usize,
 ) -> (Vec<f64>, Outcome) {
-    /// Directions whose gain stands for what is still to be gained.
+    /// The gain of so many last directions stands for what is still to be gained: one alone may gain little by
+    /// chance.
     const DELAY: usize = 4;
     let scale = norm(b);
     let mut x = vec![0.0; b.len()];
@@ -122,28 +132,31 @@ pub fn minimise(
     (x, outcome)
 }
 
-/// Entries that are worth a thread; sums come out the same on any number of threads.
-const SHARE: usize = 1 << 14;
+/// Entries of a vector that are worth a task of their own. Sums are cut here whatever the number of threads, so
+/// that they come out the same on any.
+const CHUNK: usize = 1 << 14;
 
+/// Scalar product, the same on any number of threads.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let of = |(a, b): (&[f64], &[f64])| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    if a.len() <= SHARE {
+    if a.len() <= CHUNK {
         return of((a, b));
     }
     let shares: Vec<f64> = a
-        .par_chunks(SHARE)
-        .zip(b.par_chunks(SHARE))
+        .par_chunks(CHUNK)
+        .zip(b.par_chunks(CHUNK))
         .map(of)
         .collect();
     shares.iter().sum()
 }
 
+/// Euclidean norm.
 pub fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
 fn add_scaled(y: &mut [f64], factor: f64, x: &[f64]) {
-    (y.par_chunks_mut(SHARE).zip(x.par_chunks(SHARE))).for_each(|(y, x)| {
+    (y.par_chunks_mut(CHUNK).zip(x.par_chunks(CHUNK))).for_each(|(y, x)| {
         for (y, x) in y.iter_mut().zip(x) {
             *y += factor * x;
         }

@@ -8,7 +8,7 @@ use std::marker::PhantomData;
 use std::ops::{Deref, DerefMut};
 
 /// Numbers that are zero at first.
-pub struct Pages<T>(MmapMut, PhantomData<T>);
+pub(super) struct Pages<T>(MmapMut, PhantomData<T>);
 
 impl<T: Pod> Pages<T> {
     /// `count` zeros.

@@ -26,8 +26,8 @@ pub enum Precision {
     Double,
 }
 
-/// Multiplications from which on single precision pays: a few milliseconds.
-const LARGE: f64 = 1e8;
+/// Multiplications of a factor from which on single precision pays: those of a few milliseconds.
+const LEAST_WORK_FOR_SINGLE: f64 = 1e8;
 
 impl Preconditioner {
     /// Prepares for `matrix`, reusing `old`. A factor in single precision is tried only where that pays, and is in
@@ -44,7 +44,8 @@ impl Preconditioner {
     ) -> Result<Prepared, FactorError> {
         match self {
             Self::Direct(symbolic) => {
-                let is_single = precision == Precision::Single && symbolic.work() > LARGE;
+                let is_single =
+                    precision == Precision::Single && symbolic.work() > LEAST_WORK_FOR_SINGLE;
                 let (single, double) = match old {
                     Some(Prepared::Single(factor)) if is_single => (Some(factor), None),
                     Some(Prepared::Double(factor)) if !is_single => (None, Some(factor)),
@@ -132,7 +133,7 @@ mod tests {
             _ => 0.0,
         });
         let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..SIDE * SIDE)]).unwrap();
-        assert!(symbolic.work() > LARGE);
+        assert!(symbolic.work() > LEAST_WORK_FOR_SINGLE);
         let preconditioner = Preconditioner::Direct(Box::new(symbolic));
         let b: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
         let factor = preconditioner.factorise(&pattern, &matrix, Precision::Single, None);

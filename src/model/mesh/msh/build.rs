@@ -1,11 +1,11 @@
 //! From the contents of a file to a mesh, checking that everything fits.
 
-use super::Reading;
 use super::error::MeshError;
 use super::file::File;
 use super::groups::Groups;
 use super::names::name_of;
 use super::raw::{Block, Places, Raw};
+use super::reading::Reading;
 use crate::model::mesh::surface::FaceFinder;
 use crate::model::mesh::{Body, Mesh, Surface};
 
@@ -15,6 +15,8 @@ pub(super) fn build(raw: Raw, places: &Places<'_>) -> Result<Reading, MeshError>
     let indices = file.node_indices()?;
     file.check_element_tags()?;
     let groups = Groups::new(&raw, places)?;
+    groups.check_complete(&raw, places)?;
+    groups.check_names(&raw, places)?;
     let nodes = file.element_nodes(&indices)?;
 
     let mut mesh = Mesh {

@@ -11,6 +11,7 @@
 mod ascii;
 mod binary;
 mod build;
+mod completeness;
 mod cursor;
 mod error;
 mod faces;
@@ -22,6 +23,9 @@ mod kind;
 mod names;
 mod place;
 mod raw;
+mod reading;
+mod records;
+mod sections;
 mod tags;
 mod usage;
 mod v2;
@@ -35,19 +39,12 @@ use flate2::read::MultiGzDecoder;
 
 pub use error::MeshError;
 pub use place::{At, Place};
+pub use reading::Reading;
 
 use super::Mesh;
 use cursor::{Cursor, Encoding};
 use header::{Version, find_fingerprint, mesh_format};
 use raw::{Places, Raw};
-
-/// What [`read_with_notes`] returns: a mesh, and what was changed in reading it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reading {
-    pub mesh: Mesh,
-    /// Sentences for the user, such as that the elements of a body were numbered left-handed.
-    pub notes: Vec<String>,
-}
 
 /// Reads the mesh file `path`.
 ///

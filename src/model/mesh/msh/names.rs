@@ -2,8 +2,10 @@
 
 use super::cursor::{Cursor, quoted};
 use super::error::MeshError;
-use super::groups::ENTITIES;
 use super::raw::{Key, Raw};
+
+/// What entities and physical groups are called, by dimension.
+pub(super) const ENTITIES: [&str; 4] = ["point", "curve", "surface", "volume"];
 
 /// `$PhysicalNames`: lines `dimension tag "name"`, in text even in a binary file.
 pub(super) fn read(cursor: &mut Cursor<'_>, raw: &mut Raw) -> Result<(), MeshError> {

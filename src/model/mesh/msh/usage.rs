@@ -2,7 +2,8 @@
 
 use super::error::MeshError;
 use super::file::File;
-use super::groups::{ENTITIES, Groups};
+use super::groups::Groups;
+use super::names::ENTITIES;
 use super::names::name_of;
 use crate::model::mesh::Mesh;
 

@@ -2,8 +2,8 @@
 
 use super::cursor::Cursor;
 use super::error::MeshError;
-use super::groups::ENTITIES;
 use super::kind::Kind;
+use super::names::ENTITIES;
 use super::raw::{Block, Elements, Group, Key, Nodes, Raw};
 
 /// `$Entities`: only the physical tags of each entity are kept.

@@ -3,8 +3,8 @@
 
 use nalgebra::{Matrix3, SMatrix, SVector, SymmetricEigen, Vector3};
 
-use super::Shape;
 use super::patch::Patch;
+use super::surface_shape::Shape;
 
 const ITERATIONS: usize = 30;
 

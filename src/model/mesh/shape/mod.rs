@@ -8,66 +8,25 @@
 
 mod fitting;
 mod patch;
+mod surface_shape;
 
 use nalgebra::Vector3;
 
 use super::{Mesh, Surface};
-use crate::ground::geometry::dot;
 use patch::Patch;
+pub use surface_shape::Shape;
 
-/// The true shape of a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shape {
-    /// The plane through `point`; `normal` is the outward unit normal of the body.
-    Plane { point: [f64; 3], normal: [f64; 3] },
-    /// The circular cylinder about the line through `point` (next to the middle of the surface)
-    /// along the unit vector `axis`. `convex` where the body is inside, as a roller is in its
-    /// rolling surface; not where it is outside, as a roller is of its bore.
-    Cylinder {
-        point: [f64; 3],
-        axis: [f64; 3],
-        radius: f64,
-        convex: bool,
-    },
-    /// The sphere about `centre`; `convex` where the body is inside.
-    Sphere {
-        centre: [f64; 3],
-        radius: f64,
-        convex: bool,
-    },
-    /// None of these: the facets themselves.
-    Facets,
-}
-
-impl Shape {
-    /// Curvature across the direction `along`, convex positive, of a plane or of a cylinder whose axis
-    /// makes an angle with it that has a cosine above `parallel`.
-    pub fn curvature(&self, along: [f64; 3], parallel: f64) -> Option<f64> {
-        match *self {
-            Self::Plane { .. } => Some(0.0),
-            Self::Cylinder {
-                axis,
-                radius,
-                convex,
-                ..
-            } if dot(axis, along).abs() > parallel => Some(match convex {
-                true => 1.0 / radius,
-                false => -1.0 / radius,
-            }),
-            _ => None,
-        }
-    }
-}
-
-/// How far nodes may be off the shape, as a share of the surface's size.
-const OFF: f64 = 1e-6;
-/// How much better than a plane a round shape must fit.
-const BETTER: f64 = 0.01;
+/// How far nodes may be off the shape, as a share of the surface's size: as much as
+/// coordinates with six digits are.
+const MOST_OFF: f64 = 1e-6;
+/// What a round shape may leave of the distance of the nodes from a plane: a plane with rounded
+/// coordinates fits some round shape, too, but hardly better.
+const MOST_LEFT_OF_PLANE: f64 = 0.01;
 /// Facets may subtend twice this angle, in radians (twice 20 degrees), to pass as round: a
 /// hexagonal bar is not a cylinder.
-const COARSE: f64 = 0.35;
+const MOST_SUBTENDED: f64 = 0.35;
 /// Angle by which rounded coordinates may turn a facet, in radians.
-const TURNED: f64 = 1e-3;
+const MOST_TURNED: f64 = 1e-3;
 
 /// The shape on which all nodes of `surface` lie within a millionth of the size of the surface,
 /// and from which its facets differ by no more than the angle they subtend.
@@ -81,10 +40,10 @@ pub fn fit(mesh: &Mesh, surface: &Surface) -> Shape {
     };
     let (plane, deviation) = patch.plane();
     // A narrow strip of a cylinder is nearly plane: its width is the measure, not its length.
-    if deviation <= OFF * patch.width.min(1.0) && follows(&plane, &patch) {
+    if deviation <= MOST_OFF * patch.width.min(1.0) && follows(&plane, &patch) {
         return patch.in_place(plane);
     }
-    let allowed = OFF.min(BETTER * deviation);
+    let allowed = MOST_OFF.min(MOST_LEFT_OF_PLANE * deviation);
     let round = [fitting::cylinder(&patch), fitting::sphere(&patch)];
     for shape in round.into_iter().flatten() {
         if off(&shape, &patch) <= allowed && enough_nodes(&shape, &patch) && follows(&shape, &patch)
@@ -92,63 +51,11 @@ pub fn fit(mesh: &Mesh, surface: &Surface) -> Shape {
             return patch.in_place(shape);
         }
     }
-    if deviation <= OFF && follows(&plane, &patch) {
+    if deviation <= MOST_OFF && follows(&plane, &patch) {
         patch.in_place(plane)
     } else {
         Shape::Facets
     }
-}
-
-impl Shape {
-    /// The point of the true surface next to `p`, and the unit normal there that points out of
-    /// the body; none for facets, for a point on the axis or at the centre, or for a point that
-    /// is not finite.
-    pub fn project(&self, p: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
-        let p = Vector3::from(p);
-        let (foot, normal) = match *self {
-            Shape::Plane { point, normal } => {
-                let normal = Vector3::from(normal);
-                (p - normal * (p - Vector3::from(point)).dot(&normal), normal)
-            }
-            Shape::Cylinder {
-                point,
-                axis,
-                radius,
-                convex,
-            } => {
-                let (point, axis) = (Vector3::from(point), Vector3::from(axis));
-                let centre = point + axis * (p - point).dot(&axis);
-                on_circle(p, centre, radius, convex)?
-            }
-            Shape::Sphere {
-                centre,
-                radius,
-                convex,
-            } => on_circle(p, Vector3::from(centre), radius, convex)?,
-            Shape::Facets => return None,
-        };
-        let finite = foot.iter().chain(&normal).all(|c| c.is_finite());
-        finite.then(|| (foot.into(), normal.into()))
-    }
-
-    /// Radius of a cylinder or sphere.
-    pub fn radius(&self) -> Option<f64> {
-        match self {
-            Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } => Some(*radius),
-            Shape::Plane { .. } | Shape::Facets => None,
-        }
-    }
-}
-
-/// The point at `radius` from `centre` towards `p`, and the outward normal of the body there.
-fn on_circle(
-    p: Vector3<f64>,
-    centre: Vector3<f64>,
-    radius: f64,
-    convex: bool,
-) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let out = (p - centre).try_normalize(0.0)?;
-    Some((centre + out * radius, if convex { out } else { -out }))
 }
 
 /// Largest distance of a node from the shape.
@@ -174,7 +81,7 @@ fn follows(shape: &Shape, patch: &Patch) -> bool {
             };
             subtended = subtended.max(angle(normal, there));
         }
-        subtended <= COARSE && angle(normal, facet.normal) <= subtended + TURNED
+        subtended <= MOST_SUBTENDED && angle(normal, facet.normal) <= subtended + MOST_TURNED
     })
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 
-use super::Shape;
+use super::surface_shape::Shape;
 use crate::model::mesh::{Mesh, Surface};
 
 pub(super) struct Patch {

@@ -22,7 +22,8 @@ mod relax;
 mod tests;
 
 use super::bbar::ElementVector;
-use super::hex8::{CORNERS, Geometry, invert, jacobian, shape_derivatives};
+use super::hex8::{Geometry, invert};
+use crate::model::mesh::hexahedron::{CORNERS, GAUSS, jacobian_matrix, shape_derivatives};
 use crate::solver::linear::small::SmallCholesky;
 use std::ops::Range;
 
@@ -48,11 +49,11 @@ impl Enhanced {
     /// From the corner coordinates of a valid (not inverted) element.
     pub fn new(corners: &[[f64; 3]; 8]) -> Self {
         let geometry = Geometry::new(corners);
-        let (inverse, det) = invert(&jacobian(corners, &shape_derivatives([0.0; 3])));
+        let (inverse, det) = invert(&jacobian_matrix(corners, &shape_derivatives([0.0; 3])));
         let mut gradients = [[[0.0; 3]; NODES]; 8];
         for (k, at) in gradients.iter_mut().enumerate() {
             at[..8].copy_from_slice(&geometry.gradients[k]);
-            let scale = -2.0 * super::hex8::GAUSS * det / geometry.volumes[k];
+            let scale = -2.0 * GAUSS * det / geometry.volumes[k];
             for (m, row) in inverse.iter().enumerate() {
                 at[8 + m] = row.map(|d| scale * CORNERS[k][m] * d);
             }

@@ -1,8 +1,19 @@
-//! The bubbles' own balance: for given displacements of the corners they move until the stress
-//! does no work on them, ∫ B_aᵀ σ dV = 0.
+//! The inner unknowns of the element in balance: where the bubbles stand for given corner displacements u.
 //!
-//! With a frozen plastic strain that is a linear system. With flow it is the minimum of a convex
-//! energy, found by Newton's method from the frozen answer; nothing else is remembered.
+//! The bubbles' amplitudes a are free inside the element. So they move until the stress does no work on them,
+//!
+//! ```text
+//! f_a(a) = ∫ B_aᵀ σ(B_u u + B_a a, ε_p) dV = 0                                         (1)
+//! ```
+//!
+//! which is (Simo and Rifai, IJNME 29 (1990) 1595) the element's own balance. There are two cases.
+//!
+//! *Frozen*: the plastic strain ε_p stays as it is. Then σ = C (ε − ε_p) is linear and (1) is nine linear equations,
+//! K_aa a = −∫ B_aᵀ C (B_u u − ε_p) dV, with the elastic K_aa = ∫ B_aᵀ C B_a dV.
+//!
+//! *Flowing*: ε_p follows from the strain by radial return. The stress is then the derivative of a convex
+//! incremental energy by the strain, and (1) says that this energy is least over a. Newton's method finds the minimum.
+//! It begins at the frozen answer, so that nothing about the bubbles has to be kept from increment to increment.
 
 use super::condense::{INNER, SHIFT};
 use super::{BUBBLES, Enhanced, Field, field};
@@ -11,19 +22,25 @@ use crate::model::material::{Elastic, Steel};
 use crate::solver::fem::bbar::ElementVector;
 use crate::solver::linear::small::SmallCholesky;
 
-/// Out-of-balance force of the bubbles over the forces that cancel in it.
+/// The bubbles balance where what is left of their force is below this share of the forces that cancel in it: some
+/// fifty roundings.
 const BALANCED: f64 = 1e-14;
-/// Above this the bubbles failed to find their balance.
-const LOST: f64 = 1e-9;
+/// Left of the force after the last iteration, as such a share: above this the bubbles have found no balance.
+const MOST_UNBALANCED: f64 = 1e-9;
+/// Newton iterations at most. A few are enough but where the whole element flows at next to no cost.
 const ITERATIONS: usize = 60;
+/// Searches along a Newton direction before the elastic one is taken.
+const SEARCHES: usize = 4;
+/// What a step may leave of the slope that it began with, beyond the minimum.
+const OVERSHOOT: f64 = 0.5;
 
-/// The answer of the material to a field.
+/// What the material answers to a field of displacements.
 struct Response {
     points: [PlasticPoint; 8],
     flows: [Option<Flow>; 8],
-    /// ∫ B_aᵀ σ dV.
+    /// f_a = ∫ B_aᵀ σ dV, zero in balance.
     force: [f64; INNER],
-    /// Sum of the absolute values in the largest component of `force`.
+    /// The largest component of the same sum with absolute values: the forces that cancel in f_a.
     scale: f64,
 }
 
@@ -48,13 +65,13 @@ impl Enhanced {
                 break;
             }
             let (moved, next) = self.step(steel, elastic, &field, &response, old)?;
-            // At the limit of round-off there is nothing left to gain.
+            // Near balance a step that gains nothing is at the limit of rounding.
             if size(&next.force) >= before && before <= 100.0 * BALANCED * response.scale {
                 break;
             }
             (field, response) = (moved, next);
         }
-        let balanced = size(&response.force) <= LOST * response.scale;
+        let balanced = size(&response.force) <= MOST_UNBALANCED * response.scale;
         balanced.then_some((response.points, response.flows))
     }
 
@@ -85,7 +102,7 @@ impl Enhanced {
         })
     }
 
-    /// Corners and bubbles in balance while the plastic strain stays at that of `points`.
+    /// Corners at `u`, bubbles in balance while the plastic strain stays at that of `points`: the frozen case.
     fn frozen(&self, elastic: &Elastic, u: &ElementVector, points: &[PlasticPoint; 8]) -> Field {
         let mut field = field(u);
         let Some(inner) = SmallCholesky::new(self.inner_stiffness(elastic)) else {
@@ -102,6 +119,7 @@ impl Enhanced {
         field
     }
 
+    /// Stresses, flow and forces at a field, from the histories `old`.
     fn respond(
         &self,
         steel: &Steel,
@@ -130,6 +148,7 @@ impl Enhanced {
         response
     }
 
+    /// Adds the share of integration point `k` of f_a.
     fn add_inner_force(&self, k: usize, stress: &[f64; 6], force: &mut [f64; INNER]) {
         for (m, node) in BUBBLES.enumerate() {
             let f = self.stress_force(k, node, stress);
@@ -139,8 +158,10 @@ impl Enhanced {
         }
     }
 
-    /// A Newton step, or where it does not descend an elastic one, which always does: the elastic
-    /// stiffness bounds the tangent from above.
+    /// A Newton step with a line search; where that fails, an elastic step.
+    ///
+    /// The elastic step −K_aa⁻¹ f_a always lowers the energy: flow only softens, so that the elastic stiffness bounds
+    /// the tangent from above, and the quadratic model with K_aa lies above the energy.
     fn step(
         &self,
         steel: &Steel,
@@ -165,13 +186,14 @@ impl Enhanced {
         if let Some(tangent) = SmallCholesky::new(tangent) {
             let mut direction = response.force;
             tangent.solve(&mut direction);
-            // The slope of the energy along the way; convex, so it only rises.
+            // The slope of the energy along the step, from −`start` at its beginning. The energy is convex, so that the
+            // slope only rises; the minimum is where it is zero. Far beyond it the step is shortened by the secant.
             let start = dot(&response.force, &direction);
             let mut share = 1.0;
-            for _ in 0..4 {
+            for _ in 0..SEARCHES {
                 let next = along(&direction, share);
                 let slope = dot(&next.1.force, &direction);
-                if slope >= -0.5 * start {
+                if slope >= -OVERSHOOT * start {
                     return Some(next);
                 }
                 share *= (start / (start - slope)).clamp(0.1, 0.5);

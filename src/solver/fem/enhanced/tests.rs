@@ -4,7 +4,7 @@ use super::{BUBBLES, Enhanced, NODES};
 use crate::model::material::j2::PlasticPoint;
 use crate::model::material::{Elastic, Steel};
 use crate::model::mesh::block::{Block, uniform};
-use crate::solver::fem::hex8::CORNERS;
+use crate::model::mesh::hexahedron::CORNERS;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 /// The element of Taylor, Beresford and Wilson: the volumetric strain as it comes.

@@ -3,9 +3,12 @@
 use crate::solver::linear::sparse::Pattern;
 
 /// The pattern in the order of the factor: of each column its rows, and where their values are.
-pub struct Entries {
+pub(super) struct Entries {
+    /// Start of each column in `rows` and `places`, in the order of elimination.
     pub columns: Vec<usize>,
+    /// Row of each entry, in the order of elimination.
     pub rows: Vec<u32>,
+    /// Where its value is in the matrix.
     pub places: Vec<u32>,
 }
 

@@ -2,8 +2,9 @@
 
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 
-/// The elimination tree of supernodes.
-pub struct Tree {
+/// The elimination tree of supernodes; words as in [`super::subtrees`]. Supernodes are numbered so that children come
+/// before their parents.
+pub(super) struct Tree {
     /// First column of each supernode, and the number of columns.
     pub begin: Vec<usize>,
     /// First value of each supernode, and the number of values.
@@ -12,13 +13,16 @@ pub struct Tree {
     pub sources: Vec<Vec<u32>>,
     children: Vec<Vec<usize>>,
     roots: Vec<usize>,
-    /// First supernode of the subtree below each, the number of supernodes and the work in it.
+    /// Of the subtree that each supernode is the root of: its first supernode,
     pub first: Vec<usize>,
+    /// how many it has,
     size: Vec<usize>,
+    /// and their work, in multiplications but for a factor.
     pub work: Vec<f64>,
 }
 
 impl Tree {
+    /// The tree of a factor whose structure is known.
     pub fn new(symbolic: &SymbolicSupernodalCholesky<u32>) -> Self {
         let count = symbolic.n_supernodes();
         let mut begin: Vec<usize> = (symbolic.supernode_begin().iter().take(count))
@@ -73,10 +77,14 @@ impl Tree {
         self.first[root] + self.size[root] == root + 1
     }
 
-    /// Roots of the subtrees that threads factor by themselves, and what is above them, both
-    /// ascending: the heaviest is opened until the threads have about the same to do.
+    /// Roots of the subtrees that threads factor by themselves, and the supernodes above them, both ascending.
+    ///
+    /// From the roots of the whole tree down: as long as the threads have not about the same to do, the heaviest
+    /// subtree is opened, which puts its root above and its children in its place (Geist and Ng, Int. J. Parallel
+    /// Programming 18 (1989) 291).
     pub fn split(&self, threads: usize) -> (Vec<usize>, Vec<usize>) {
-        const UNEVEN: f64 = 0.005;
+        /// What the busiest thread may have to do above the mean, over all work below the roots.
+        const MOST_UNEVEN: f64 = 0.005;
         let sum = |list: &[usize]| list.iter().map(|s| self.work[*s]).sum::<f64>();
         let total = sum(&self.roots);
         let (mut subtrees, mut top): (Vec<usize>, Vec<usize>) = (self.roots.clone(), Vec::new());
@@ -88,7 +96,7 @@ impl Tree {
                 least.into_iter().for_each(|load| *load += self.work[*s]);
             }
             let most = loads.into_iter().fold(0.0, f64::max);
-            let even = most - sum(&subtrees) / threads as f64 <= UNEVEN * total;
+            let even = most - sum(&subtrees) / threads as f64 <= MOST_UNEVEN * total;
             let opened = match subtrees.iter().position(|s| !self.is_run(*s)) {
                 Some(scattered) => scattered,
                 None if even => break,

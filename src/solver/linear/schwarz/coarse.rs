@@ -1,92 +1,89 @@
-//! The coarse system: affine motions of the pieces, blended over their overlap.
+//! The coarse level: what subdomains cannot see of each other.
+//!
+//! A subdomain corrects its own unknowns well, but a motion that runs through many subdomains, such as a body
+//! moving as a whole, would take one iteration for each subdomain on its way. The coarse level solves for such
+//! motions at once. Its unknowns are, for every *piece* (one body within one subdomain), the coefficients of an
+//! affine motion
+//!
+//! ```text
+//! u_a(x) = c_a0 + c_a1 ξ + c_a2 η + c_a3 ζ,    a = 1, 2, 3,    (ξ, η, ζ) = (x − centre) / radius
+//! ```
+//!
+//! which are 12: three translations, three rotations, six uniform strains. Without contact and supports the
+//! translations and rotations cost no energy, so that local solves cannot see them (Nicolaides, SIAM J. Numer.
+//! Anal. 24 (1987) 355). The uniform strains carry loads from piece to piece.
+//!
+//! Pieces overlap. Where m pieces share a vertex each counts there by 1/m: these weights sum to one (a partition of
+//! unity), so that equal coefficients in all pieces make exactly that affine motion of the whole body
+//! (Toselli and Widlund, *Domain Decomposition Methods*, 2005, chapter 3).
+//!
+//! With the columns of Z the weighted motions, the coarse matrix is Zᵀ A Z and the correction of a residual r is
+//! Z (Zᵀ A Z)⁻¹ Zᵀ r. Z is never stored: its entries are computed where they are needed (`Space::mode`).
 
-use super::Place;
 use super::partition::Division;
-use crate::ground::geometry::Vec3;
+use super::place::Place;
+use super::space::{FORMS, MODES, Mode, Space};
 use crate::solver::linear::cholesky::{Factor, FactorError, Symbolic};
 use crate::solver::linear::ordering::Block;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use rayon::prelude::*;
 
-/// Of each displacement component: 1, x, y, z.
-const FORMS: usize = 4;
-const MODES: usize = 3 * FORMS;
-type Mode = [f64; FORMS];
+/// Block of the coarse matrix: modes of one piece by modes of another.
 type Coupling = [[f64; MODES]; MODES];
 
-/// One body within one subdomain.
-struct Piece {
-    vertices: Vec<u32>,
-    centre: Vec3,
-    radius: f64,
-}
+/// Stiffness of a mode, over that of the stiffest, below which it is none but rounding.
+const STIFFLESS: f64 = 1e-13;
 
-/// The pieces and how they couple.
-pub struct Coarse {
-    pieces: Vec<Piece>,
-    /// Pieces of each vertex.
-    of_vertex: Vec<Vec<u32>>,
-    places: Vec<Place>,
-    /// A vertex is a piece.
+/// What is added to the diagonal of the coarse matrix, over the diagonal: modes of neighbours may be all but
+/// dependent, as where two pieces share most of their vertices.
+const SHIFT: f64 = 1e-9;
+
+/// The coarse space, and which of its pieces couple; found once a pattern.
+pub(super) struct Coarse {
+    space: Space,
+    /// Of the coarse matrix; a piece is a vertex of it.
     pattern: Pattern,
     symbolic: Symbolic,
 }
 
 /// The coarse matrix and its factor.
-pub struct CoarseFactor {
-    /// Of each piece, its couplings with itself and lower pieces.
+pub(super) struct CoarseFactor {
+    /// Blocks of Zᵀ A Z: of each piece those with itself and with pieces of lower numbers.
     couplings: Vec<Vec<(u32, Box<Coupling>)>>,
     factor: Factor<f64>,
 }
 
 impl Coarse {
+    /// The coarse level of a `division` of the vertices of `pattern`.
+    ///
+    /// # Errors
+    /// [`FactorError::Memory`].
     pub fn new(
         pattern: &Pattern,
         places: &[Place],
         division: &Division,
     ) -> Result<Self, FactorError> {
-        let vertices = pattern.vertex_start.len() - 1;
-        let point = |v: u32| places[pattern.vertex_start[v as usize] as usize].map(|p| p.0);
-        let pieces: Vec<Piece> = (division.pieces.iter())
-            .map(|vertices| Piece::new(vertices, point))
-            .collect();
-        let mut of_vertex = vec![Vec::new(); vertices];
-        for (index, piece) in pieces.iter().enumerate() {
-            for v in &piece.vertices {
-                of_vertex[*v as usize].push(index as u32);
-            }
-        }
-        let pairs: Vec<[u32; 2]> = (pieces.par_iter().enumerate())
-            .flat_map_iter(|(index, piece)| {
-                let mut near: Vec<u32> = (piece.vertices.iter())
-                    .flat_map(|v| pattern.neighbours(*v as usize))
-                    .flat_map(|v| &of_vertex[*v as usize])
-                    .copied()
-                    .collect();
-                near.sort_unstable();
-                near.dedup();
-                near.into_iter().map(move |other| [index as u32, other])
-            })
-            .collect();
-        let starts = (0..=pieces.len() as u32)
-            .map(|i| MODES as u32 * i)
-            .collect();
-        let coupled = pairs.iter().filter(|p| p[0] != p[1]);
-        let own = Pattern::new(starts, coupled.map(|p| p.as_slice()));
+        let space = Space::new(pattern, places, division);
+        let pieces = space.pieces.len() as u32;
+        let starts = (0..=pieces).map(|i| MODES as u32 * i).collect();
+        let coupled = space.coupled(pattern);
+        let own = Pattern::new(starts, coupled.iter().map(|p| p.as_slice()));
         Ok(Self {
-            symbolic: Symbolic::new(&own, &[Block::Sparse(0..pieces.len() as u32)])?,
+            symbolic: Symbolic::new(&own, &[Block::Sparse(0..pieces)])?,
             pattern: own,
-            pieces,
-            of_vertex,
-            places: places.to_vec(),
+            space,
         })
     }
 
+    /// Entries of the factor.
     pub fn factor_entries(&self) -> usize {
         self.symbolic.factor_entries()
     }
 
-    /// Zᵀ A Z and its factor; of `old` what has no changed equation is kept.
+    /// Zᵀ A Z and its factor. Blocks of `old` are kept for pieces without an equation that has `changed`.
+    ///
+    /// # Errors
+    /// [`FactorError`] where memory runs out or Zᵀ A Z is not positive definite.
     pub fn factorise(
         &self,
         pattern: &Pattern,
@@ -96,13 +93,13 @@ impl Coarse {
     ) -> Result<CoarseFactor, FactorError> {
         let (mut couplings, storage) = match old {
             Some(old) => (old.couplings, Some(old.factor)),
-            None => (vec![Vec::new(); self.pieces.len()], None),
+            None => (vec![Vec::new(); self.space.pieces.len()], None),
         };
         couplings
             .par_iter_mut()
             .enumerate()
             .for_each(|(index, list)| {
-                let mut equations = (self.pieces[index].vertices.iter()).flat_map(|v| {
+                let mut equations = (self.space.pieces[index].vertices.iter()).flat_map(|v| {
                     pattern.vertex_start[*v as usize]..pattern.vertex_start[*v as usize + 1]
                 });
                 if list.is_empty() || equations.any(&changed) {
@@ -123,11 +120,16 @@ impl Coarse {
                 }
             }
         }
-        // A mode without stiffness: of a component that is held, or of a shared motion.
+        // A mode without stiffness stands for nothing: components that are held everywhere in the piece, or the slopes
+        // of a motion that many nodes share. A stiffness of its own keeps it at zero.
         let diagonal = self.pattern.diagonal(&coarse);
         let most = diagonal.iter().copied().fold(0.0, f64::max);
         for (start, d) in self.pattern.columns.iter().zip(diagonal) {
-            let added = if d > 1e-13 * most { 1e-9 * d } else { most };
+            let added = if d > STIFFLESS * most {
+                SHIFT * d
+            } else {
+                most
+            };
             coarse.values[*start as usize] += added;
         }
         Ok(CoarseFactor {
@@ -136,7 +138,10 @@ impl Coarse {
         })
     }
 
-    /// Couplings of a piece with itself and lower ones.
+    /// Blocks of Zᵀ A Z between a piece and itself, and pieces of lower numbers.
+    ///
+    /// Row by row of A: at each vertex v of the piece, A times the modes of every piece near v (the `forces`
+    /// that those motions make at v), and these times the piece's own modes at v.
     fn couple(
         &self,
         pattern: &Pattern,
@@ -144,25 +149,27 @@ impl Coarse {
         index: u32,
     ) -> Vec<(u32, Box<Coupling>)> {
         let mut list: Vec<(u32, Box<Coupling>)> = Vec::new();
-        // Of each piece near a vertex: its modes, times the matrix.
+        // At the vertex at hand, of each piece near it: the force along each axis that each of its modes makes.
         let mut forces: Vec<(u32, [[Mode; 3]; 3])> = Vec::new();
         let starts = &pattern.vertex_start;
         let axes = |v: u32| {
             let equations = starts[v as usize]..starts[v as usize + 1];
-            equations.map(|e| self.axis(e)).enumerate()
+            equations.map(|e| self.space.axis(e)).enumerate()
         };
-        let piece = &self.pieces[index as usize];
+        let piece = &self.space.pieces[index as usize];
         for &v in &piece.vertices {
             forces.clear();
             for &w in pattern.neighbours(v as usize).iter().chain([&v]) {
-                let near = self.of_vertex[w as usize].iter();
+                let near = self.space.of_vertex[w as usize].iter();
                 let mut near = near.filter(|other| **other <= index).peekable();
                 if near.peek().is_none() {
                     continue;
                 }
                 let block = pattern.block(matrix, v, w);
                 for &other in near {
-                    let mode = self.mode(&self.pieces[other as usize], w, starts);
+                    let mode = self
+                        .space
+                        .mode(&self.space.pieces[other as usize], w, starts);
                     let target = entry(&mut forces, other, Default::default);
                     for ((i, a), (j, b)) in axes(v).flat_map(|a| axes(w).map(move |b| (a, b))) {
                         for (t, m) in target[a][b].iter_mut().zip(mode) {
@@ -171,7 +178,7 @@ impl Coarse {
                     }
                 }
             }
-            let own = self.mode(piece, v, starts);
+            let own = self.space.mode(piece, v, starts);
             for (other, forces) in &forces {
                 let coupling = entry(&mut list, *other, || Box::new([[0.0; MODES]; MODES]));
                 for (a, forces) in forces.iter().enumerate() {
@@ -187,58 +194,11 @@ impl Coarse {
         list
     }
 
-    fn axis(&self, equation: u32) -> usize {
-        self.places[equation as usize].map_or(0, |p| p.1)
-    }
-
-    /// The forms of a piece at a vertex, times its share of the vertex.
-    fn mode(&self, piece: &Piece, v: u32, starts: &[u32]) -> Mode {
-        let share = 1.0 / self.of_vertex[v as usize].len() as f64;
-        match self.places[starts[v as usize] as usize] {
-            None => [share, 0.0, 0.0, 0.0],
-            Some((point, _)) => {
-                let scale = share / piece.radius;
-                let form = |k: usize| scale * (point[k] - piece.centre[k]);
-                [share, form(0), form(1), form(2)]
-            }
-        }
-    }
-
-    /// Z (ZᵀAZ)⁻¹ Zᵀ r.
+    /// The coarse correction Z (Zᵀ A Z)⁻¹ Zᵀ r of a residual `r`.
     pub fn solve(&self, pattern: &Pattern, factor: &CoarseFactor, r: &[f64]) -> Vec<f64> {
-        let starts = &pattern.vertex_start;
-        let mut c: Vec<f64> = (self.pieces.par_iter())
-            .flat_map_iter(|piece| {
-                let mut sum = [0.0; MODES];
-                for &v in &piece.vertices {
-                    let mode = self.mode(piece, v, starts);
-                    for e in starts[v as usize]..starts[v as usize + 1] {
-                        let first = FORMS * self.axis(e);
-                        for (s, m) in sum[first..first + FORMS].iter_mut().zip(mode) {
-                            *s += m * r[e as usize];
-                        }
-                    }
-                }
-                sum
-            })
-            .collect();
+        let mut c = self.space.restrict(pattern, r);
         self.symbolic.solve(&factor.factor, &mut c);
-        let values = (0..starts.len() - 1).into_par_iter().flat_map_iter(|v| {
-            let pieces = &self.of_vertex[v];
-            let modes: Vec<_> = (pieces.iter())
-                .map(|i| (*i, self.mode(&self.pieces[*i as usize], v as u32, starts)))
-                .collect();
-            let c = &c;
-            (starts[v]..starts[v + 1]).map(move |e| {
-                let shares = modes.iter().map(|(i, mode)| {
-                    let first = MODES * *i as usize + FORMS * self.axis(e);
-                    let c = &c[first..first + FORMS];
-                    c.iter().zip(mode).map(|(c, m)| c * m).sum::<f64>()
-                });
-                shares.sum()
-            })
-        });
-        values.collect()
+        self.space.prolong(pattern, &c)
     }
 }
 
@@ -250,19 +210,4 @@ fn entry<T>(list: &mut Vec<(u32, T)>, key: u32, new: impl Fn() -> T) -> &mut T {
         list.len() - 1
     });
     &mut list[at].1
-}
-
-impl Piece {
-    fn new(vertices: &[u32], point: impl Fn(u32) -> Option<Vec3>) -> Self {
-        let points: Vec<Vec3> = vertices.iter().filter_map(|v| point(*v)).collect();
-        let count = points.len().max(1) as f64;
-        let centre = [0, 1, 2].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / count);
-        let square = |p: &Vec3| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>();
-        let radius = (points.iter().map(square).sum::<f64>() / count).sqrt();
-        Self {
-            vertices: vertices.to_vec(),
-            centre,
-            radius: if radius > 0.0 { radius } else { 1.0 },
-        }
-    }
 }

@@ -7,7 +7,7 @@ use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::cholesky as sparse;
 
 /// A subdomain and the structure of its factor.
-pub struct Local {
+pub(super) struct Local {
     /// Equations of the subdomain, ascending.
     pub equations: Vec<u32>,
     /// Does the subdomain own the equation, or only see it?
@@ -16,13 +16,14 @@ pub struct Local {
 }
 
 /// Its factor.
-pub struct LocalFactor {
+pub(super) struct LocalFactor {
     values: Vec<f32>,
     /// One over the root of the diagonal.
     scale: Vec<f32>,
 }
 
-/// Added to the diagonal, which is one: single precision has to see a floating body as stiff.
+/// Tried one after the other, added to the diagonal, which is one. A subdomain that nothing holds is singular, and single
+/// precision has to see it as positive definite.
 const SHIFTS: [f32; 3] = [1e-6, 1e-4, 1e-2];
 
 impl Local {
@@ -54,6 +55,7 @@ impl Local {
         })
     }
 
+    /// Entries of the factor.
     pub fn factor_entries(&self) -> usize {
         self.inner.len_val()
     }

@@ -1,12 +1,12 @@
 //! Subdomains: METIS partitions the vertex graph across weak couplings.
 
-use super::Place;
+use super::place::Place;
 use crate::solver::linear::ordering::METIS;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use rayon::prelude::*;
 
 /// How the vertices are divided.
-pub struct Division {
+pub(super) struct Division {
     /// Vertices of each subdomain with its overlap, ascending.
     pub subdomains: Vec<Vec<u32>>,
     /// The subdomain that owns each vertex.
@@ -16,11 +16,12 @@ pub struct Division {
     pub pieces: Vec<Vec<u32>>,
 }
 
-/// METIS weight of the strongest coupling.
-const STRONG: f64 = 1000.0;
+/// METIS weight of the strongest coupling; METIS takes whole numbers.
+const STRONGEST: f64 = 1000.0;
 
-/// Share of the strongest coupling that contact counts for.
-const CONTACT: f64 = 0.3;
+/// What a coupling by contact counts for, over the strongest coupling: it has no entry in the guide, and is stiff
+/// while it is closed.
+const CONTACT_COUPLING: f64 = 0.3;
 
 /// The graph of a pattern with the numbers that guide its division.
 struct Graph<'a> {
@@ -30,7 +31,7 @@ struct Graph<'a> {
 }
 
 /// Divides into subdomains of about `size` vertices.
-pub fn divide(
+pub(super) fn divide(
     pattern: &Pattern,
     guide: &SymmetricMatrix,
     places: &[Place],
@@ -145,10 +146,10 @@ impl Graph<'_> {
     fn weight(&self, v: u32, w: u32) -> i32 {
         let coupling = self.coupling(v, w);
         let share = match coupling == 0.0 {
-            true => CONTACT,
+            true => CONTACT_COUPLING,
             false => coupling / (self.stiffness(v) * self.stiffness(w)).sqrt(),
         };
-        (STRONG * share).clamp(1.0, STRONG) as i32
+        (STRONGEST * share).clamp(1.0, STRONGEST) as i32
     }
 
     /// Trace of a vertex's own block.

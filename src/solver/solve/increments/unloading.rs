@@ -1,6 +1,6 @@
 //! A load that could not be taken off to the end.
 
-use crate::model::scene::LITTLE;
+use crate::model::scene::UNLOADED_SHARE;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::start::load_names::load_names;
@@ -20,7 +20,7 @@ impl Run<'_, '_> {
             let at = |step, time| self.model.scene.factor(name, step, time).abs();
             (at(step, time), at(full, 1.0))
         });
-        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= LITTLE * then) {
+        if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= UNLOADED_SHARE * then) {
             self.states.push(self.last.clone());
         }
         Some(format!(

@@ -1,6 +1,7 @@
 //! Symmetric sparse matrices: the lower triangle, column by column, on a fixed pattern.
 
-use rayon::prelude::*;
+mod product;
+
 use std::ops::Range;
 
 /// The pattern of a symmetric matrix whose equations come in vertices (a node's components).
@@ -12,6 +13,7 @@ pub struct Pattern {
     pub vertex_start: Vec<u32>,
     /// Neighbours of each vertex, itself excluded, ascending: the graph that is ordered.
     pub adjacency_start: Vec<u32>,
+    /// The neighbours themselves, vertex by vertex.
     pub adjacency: Vec<u32>,
     /// Start of each equation's column in `rows`.
     pub columns: Vec<u32>,
@@ -107,6 +109,7 @@ impl Pattern {
         self.columns.len() - 1
     }
 
+    /// No equation at all?
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -169,69 +172,6 @@ impl Pattern {
         }
     }
 
-    /// y = A x.
-    pub fn multiply(&self, matrix: &SymmetricMatrix, x: &[f64], y: &mut [f64]) {
-        /// Entries that are worth a thread. The shares depend on the pattern alone, so that sums
-        /// come out the same on any number of threads.
-        const SHARE: usize = 1 << 20;
-        let shares = self.rows.len().div_ceil(SHARE).clamp(1, 4);
-        let vertices = self.stretch_start.len() - 1;
-        let bounds: Vec<usize> = (0..=shares)
-            .map(|k| {
-                let entry = (self.rows.len() * k / shares) as u32;
-                let begins = |start: &u32| self.columns[*start as usize] < entry;
-                self.vertex_start[..vertices].partition_point(begins)
-            })
-            .collect();
-        if shares == 1 {
-            y.fill(0.0);
-            return self.multiply_vertices(matrix, 0..vertices, x, y);
-        }
-        let parts: Vec<Vec<f64>> = (bounds.par_windows(2))
-            .map(|ends| {
-                let mut part = vec![0.0; y.len()];
-                self.multiply_vertices(matrix, ends[0]..ends[1], x, &mut part);
-                part
-            })
-            .collect();
-        y.par_iter_mut().enumerate().for_each(|(i, y)| {
-            *y = parts.iter().map(|part| part[i]).sum();
-        });
-    }
-
-    /// Adds the product with the columns of `vertices` and their mirror images.
-    fn multiply_vertices(
-        &self,
-        matrix: &SymmetricMatrix,
-        vertices: Range<usize>,
-        x: &[f64],
-        y: &mut [f64],
-    ) {
-        for vertex in vertices {
-            let own = self.vertex_start[vertex] as usize..self.vertex_start[vertex + 1] as usize;
-            let stretches =
-                self.stretch_start[vertex] as usize..self.stretch_start[vertex + 1] as usize;
-            for column in own.clone() {
-                let range = self.columns[column] as usize..self.columns[column + 1] as usize;
-                let mut values = &matrix.values[range];
-                let mut next = |count: usize| {
-                    let (first, rest) = values.split_at(count);
-                    values = rest;
-                    first
-                };
-                let xc = x[column];
-                let mut sum = next(1)[0] * xc;
-                let within = column + 1..own.end;
-                sum += add_mirrored(next(within.len()), xc, &x[within.clone()], &mut y[within]);
-                for stretch in &self.stretches[stretches.clone()] {
-                    let rows = stretch.start as usize..stretch.end as usize;
-                    sum += add_mirrored(next(rows.len()), xc, &x[rows.clone()], &mut y[rows]);
-                }
-                y[column] += sum;
-            }
-        }
-    }
-
     /// The diagonal of `matrix`.
     pub fn diagonal(&self, matrix: &SymmetricMatrix) -> Vec<f64> {
         self.columns[..self.len()]
@@ -239,27 +179,6 @@ impl Pattern {
             .map(|start| matrix.values[*start as usize])
             .collect()
     }
-}
-
-/// Adds the product of entries below each other with `xc` to `y`; returns that of their mirror images with `x`.
-fn add_mirrored(values: &[f64], xc: f64, x: &[f64], y: &mut [f64]) -> f64 {
-    const LANES: usize = 8;
-    let (chunks, tail) = values.as_chunks::<LANES>();
-    let (x_chunks, x_tail) = x.as_chunks::<LANES>();
-    let (y_chunks, y_tail) = y.as_chunks_mut::<LANES>();
-    let mut sums = [0.0; LANES];
-    for ((values, x), y) in chunks.iter().zip(x_chunks).zip(y_chunks) {
-        for lane in 0..LANES {
-            y[lane] += values[lane] * xc;
-            sums[lane] += values[lane] * x[lane];
-        }
-    }
-    let mut sum: f64 = sums.iter().sum();
-    for ((value, x), y) in tail.iter().zip(x_tail).zip(y_tail) {
-        *y += value * xc;
-        sum += value * x;
-    }
-    sum
 }
 
 /// Neighbour lists of the graph whose cliques are given.

@@ -1,52 +1,15 @@
-//! Geometry of one eight-node hexahedron: Jacobians, orientation, volume.
+//! Is a hexahedron sound? Scaled Jacobians at its corners and determinants at its Gauss points.
 
-/// Natural coordinates of the corners, in the node order of [`crate::model::mesh::Mesh`].
-pub const CORNERS: [[f64; 3]; 8] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-];
-
-/// The twelve edges, as pairs of corners.
-pub const EDGES: [[usize; 2]; 12] = [
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-    [4, 5],
-    [5, 6],
-    [6, 7],
-    [7, 4],
-    [0, 4],
-    [1, 5],
-    [2, 6],
-    [3, 7],
-];
-
-/// The three neighbours of each corner, ordered so that a sound element has positive triple
-/// products of the edges towards them.
-const NEIGHBOURS: [[usize; 3]; 8] = [
-    [1, 3, 4],
-    [2, 0, 5],
-    [3, 1, 6],
-    [0, 2, 7],
-    [7, 5, 0],
-    [4, 6, 1],
-    [5, 7, 2],
-    [6, 4, 3],
-];
+use super::numbering::{EDGES, NEIGHBOURS};
+use super::trilinear::gauss_jacobians;
+use crate::ground::geometry::{Vec3, cross, dot, norm, sub};
 
 /// Below this, a scaled Jacobian counts as zero.
-const FLAT: f64 = 1e-9;
+const ZERO_JACOBIAN: f64 = 1e-9;
 
 /// How the corners of a hexahedron lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Orientation {
+pub(in crate::model::mesh) enum Orientation {
     /// The Jacobian is positive at every corner and integration point.
     Sound,
     /// The Jacobian is negative everywhere: the nodes are numbered for the mirror image.
@@ -60,58 +23,33 @@ pub enum Orientation {
 
 /// Scaled Jacobian at each corner: the triple product of the unit vectors along its edges, from
 /// -1 to 1; 1 for a box. Not a number where an edge has no length.
-pub fn scaled_jacobians(x: &[[f64; 3]; 8]) -> [f64; 8] {
+pub(in crate::model::mesh) fn scaled_jacobians(x: &[[f64; 3]; 8]) -> [f64; 8] {
     std::array::from_fn(|corner| {
-        let [a, b, c] = NEIGHBOURS[corner].map(|n| unit(sub(x[n], x[corner])));
+        let [a, b, c] = NEIGHBOURS[corner].map(|n| direction(sub(x[n], x[corner])));
         dot(cross(a, b), c)
     })
 }
 
-/// Determinants of the Jacobian at the 2 x 2 x 2 Gauss points, in the order of the corners.
-pub fn gauss_jacobians(x: &[[f64; 3]; 8]) -> [f64; 8] {
-    let reach = 1.0 / 3f64.sqrt();
-    CORNERS.map(|corner| jacobian(x, corner.map(|c| c * reach)))
-}
-
-/// Determinant of the Jacobian at natural coordinates `at`.
-pub fn jacobian(x: &[[f64; 3]; 8], at: [f64; 3]) -> f64 {
-    let mut columns = [[0.0; 3]; 3];
-    for (point, c) in x.iter().zip(&CORNERS) {
-        let [u, v, w] = [0, 1, 2].map(|k| 1.0 + c[k] * at[k]);
-        let slopes = [c[0] * v * w, c[1] * u * w, c[2] * u * v];
-        for (column, slope) in columns.iter_mut().zip(slopes) {
-            for (sum, coordinate) in column.iter_mut().zip(point) {
-                *sum += 0.125 * slope * coordinate;
-            }
-        }
-    }
-    dot(cross(columns[0], columns[1]), columns[2])
-}
-
-/// Volume, exact for the trilinear element; negative for a mirrored one.
-pub fn volume(x: &[[f64; 3]; 8]) -> f64 {
-    gauss_jacobians(x).iter().sum()
-}
-
 /// Lengths of the twelve edges.
-pub fn edge_lengths(x: &[[f64; 3]; 8]) -> [f64; 12] {
+pub(in crate::model::mesh) fn edge_lengths(x: &[[f64; 3]; 8]) -> [f64; 12] {
     EDGES.map(|[a, b]| norm(sub(x[b], x[a])))
 }
 
 /// Whether the element is sound, and what is wrong otherwise.
-pub fn orientation(x: &[[f64; 3]; 8]) -> Orientation {
+pub(in crate::model::mesh) fn orientation(x: &[[f64; 3]; 8]) -> Orientation {
     let corners = scaled_jacobians(x);
     let gauss = gauss_jacobians(&unit_size(x));
-    if corners.iter().all(|&j| j > FLAT) && gauss.iter().all(|&j| j > 0.0) {
+    if corners.iter().all(|&j| j > ZERO_JACOBIAN) && gauss.iter().all(|&j| j > 0.0) {
         return Orientation::Sound;
     }
-    if corners.iter().all(|&j| j < -FLAT) && gauss.iter().all(|&j| j < 0.0) {
+    if corners.iter().all(|&j| j < -ZERO_JACOBIAN) && gauss.iter().all(|&j| j < 0.0) {
         return Orientation::Mirrored;
     }
     // The comparison is false for NaN, so that an edge without length counts as flat.
-    let clear = |j: f64| j.abs() > FLAT;
+    let clear = |j: f64| j.abs() > ZERO_JACOBIAN;
     let folded = corners.iter().all(|&j| clear(j))
-        || (corners.iter().any(|&j| j > FLAT) && corners.iter().any(|&j| j < -FLAT));
+        || (corners.iter().any(|&j| j > ZERO_JACOBIAN)
+            && corners.iter().any(|&j| j < -ZERO_JACOBIAN));
     let rank = |j: f64| if folded { j } else { j.abs() };
     let mut worst = 0;
     for (corner, &j) in corners.iter().enumerate() {
@@ -139,12 +77,6 @@ pub fn orientation(x: &[[f64; 3]; 8]) -> Orientation {
     }
 }
 
-/// The same element numbered for the mirror image.
-pub fn mirrored(nodes: [u32; 8]) -> [u32; 8] {
-    let [a, b, c, d, e, f, g, h] = nodes;
-    [e, f, g, h, a, b, c, d]
-}
-
 /// The element moved to the origin and scaled to unit size, against overflow and underflow.
 fn unit_size(x: &[[f64; 3]; 8]) -> [[f64; 3]; 8] {
     let shifted = x.map(|p| sub(p, x[0]));
@@ -156,33 +88,15 @@ fn unit_size(x: &[[f64; 3]; 8]) -> [[f64; 3]; 8] {
     }
 }
 
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-fn unit(a: [f64; 3]) -> [f64; 3] {
+/// The direction of `a`; not a number where it has none, so that such an edge is found out.
+fn direction(a: Vec3) -> Vec3 {
     let length = norm(a);
     a.map(|c| c / length)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::{CORNERS, mirrored, volume};
     use super::*;
 
     fn cube() -> [[f64; 3]; 8] {

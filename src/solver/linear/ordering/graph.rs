@@ -1,84 +1,19 @@
-//! Fill-reducing order: METIS nested dissection on the vertex graph, then a postorder.
-//!
-//! faer's own minimum-degree order costs three to four times the work on hexahedral meshes, and
-//! the crate `metis` has no wrapper for node dissection, so `METIS_NodeND` is called directly.
+//! The graph that is ordered: nested dissection by METIS, and the postorder of its elimination tree.
 
-use super::sparse::Pattern;
-use std::ops::Range;
+use crate::solver::linear::sparse::Pattern;
 use std::sync::Mutex;
 
 /// METIS draws on the C library's random state: one call at a time keeps it reproducible.
-pub(super) static METIS: Mutex<()> = Mutex::new(());
-
-/// Vertices that are eliminated together, before those of the blocks after them.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Block {
-    /// Coupled to few others each: dissected.
-    Sparse(Range<u32>),
-    /// Coupled to each other in full: as they stand.
-    Dense(Range<u32>),
-}
-
-/// New order of the equations: `order[k]` is the equation that is eliminated as number k.
-pub fn blockwise(pattern: &Pattern, blocks: &[Block]) -> Vec<u32> {
-    let mut order = Vec::with_capacity(pattern.len());
-    for block in blocks {
-        let vertices = match block {
-            Block::Dense(range) => range.clone().collect(),
-            Block::Sparse(range) => dissected(pattern, |v| range.contains(&(v as u32))),
-        };
-        push(pattern, vertices, &mut order);
-    }
-    order
-}
-
-/// Order with the marked vertices last and ascending, and how many equations come before them.
-pub fn with_last(pattern: &Pattern, last: &[bool]) -> (Vec<u32>, usize) {
-    let mut order = Vec::with_capacity(pattern.len());
-    push(pattern, dissected(pattern, |v| !last[v]), &mut order);
-    let before = order.len();
-    let last = (0..last.len() as u32).filter(|v| last[*v as usize]);
-    push(pattern, last.collect(), &mut order);
-    (order, before)
-}
-
-/// Order of the equations of some vertices, ascending, among themselves; `starts` are the first
-/// equations of the vertices in that numbering.
-pub fn of_part(pattern: &Pattern, part: &[u32], starts: &[u32]) -> Vec<u32> {
-    let graph = Graph::of_part(pattern, part);
-    let mut order = Vec::new();
-    for vertex in graph.postorder(&graph.dissect()) {
-        order.extend(starts[vertex as usize]..starts[vertex as usize + 1]);
-    }
-    order
-}
-
-/// The equations of vertices.
-fn push(pattern: &Pattern, vertices: Vec<u32>, order: &mut Vec<u32>) {
-    for vertex in vertices {
-        let vertex = vertex as usize;
-        order.extend(pattern.vertex_start[vertex]..pattern.vertex_start[vertex + 1]);
-    }
-}
-
-/// Vertices with a mark, in the order of nested dissection.
-fn dissected(pattern: &Pattern, marked: impl Fn(usize) -> bool) -> Vec<u32> {
-    let graph = Graph::of(pattern, marked);
-    let local = graph.postorder(&graph.dissect());
-    local
-        .into_iter()
-        .map(|v| graph.vertices[v as usize])
-        .collect()
-}
+pub(in crate::solver::linear) static METIS: Mutex<()> = Mutex::new(());
 
 fn vertices(pattern: &Pattern) -> usize {
     pattern.vertex_start.len().saturating_sub(1)
 }
 
 /// The graph that is dissected: some of a pattern's vertices.
-struct Graph {
+pub(super) struct Graph {
     /// Their numbers in the pattern.
-    vertices: Vec<u32>,
+    pub vertices: Vec<u32>,
     start: Vec<i32>,
     adjacency: Vec<i32>,
     /// Equations of each vertex.
@@ -86,7 +21,8 @@ struct Graph {
 }
 
 impl Graph {
-    fn of(pattern: &Pattern, marked: impl Fn(usize) -> bool) -> Self {
+    /// The graph of the marked vertices of a pattern.
+    pub fn of(pattern: &Pattern, marked: impl Fn(usize) -> bool) -> Self {
         let mut local = vec![-1i32; vertices(pattern)];
         let mut graph = Self {
             vertices: Vec::new(),
@@ -112,7 +48,7 @@ impl Graph {
     }
 
     /// Of some vertices, ascending; costs nothing for the others.
-    fn of_part(pattern: &Pattern, part: &[u32]) -> Self {
+    pub fn of_part(pattern: &Pattern, part: &[u32]) -> Self {
         let mut graph = Self {
             vertices: part.to_vec(),
             start: vec![0],
@@ -135,7 +71,7 @@ impl Graph {
     }
 
     /// Elimination order of the vertices.
-    fn dissect(&self) -> Vec<u32> {
+    pub fn dissect(&self) -> Vec<u32> {
         let count = self.vertices.len();
         if count == 0 {
             return Vec::new();
@@ -172,7 +108,7 @@ impl Graph {
 
     /// Reorders `order` along a postorder of its elimination tree: the same fill, but columns of a
     /// supernode stand together.
-    fn postorder(&self, order: &[u32]) -> Vec<u32> {
+    pub fn postorder(&self, order: &[u32]) -> Vec<u32> {
         let parent = self.elimination_tree(order);
         let count = order.len();
         let (mut first_child, mut sibling) = (vec![u32::MAX; count + 1], vec![u32::MAX; count]);

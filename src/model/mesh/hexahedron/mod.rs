@@ -1,0 +1,12 @@
+//! One eight-node hexahedron: its numbering, its shape functions, and whether it is sound.
+//!
+//! Everything else that knows a hexahedron takes this from here: the solver's elements, the
+//! refinement of meshes, the results.
+
+mod numbering;
+mod orientation;
+mod trilinear;
+
+pub use numbering::{CORNERS, EDGES, FACES, faces_of, mirrored};
+pub(super) use orientation::{Orientation, edge_lengths, orientation, scaled_jacobians};
+pub use trilinear::{GAUSS, jacobian_matrix, shape, shape_derivatives, volume};

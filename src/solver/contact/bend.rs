@@ -1,0 +1,86 @@
+//! How far flat facets overlap where the round surfaces that they stand for only touch.
+//!
+//! The chord of an arc with curvature κ over a length h lies κ h² / 8 below its crown, the *sagitta*. The curvature of a
+//! surface is read from how its normal turns from node to node.
+
+use super::side::Side;
+use crate::ground::geometry::{Vec3, add, dot, norm, sub, unit};
+use std::collections::BTreeMap;
+
+/// The curvature of a surface over a facet.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Bend {
+    /// Unit vectors along its edges, one way and the other.
+    along: [Vec3; 2],
+    /// The larger of the two curvatures along opposite edges, 1 / length, not negative.
+    curvature: [f64; 2],
+}
+
+impl Bend {
+    /// Of every facet, from the mean normals at its nodes.
+    pub fn all(side: &Side) -> Vec<Self> {
+        // An image has nodes of its own.
+        let key = |index: usize, node: u32| (node, side.signs[index].map(|sign| sign < 0.0));
+        let mut mean: BTreeMap<_, Vec3> = BTreeMap::new();
+        for (index, (nodes, normal)) in side.nodes.iter().zip(&side.normals).enumerate() {
+            for node in nodes {
+                let sum = mean.entry(key(index, *node)).or_default();
+                *sum = add(*sum, *normal);
+            }
+        }
+        let normal = |index: usize, node: u32| {
+            let mean = mean.get(&key(index, node)).copied();
+            mean.and_then(unit).unwrap_or_default()
+        };
+        let edge = |index: usize, k: usize| {
+            let (nodes, corners) = (&side.nodes[index], &side.corners[index]);
+            let next = (k + 1) % 4;
+            let edge = sub(corners[next], corners[k]);
+            let along = unit(edge)?;
+            let turn = sub(normal(index, nodes[next]), normal(index, nodes[k]));
+            Some((along, dot(turn, along).abs() / norm(edge)))
+        };
+        let bend = |index| {
+            let mut bend = Self::default();
+            for (k, way) in [0, 1, 0, 1].into_iter().enumerate() {
+                let Some((along, curvature)) = edge(index, k) else {
+                    continue;
+                };
+                if bend.along[way] == [0.0; 3] || curvature > bend.curvature[way] {
+                    (bend.along[way], bend.curvature[way]) = (along, curvature);
+                }
+            }
+            bend
+        };
+        (0..side.nodes.len()).map(bend).collect()
+    }
+
+    /// The curvature along a direction, by Euler's theorem as if the edges followed the principal ones.
+    fn curvature_along(&self, direction: Vec3) -> f64 {
+        let ways = self.along.iter().zip(&self.curvature);
+        ways.map(|(along, curvature)| curvature * dot(*along, direction).powi(2))
+            .sum()
+    }
+}
+
+/// Longest extent of a facet along a direction.
+fn extent(corners: &[Vec3; 4], along: Vec3) -> f64 {
+    let at = corners.map(|c| dot(c, along));
+    let most = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    most - at.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// What flat facets on both sides, of surfaces that touch, may overlap by, a length.
+///
+/// Pressed together, either side takes the shape of the other, so that the chords of both lie below the curvature of
+/// both: (κ₁ + κ₂) (h₁² + h₂²) / 8. Taken along that edge where it is most: a fillet curves along the roller, where
+/// elements are long.
+pub(super) fn sagitta([a, b]: [Bend; 2], corners: [&[Vec3; 4]; 2]) -> f64 {
+    let along = |direction: Vec3| {
+        let curvature = a.curvature_along(direction) + b.curvature_along(direction);
+        let sizes = corners.map(|corners| extent(corners, direction).powi(2));
+        0.125 * curvature * (sizes[0] + sizes[1])
+    };
+    let directions = a.along.into_iter().chain(b.along);
+    directions.map(along).fold(0.0, f64::max)
+}

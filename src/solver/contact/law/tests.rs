@@ -1,0 +1,135 @@
+use super::*;
+
+const LAW: Law = Law {
+    friction: 0.15,
+    penalty: 1000.0,
+    firmest: 1000.0,
+    stiffness: 10.0,
+};
+
+fn closed(multiplier: [f64; 3], sticks: bool) -> Node {
+    Node {
+        closed: true,
+        sticks,
+        multiplier,
+        bound: 0.15 * multiplier[0],
+        ..Node::default()
+    }
+}
+
+#[test]
+fn an_overloaded_node_slips_along_its_shear() {
+    let node = closed([10.0, 3.0, -4.0], true);
+    let traction = LAW.traction(&node, &[0.0; 3]).traction;
+    assert_eq!(traction, [10.0, 3.0, -4.0]);
+    let next = LAW.decide(&node, &traction, &[0.0; 3], LAW.bound(&traction));
+    assert!(!next.sticks);
+    let answer = LAW.traction(&next, &[0.0; 3]);
+    assert_eq!(answer.status, Status::Slip);
+    let t = answer.traction;
+    assert!((t[1] - 0.9).abs() < 1e-14 && (t[2] + 1.2).abs() < 1e-14);
+}
+
+#[test]
+fn a_slipping_node_that_moves_back_sticks() {
+    let node = closed([10.0, 1.5, 0.0], false);
+    let back = [0.0, -0.01, 0.0];
+    let traction = LAW.traction(&node, &back).traction;
+    assert!(
+        LAW.decide(&node, &traction, &back, LAW.bound(&traction))
+            .sticks
+    );
+    let on = [0.0, 0.01, 0.0];
+    let traction = LAW.traction(&node, &on).traction;
+    assert!(
+        !LAW.decide(&node, &traction, &on, LAW.bound(&traction))
+            .sticks
+    );
+}
+
+#[test]
+fn the_tangent_is_the_derivative_of_the_traction() {
+    for sticks in [true, false] {
+        let d = [0.001, 0.03, 0.02];
+        let mut node = closed([10.0, 0.5, -0.2], sticks);
+        if !sticks {
+            LAW.linearise_slip(&mut node, [0.5, -0.2], [0.025, 0.02]);
+            assert!(node.slope[0][0] > 1.0);
+        }
+        let base = LAW.traction(&node, &d);
+        for j in 0..3 {
+            let mut moved = d;
+            moved[j] += 1e-7;
+            let next = LAW.traction(&node, &moved);
+            for i in 0..3 {
+                let slope = (next.traction[i] - base.traction[i]) / 1e-7;
+                assert!((slope - base.tangent[i][j]).abs() < 1e-3, "{i}{j}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_slipping_shear_settles_on_the_bound_along_the_slip() {
+    let d = [0.0, 0.3, 0.4];
+    let mut node = closed([10.0, -1.5, 0.0], false);
+    for _ in 0..6 {
+        let traction = LAW.traction(&node, &d).traction;
+        node = LAW.decide(&node, &[10.0, traction[1], traction[2]], &d, 1.5);
+    }
+    assert!(!node.sticks);
+    let [_, s, t] = LAW.traction(&node, &d).traction;
+    assert!((s - 0.9).abs() < 1e-6 && (t - 1.2).abs() < 1e-6, "{s} {t}");
+    // It turns with the slip and grows no more.
+    let [_, s, t] = LAW
+        .traction(&node, &[0.0, 0.3 - 0.004, 0.4 + 0.003])
+        .traction;
+    assert!(
+        (s - 0.9 + 1.5 * 0.004 / 0.5).abs() < 1e-6 && (t - 1.2 - 1.5 * 0.003 / 0.5).abs() < 1e-6
+    );
+    let [_, s, t] = LAW.traction(&node, &[0.0, 0.33, 0.44]).traction;
+    assert!((s - 0.9).abs() < 1e-6 && (t - 1.2).abs() < 1e-6);
+}
+
+#[test]
+fn caution_returns_to_the_disc_within_the_iteration() {
+    let node = Node {
+        cautious: true,
+        ..closed([10.0, 0.0, 0.0], true)
+    };
+    assert_eq!(
+        LAW.traction(&node, &[0.0, 0.004, 0.0]).status,
+        Status::Stick
+    );
+    let answer = LAW.traction(&node, &[0.0, 0.03, -0.04]);
+    assert_eq!(answer.status, Status::Slip);
+    assert!((answer.traction[1] - 0.9).abs() < 1e-14);
+    assert!((answer.traction[2] + 1.2).abs() < 1e-14);
+}
+
+#[test]
+fn a_soft_penalty_is_raised_as_far_as_the_automatic_one() {
+    let law = Law {
+        penalty: 20.0,
+        ..LAW
+    };
+    let pressure = |firmer| {
+        let node = Node {
+            firmer,
+            ..closed([10.0, 0.0, 0.0], true)
+        };
+        law.traction(&node, &[0.01, 0.0, 0.0]).traction[0]
+    };
+    assert_eq!([0, 1, 9].map(pressure), [10.2, 12.0, 20.0]);
+}
+
+#[test]
+fn tension_opens_and_penetration_closes() {
+    let node = closed([10.0, 0.0, 0.0], false);
+    let d = [1e-6, 0.0, 0.0];
+    assert!(!LAW.decide(&node, &[-1.0, 0.0, 0.0], &d, 0.0).closed);
+    assert!(LAW.decide(&Node::default(), &[0.0; 3], &d, 0.0).closed);
+    // λ was far too large: d says so, and nothing else.
+    let d = [-0.5, 0.0, 0.0];
+    assert!(LAW.decide(&node, &[1e-6, 0.0, 0.0], &d, 0.0).closed);
+}

@@ -1,0 +1,86 @@
+//! The numbers of a factor, and solving with it.
+
+use super::analysis::structure;
+use super::error::FactorError;
+use super::number::Number;
+use super::subtrees::Plan;
+use super::supernode::Pivot;
+use crate::solver::linear::sparse::Pattern;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
+use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::traits::RealField;
+use faer::{Conj, MatMut, Par, Side};
+use std::sync::OnceLock;
+
+/// Factors the matrix of these `entries` into `values`, on all threads of the pool; the `plan` is made where it is
+/// missing.
+pub(in crate::solver::linear) fn numeric<T: Number>(
+    symbolic: &sparse::SymbolicCholesky<u32>,
+    plan: &OnceLock<Plan>,
+    pattern: &Pattern,
+    entries: &[T],
+    values: &mut [T],
+) -> Result<(), FactorError> {
+    let threads = rayon::current_num_threads();
+    if let (SymbolicCholeskyRaw::Supernodal(nodes), 2..) = (symbolic.raw(), threads) {
+        let order = order(symbolic);
+        let plan = plan.get_or_init(|| Plan::new(nodes, pattern, order));
+        return (plan.factorise(nodes, entries, values)).map_err(|Pivot(k)| not_positive(order, k));
+    }
+    numeric_alone(symbolic, structure(pattern), entries, values)
+}
+
+/// Factors a lower triangle into `values` on one thread.
+pub(in crate::solver::linear) fn numeric_alone<T: RealField>(
+    symbolic: &sparse::SymbolicCholesky<u32>,
+    structure: SymbolicSparseColMatRef<u32>,
+    entries: &[T],
+    values: &mut [T],
+) -> Result<(), FactorError> {
+    let need = symbolic.factorize_numeric_llt_scratch::<T>(Par::Seq, Default::default());
+    let mut memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory)?;
+    let result = symbolic.factorize_numeric_llt(
+        values,
+        SparseColMatRef::new(structure, entries),
+        Side::Lower,
+        LltRegularization::default(),
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    );
+    match result {
+        Ok(_) => Ok(()),
+        Err(LltError::NonPositivePivot { index }) => Err(not_positive(order(symbolic), index)),
+    }
+}
+
+/// Equations in the order of elimination.
+fn order(symbolic: &sparse::SymbolicCholesky<u32>) -> &[u32] {
+    symbolic.perm().map_or(&[], |p| p.arrays().0)
+}
+
+/// The error of the pivot at `index` in the order of elimination.
+fn not_positive(order: &[u32], index: usize) -> FactorError {
+    FactorError::NotPositiveDefinite {
+        equation: order.get(index).map_or(index, |e| *e as usize),
+    }
+}
+
+/// Solves A X = B in place, for `count` columns.
+pub(in crate::solver::linear) fn solve<T: RealField>(
+    symbolic: &sparse::SymbolicCholesky<u32>,
+    values: &[T],
+    x: &mut [T],
+    count: usize,
+) {
+    let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<T>(count, Par::Seq));
+    let rows = x.len() / count;
+    sparse::LltRef::new(symbolic, values).solve_in_place_with_conj(
+        Conj::No,
+        MatMut::from_column_major_slice_mut(x, rows, count),
+        Par::Seq,
+        MemStack::new(&mut memory),
+    );
+}

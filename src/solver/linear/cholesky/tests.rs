@@ -1,0 +1,108 @@
+use super::*;
+use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
+
+/// Laplacian of a chain plus one: solved against its own product.
+#[test]
+fn solves_what_it_multiplies() {
+    let n = 50u32;
+    let cliques: Vec<Vec<u32>> = (0..n - 1).map(|i| vec![i, i + 1]).collect();
+    let pattern = Pattern::new((0..=n).collect(), cliques.iter().map(Vec::as_slice));
+    let mut m = pattern.zeros();
+    for c in &cliques {
+        pattern.add_block(&mut m, c, |i, j| if i == j { 1.5 } else { -1.0 });
+    }
+    let x: Vec<f64> = (0..n).map(|i| f64::from(i).sin()).collect();
+    let mut b = vec![0.0; n as usize];
+    pattern.multiply(&m, &x, &mut b);
+    let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..n)]).unwrap();
+    let factor = symbolic.factorise::<f64>(&pattern, &m, None).unwrap();
+    symbolic.solve(&factor, &mut b);
+    assert!(b.iter().zip(&x).all(|(b, x)| (b - x).abs() < 1e-12));
+}
+
+/// A plate of springs between neighbours, `spring` being the entries of each: a factor of many supernodes.
+pub fn plate(n: u32, spring: impl Fn(usize, usize) -> f64) -> (Pattern, SymmetricMatrix) {
+    let at = |i: u32, j: u32| i + n * j;
+    let right = (0..n).flat_map(|j| (0..n - 1).map(move |i| [at(i, j), at(i + 1, j)]));
+    let up = (0..n - 1).flat_map(|j| (0..n).map(move |i| [at(i, j), at(i, j + 1)]));
+    let springs: Vec<[u32; 2]> = right.chain(up).collect();
+    let starts = (0..=n * n).map(|v| 3 * v).collect();
+    let pattern = Pattern::new(starts, springs.iter().map(|s| s.as_slice()));
+    let mut m = pattern.zeros();
+    for [a, b] in springs {
+        let equations: Vec<u32> = (3 * a..3 * a + 3).chain(3 * b..3 * b + 3).collect();
+        pattern.add_block(&mut m, &equations, &spring);
+    }
+    (pattern, m)
+}
+
+/// Held everywhere a little.
+fn held(i: usize, j: usize) -> f64 {
+    match (i == j, i % 3 == j % 3) {
+        (true, _) => 2.0,
+        (false, true) => -1.0,
+        _ => 0.1,
+    }
+}
+
+fn threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(count)
+        .build()
+        .unwrap();
+    pool.install(work)
+}
+
+#[test]
+fn threads_do_not_change_the_factor() {
+    let (pattern, m) = plate(60, held);
+    let n = pattern.len();
+    let x: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
+    let mut b = vec![0.0; n];
+    pattern.multiply(&m, &x, &mut b);
+    let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+    let factors = [1, 2, 3].map(|count| {
+        threads(count, || {
+            symbolic.factorise::<f64>(&pattern, &m, None).unwrap()
+        })
+    });
+    for factor in &factors {
+        let mut solved = b.clone();
+        symbolic.solve(factor, &mut solved);
+        assert!(solved.iter().zip(&x).all(|(s, x)| (s - x).abs() < 1e-11));
+        let pairs = factor.values.iter().zip(factors[0].values.iter());
+        assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+}
+
+#[test]
+fn single_precision_solves_to_its_own_rounding() {
+    let (pattern, mut m) = plate(60, held);
+    // Far beyond what single precision can tell from nothing.
+    m.values.iter_mut().for_each(|v| *v *= 1e60);
+    let x: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
+    let mut b = vec![0.0; pattern.len()];
+    pattern.multiply(&m, &x, &mut b);
+    let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+    let factor = symbolic.factorise::<f32>(&pattern, &m, None).unwrap();
+    symbolic.solve(&factor, &mut b);
+    let error = b.iter().zip(&x).map(|(b, x)| (b - x).abs());
+    let error = error.fold(0.0, f64::max);
+    assert!((1e-12..1e-4).contains(&error), "{error:.1e}");
+}
+
+#[test]
+fn a_pivot_that_is_not_positive_is_named_on_any_number_of_threads() {
+    let (pattern, mut m) = plate(60, held);
+    m.values[pattern.columns[5000] as usize] = -1.0;
+    let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+    for count in [1, 2] {
+        let result = threads(count, || {
+            symbolic.factorise::<f64>(&pattern, &m, None).map(|_| ())
+        });
+        assert_eq!(
+            result,
+            Err(FactorError::NotPositiveDefinite { equation: 5000 })
+        );
+    }
+}

@@ -1,7 +1,9 @@
 //! `brinell converge`: one case on a series of meshes, error against unknowns and run time.
 
 use super::console::Console;
-use super::{CommandResult, Status, failure, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, Status};
 use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
 use crate::product::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
@@ -60,7 +62,7 @@ const PLOT: &str = "converge.svg";
 pub fn run(args: &ConvergeArgs) -> CommandResult {
     let bad = |error: ConvergeError| (Status::BadInput, error.into());
     let job = Job::new(args).map_err(bad)?;
-    super::run::set_threads(args.threads);
+    super::threads::set_threads(args.threads);
     let mut console = Console::new(true);
     let mut study = Study::new(&job.case.title, job.series.words());
     say(&format!(
@@ -99,9 +101,10 @@ struct Job {
 impl Job {
     fn new(args: &ConvergeArgs) -> Result<Self, ConvergeError> {
         let built_in = args.case.as_os_str() == PROBLEM_H && !args.case.exists();
-        let mut case = match built_in {
-            true => problem_h()?,
-            false => case::read(&args.case)?,
+        let mut case = if built_in {
+            problem_h()?
+        } else {
+            case::read(&args.case)?
         };
         if args.write && !is_problem_h(&case) {
             return Err(ConvergeError::Choice {
@@ -136,9 +139,10 @@ impl Job {
             }
         }
         if elements.is_empty() {
-            elements = match is_problem_h(&case) {
-                true => vec![ElementKind::Bbar, ElementKind::Enhanced],
-                false => vec![case.controls.element],
+            elements = if is_problem_h(&case) {
+                vec![ElementKind::Bbar, ElementKind::Enhanced]
+            } else {
+                vec![case.controls.element]
             };
         }
         let stem = args.case.file_stem().unwrap_or(args.case.as_os_str());

@@ -1,6 +1,8 @@
 //! `brinell export`: a case as a deck for CalculiX or Abaqus.
 
-use super::{CommandResult, Status, read_case, say};
+use super::case_file::read_case;
+use super::output::say;
+use super::status::{CommandResult, Status};
 use crate::product::job::{self, JobError};
 use crate::render::inp::{ContactType, Settings};
 use clap::{Args, ValueEnum};

@@ -1,6 +1,8 @@
 //! `brinell mesh`: the mesh of a bearing case, by gmsh.
 
-use super::{CommandResult, Status, read_case, say};
+use super::case_file::read_case;
+use super::output::say;
+use super::status::{CommandResult, Status};
 use crate::product::job::{self, JobError};
 use clap::Args;
 use std::path::PathBuf;

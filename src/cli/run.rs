@@ -1,9 +1,12 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
+use super::case_file::read_case;
 use super::console::{Console, LEGEND};
-use super::{CommandResult, Status, failure, read_case, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, Status};
+use super::threads::set_threads;
 use crate::case::Case;
-use crate::ground::memory;
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::product::target::{self, Level, Limits, Target, Verdict};
@@ -159,26 +162,4 @@ fn read(args: &RunArgs) -> Result<Case, JobError> {
 
 fn default_folder(case: &Path) -> PathBuf {
     Path::new("results").join(case.file_stem().unwrap_or(case.as_os_str()))
-}
-
-/// Sets the size of the thread pool, smaller where the address space has a limit; a pool that exists already is kept.
-pub(super) fn set_threads(threads: Option<u16>) {
-    let set = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let _ = pool.build_global();
-    };
-    let by_default = || {
-        let named = std::env::var("RAYON_NUM_THREADS").ok();
-        let named = named.and_then(|text| text.parse().ok());
-        named.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
-    };
-    let asked = threads.map_or_else(by_default, usize::from);
-    match memory::most_threads() {
-        Some(most) if most < asked => {
-            eprintln!("threads: {most} in place of {asked}, as the address space is limited");
-            set(most);
-        }
-        _ if threads.is_some() => set(asked),
-        _ => {}
-    }
 }

@@ -1,8 +1,10 @@
 //! `brinell size`: from load, steel and displacement to a bearing, and a verdict on it.
 
 use super::console::{Console, LEGEND};
-use super::run::set_threads;
-use super::{CommandResult, Status, failure, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, Status};
+use super::threads::set_threads;
 use crate::case::bearing::{Preset, RollerEnd};
 use crate::ground::units::{Dimension, UnitSystem};
 use crate::product::converge::ConvergeError;

@@ -1,7 +1,9 @@
 //! `brinell study`: the published study, rerun.
 
 use super::console::Console;
-use super::{CommandResult, Status, failure, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, Status};
 use crate::proof::study::{self, MEMBERS, Meshes, NAME, PAGE};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -40,7 +42,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
         let message = format!("there is no study `{}`; there is: {NAME}", args.study);
         return Err((Status::BadInput, miette::Report::msg(message)));
     }
-    super::run::set_threads(args.threads);
+    super::threads::set_threads(args.threads);
     let meshes = Meshes {
         report_like: args.mesh != Some(Mesh::Resolved),
         resolved: args.mesh != Some(Mesh::ReportLike),
@@ -86,11 +88,10 @@ pub fn run(args: &StudyArgs) -> CommandResult {
             d.part, d.row, d.page, d.fresh
         ));
     }
-    Ok(match differences.is_empty() {
-        true => {
-            say(&format!("{PAGE} says what this run says"));
-            Status::Done
-        }
-        false => Status::Failed,
+    Ok(if differences.is_empty() {
+        say(&format!("{PAGE} says what this run says"));
+        Status::Done
+    } else {
+        Status::Failed
     })
 }

@@ -1,8 +1,9 @@
 //! `brinell verify`: the ladder of problems with known answers.
 
 use super::console::Console;
-use super::run::set_threads;
-use super::{CommandResult, Status, say};
+use super::output::say;
+use super::status::{CommandResult, Status};
+use super::threads::set_threads;
 use crate::ground::file::write_atomically;
 use crate::proof::verify::coverage::{self, Answer, Keep, Set};
 use crate::proof::verify::{
@@ -220,9 +221,10 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     let mut suite = coverage::Suite {
         sets: vec![Set::Named, Set::Drawn(all.seed)],
         only: all.only.clone(),
-        presets: match args.mesh.is_empty() {
-            true => coverage::presets(),
-            false => args.mesh.clone(),
+        presets: if args.mesh.is_empty() {
+            coverage::presets()
+        } else {
+            args.mesh.clone()
         },
         plastic: !args.elastic,
         keep: Keep {

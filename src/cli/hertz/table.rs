@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::Units;
+use super::units::Units;
 use crate::analytic::handbook::{Below, HandbookAnswer, Spread};
 use crate::analytic::sizing;
 

@@ -1,9 +1,10 @@
 //! One row of a sweep, in a process of its own: what a sweep starts here, and a task of a job array.
 
-use super::SweepArgs;
+use super::arguments::SweepArgs;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::run::set_threads;
-use crate::cli::{Status, say};
+use crate::cli::output::say;
+use crate::cli::status::Status;
+use crate::cli::threads::set_threads;
 use crate::model::state::State;
 use crate::product::sweep::{self, Place, Sweep, SweepError};
 use crate::render::table;

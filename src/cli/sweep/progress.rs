@@ -1,7 +1,7 @@
 //! What a running sweep shows on the terminal: a line for each row that has ended, and a bar.
 
-use crate::cli::console::set_on_ctrl_c;
-use crate::cli::say;
+use crate::cli::output::say;
+use crate::cli::signals::set_on_ctrl_c;
 use crate::product::sweep::{Record, Sweep, Watcher};
 use crate::render::text::significant;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -65,13 +65,14 @@ impl Progress {
             format!("{} {value}", key.rsplit('.').next().unwrap_or(key))
         };
         let parameters: Vec<String> = record.parameters.iter().map(word).collect();
-        let answer = match record.figures.is_empty() {
-            true => record.message.clone(),
-            false => format!(
+        let answer = if record.figures.is_empty() {
+            record.message.clone()
+        } else {
+            format!(
                 "Mises {:>7}  utilisation {:>6}",
                 figure("mises_nodal"),
                 figure("utilisation")
-            ),
+            )
         };
         self.say(&format!(
             "{:4}  {:13} {:8.1} s  {answer}  {}",

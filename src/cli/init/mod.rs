@@ -1,6 +1,7 @@
 //! `brinell init`: a commented case file to begin with.
 
-use super::{CommandResult, Status, say};
+use super::output::say;
+use super::status::{CommandResult, Status};
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use clap::{Args, ValueEnum};
@@ -55,8 +56,8 @@ impl Kind {
     /// The case file, which says how to run it as `file`.
     fn text(self, file: &Path) -> String {
         let text = match self {
-            Self::Bearing => include_str!("init/bearing.toml"),
-            Self::General => include_str!("init/general.toml"),
+            Self::Bearing => include_str!("bearing.toml"),
+            Self::General => include_str!("general.toml"),
         };
         text.replace("{file}", &file.display().to_string())
     }

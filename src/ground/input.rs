@@ -51,9 +51,10 @@ pub fn bounded(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::with_capacity(about.len() as usize);
     // Some files, as of the kernel, say nothing of their size, and some grow.
     File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
-    match bytes.len() as u64 > most {
-        true => refused(too_large(bytes.len() as u64)),
-        false => Ok(bytes),
+    if bytes.len() as u64 > most {
+        refused(too_large(bytes.len() as u64))
+    } else {
+        Ok(bytes)
     }
 }
 

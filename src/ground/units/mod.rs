@@ -9,6 +9,7 @@ mod dimension;
 mod quantity;
 mod symbol;
 mod system;
+mod words;
 
 pub use dimension::Dimension;
 pub use quantity::{Quantity, UnitError};

@@ -3,7 +3,7 @@
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::{Field, Table};
-use super::source::Located;
+use super::place::Located;
 use crate::ground::units::Dimension;
 use crate::model::scene::{Partner, Side};
 

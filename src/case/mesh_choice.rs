@@ -8,7 +8,7 @@ use super::bearing::{Kind, MESH_KEYS, MeshKey, MeshRequest, Preset};
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::Table;
-use super::source::Located;
+use super::place::Located;
 use crate::ground::units::Dimension;
 
 /// The mesh of a general scene.

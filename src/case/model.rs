@@ -5,7 +5,7 @@ use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
 use super::nearest::advice;
-use super::source::{Located, Place};
+use super::place::{Located, Place};
 use super::steel::Steels;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
@@ -95,12 +95,13 @@ fn check_surface(mesh: &Mesh, name: &str, place: &Place) -> Result<(), CaseError
         let help = advice(name, mesh.surfaces.iter().map(|s| s.name.as_str()));
         return Err(place.error(ErrorKind::UnknownName, why).help(help));
     };
-    match surface.faces.is_empty() {
-        true => Err(place.error(
+    if surface.faces.is_empty() {
+        Err(place.error(
             ErrorKind::Mesh,
             format!("the surface `{name}` has no faces"),
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
-use super::preset::PLATE_TO_ROLLER;
-use super::sizes::Sizes;
+use super::sizes::{PLATE_TO_ROLLER, Sizes};
 use super::strips::Strips;
 
 /// Elements across the half-width of the narrowest line: a tenth more than are asked for, on the
@@ -63,7 +62,7 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
     use crate::case::bearing::strips::{self, FoundLine};
 
     const STEEL: f64 = 2.0 * 0.91 / 29500.0;

@@ -43,9 +43,10 @@ impl Grading {
                 break;
             }
             let (next_a, next_b) = (grown(a, of_a, fine_a), grown(b, of_b, fine_b));
-            match next_a <= next_b * (1.0 + 1e-9) {
-                true => of_a += 1,
-                false => of_b += 1,
+            if next_a <= next_b * (1.0 + 1e-9) {
+                of_a += 1
+            } else {
+                of_b += 1
             }
             sum += self.cap.min(next_a).min(next_b);
         }
@@ -147,9 +148,10 @@ impl Count<'_> {
     fn flat_plate(&self, thickness: f64, [across, along]: [f64; 2]) -> f64 {
         let (geometry, sizes) = (self.geometry, self.sizes);
         let (centre, any) = (2.0 * geometry.offset, None);
-        let line = match sizes.uniform {
-            true => (centre, any, 1.0),
-            false => (geometry.offset, Some(sizes.plate_size), sizes.fine_elements),
+        let line = if sizes.uniform {
+            (centre, any, 1.0)
+        } else {
+            (geometry.offset, Some(sizes.plate_size), sizes.fine_elements)
         };
         let edge = |at| (at, any, sizes.fine_elements);
         let stops = [

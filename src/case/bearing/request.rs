@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use super::error::GeometryError;
 use super::geometry::BearingGeometry;
-use super::preset::{PLATE_TO_ROLLER, Preset};
-use super::sizes::{Kind, MESH_KEYS, Sizes};
+use super::preset::Preset;
+use super::sizes::{Kind, MESH_KEYS, PLATE_TO_ROLLER, Sizes};
 use super::strips::{FoundLine, Strips};
 
 /// How a bearing is to be meshed.
@@ -146,7 +146,7 @@ impl MeshRequest {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
 
     #[test]
     fn overrides_take_the_place_of_the_preset() {

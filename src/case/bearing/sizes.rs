@@ -93,6 +93,10 @@ pub const MESH_KEYS: [MeshKey; 18] = [
     key("along_least", "AlongLeast", Kind::Count),
 ];
 
+/// Plate elements across a contact line against those of the roller: unequal, so that the nodes of the two
+/// surfaces do not meet.
+pub(super) const PLATE_TO_ROLLER: f64 = 1.06;
+
 impl Sizes {
     /// The numbers, in the order of [`MESH_KEYS`].
     pub fn values(&self) -> [f64; MESH_KEYS.len()] {

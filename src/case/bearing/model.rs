@@ -1,12 +1,13 @@
 //! The bearing template made into a general model.
 
-use super::bearing::Preset;
 use super::bearing_case::BearingCase;
-use super::contact::Contact;
-use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
-use super::load::{Loads, modelled_share};
-use super::model::Model;
-use super::source::{Located, Place, Source};
+use super::preset::Preset;
+use crate::case::contact::Contact;
+use crate::case::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
+use crate::case::load::{Loads, modelled_share};
+use crate::case::model::Model;
+use crate::case::place::{Located, Place};
+use crate::case::source::Source;
 use crate::model::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
 
 /// The name of the rigid plane that carries the load.
@@ -15,7 +16,7 @@ const LOADED: &str = "top";
 impl BearingCase {
     /// The model: four contact pairs, the top face a rigid plane
     /// that only moves along z under the load, the bottom face fixed.
-    pub(super) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
+    pub(in crate::case) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
         let place = Place {
             source: source.clone(),
             key: "bearing".to_string(),
@@ -45,9 +46,10 @@ impl BearingCase {
             lower: located(Partner::Surface(interface.lower.to_string())),
             carrier: None,
             // Both halves of the stack alike.
-            preferred: match interface.roller_above {
-                true => Side::Upper,
-                false => Side::Lower,
+            preferred: if interface.roller_above {
+                Side::Upper
+            } else {
+                Side::Lower
             },
             friction: self.friction,
             friction_is_default: false,

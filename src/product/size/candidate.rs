@@ -102,9 +102,10 @@ impl Candidate {
     pub fn new(request: &Request, diameter: f64) -> Result<Self, SizeError> {
         let units = request.units;
         let contact = Contact::new(request, diameter)?;
-        let wall = match request.wall.given {
-            true => request.wall.value * diameter,
-            false => rounded_up(units, request.wall.value * diameter),
+        let wall = if request.wall.given {
+            request.wall.value * diameter
+        } else {
+            rounded_up(units, request.wall.value * diameter)
         };
         let plate = match request.plate {
             Some(plate) => plate,
@@ -258,9 +259,10 @@ impl<'r> Contact<'r> {
 /// axes, and climbs from one outer plate to the other: s + 2 z tan(θ/2) at the farther one, the
 /// inner faces of the outer plates being at ±z.
 fn eccentricity(geometry: &BearingGeometry) -> f64 {
-    match geometry.is_centred() {
-        true => 0.0,
-        false => geometry.offset + 2.0 * geometry.flat_face() * (0.5 * geometry.slope).tan(),
+    if geometry.is_centred() {
+        0.0
+    } else {
+        geometry.offset + 2.0 * geometry.flat_face() * (0.5 * geometry.slope).tan()
     }
 }
 

@@ -99,19 +99,18 @@ fn why(request: &Request, candidates: &[Candidate], recommended: Option<usize>) 
             .iter()
             .map(|c| c.largest_slope)
             .fold(0.0, f64::max);
-        return match candidates.iter().any(Candidate::rolls) {
-            true => {
-                "no diameter of the table carries the load with rollers that are neither too short \
+        return if candidates.iter().any(Candidate::rolls) {
+            "no diameter of the table carries the load with rollers that are neither too short \
                      nor too slender: fix one with --diameter, or leave the length open"
-                    .to_string()
-            }
-            false => format!(
+                .to_string()
+        } else {
+            format!(
                 "the rollers slide: at a friction of {} (2-39) allows a slope of {:.2} deg, and {:.2} \
                  deg are asked for; take a smaller --slope",
                 request.friction.value,
                 steepest.to_degrees(),
                 request.slope.value.to_degrees()
-            ),
+            )
         };
     };
     let mut text = match (request.diameter, request.rule.value) {

@@ -30,9 +30,10 @@ fn asked(proposal: &Proposal) -> String {
 }
 
 fn marked(proposal: &Proposal, place: usize) -> &'static str {
-    match proposal.recommended == Some(place) {
-        true => " <",
-        false => "",
+    if proposal.recommended == Some(place) {
+        " <"
+    } else {
+        ""
     }
 }
 

@@ -1,7 +1,7 @@
 //! Rows from a CSV file: the first line names the keys, the others have their values.
 
 use super::error::SweepError;
-use super::file::Settings;
+use super::settings::Settings;
 use std::path::Path;
 use toml::Value;
 

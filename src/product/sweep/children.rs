@@ -75,12 +75,11 @@ impl<'s> Children<'s> {
         if let Some(record) = Record::read(self.place, row).filter(fits) {
             return Ok(record);
         }
-        let record = match stopped {
-            true => Record::without(row, Status::Interrupted, "stopped"),
-            false => {
-                let message = format!("{status}; see rows/{}/{LOG}", row.name);
-                Record::without(row, Status::Crashed, message)
-            }
+        let record = if stopped {
+            Record::without(row, Status::Interrupted, "stopped")
+        } else {
+            let message = format!("{status}; see rows/{}/{LOG}", row.name);
+            Record::without(row, Status::Crashed, message)
         };
         record.write(self.place, row)?;
         Ok(record)

@@ -148,9 +148,10 @@ fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
         .bodies
         .get(body)
         .is_some_and(|b| b.elastic_mises_max.is_some());
-    let what = match yielded {
-        true => Quantity::ElasticPeakMises,
-        false => Quantity::PeakMises,
+    let what = if yielded {
+        Quantity::ElasticPeakMises
+    } else {
+        Quantity::PeakMises
     };
     error(summary, what, body)
 }

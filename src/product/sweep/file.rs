@@ -13,14 +13,12 @@
 
 use super::cells;
 use super::error::SweepError;
+use super::settings::Settings;
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 use toml::{Spanned, Value};
-
-/// Values by dotted key of the case, in the order in which they were written.
-pub type Settings = Vec<(String, Value)>;
 
 /// A sweep as its file has it: nothing of the case is understood yet.
 #[derive(Debug, Clone, PartialEq)]

@@ -126,9 +126,10 @@ fn solved(row: &Row, outcome: &Outcome, missed: &[String]) -> Record {
     if outcome.interrupted {
         return Record::without(row, Status::Interrupted, "stopped");
     }
-    let status = match missed.is_empty() {
-        true => Status::Done,
-        false => Status::LimitsMissed,
+    let status = if missed.is_empty() {
+        Status::Done
+    } else {
+        Status::LimitsMissed
     };
     Record {
         figures: figures(&outcome.summary),

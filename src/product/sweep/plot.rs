@@ -105,9 +105,10 @@ fn figure(column: &str, columns: &[String], solved: &[&Record]) -> Option<Figure
 }
 
 fn with_unit(name: &str, unit: &str) -> String {
-    match unit.is_empty() {
-        true => name.to_owned(),
-        false => format!("{name}, {unit}"),
+    if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}, {unit}")
     }
 }
 

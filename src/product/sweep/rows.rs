@@ -1,8 +1,9 @@
 //! The rows of a sweep: one case each.
 
 use super::error::SweepError;
-use super::file::{self, Settings, SweepFile};
+use super::file::{self, SweepFile};
 use super::mesh_files::MeshFiles;
+use super::settings::Settings;
 use crate::case::{self, Case, CaseError, variant};
 use crate::ground::hash::Fnv;
 use std::path::{Path, PathBuf};

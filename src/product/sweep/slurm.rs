@@ -158,9 +158,12 @@ pub fn ranges(numbers: &[usize]) -> String {
             _ => parts.push([*number, *number]),
         }
     }
-    let part = |[first, last]: &[usize; 2]| match first == last {
-        true => first.to_string(),
-        false => format!("{first}-{last}"),
+    let part = |[first, last]: &[usize; 2]| {
+        if first == last {
+            first.to_string()
+        } else {
+            format!("{first}-{last}")
+        }
     };
     parts.iter().map(part).collect::<Vec<_>>().join(",")
 }
@@ -172,18 +175,20 @@ fn option(path: &Path) -> Option<(&'static str, String)> {
     if text.contains(['"', '\\', '%']) {
         return None;
     }
-    Some(match quoted(text) == text {
-        true => ("", text.to_owned()),
-        false => ("\"", format!("\"{text}")),
+    Some(if quoted(text) == text {
+        ("", text.to_owned())
+    } else {
+        ("\"", format!("\"{text}"))
     })
 }
 
 /// As one word of the shell.
 fn quoted(text: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:@%".contains(c);
-    match text.chars().all(plain) && !text.is_empty() {
-        true => text.to_owned(),
-        false => format!("'{}'", text.replace('\'', r"'\''")),
+    if text.chars().all(plain) && !text.is_empty() {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
     }
 }
 

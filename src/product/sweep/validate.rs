@@ -1,8 +1,8 @@
 //! Are all rows cases? Asked before anything is run.
 
 use super::error::{RowError, SweepError};
-use super::file::Settings;
 use super::rows::{Row, Sweep, text};
+use super::settings::Settings;
 use crate::case::{self, CaseError, ErrorKind, variant};
 use toml::Value;
 

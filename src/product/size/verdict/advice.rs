@@ -1,6 +1,8 @@
 //! What would help where a limit is missed.
 
-use super::{Check, Kind, Placed, Standing};
+use super::check::{Check, Kind};
+use super::position::Placed;
+use super::standing::Standing;
 use crate::ground::units::Dimension;
 use crate::product::size::SizeError;
 use crate::product::size::proposal::Proposal;

@@ -1,6 +1,7 @@
 //! (2-49) on every line of contact, under the largest load per length that it carries.
 
-use super::{Check, Kind, Standing};
+use super::check::{Check, Kind};
+use super::standing::Standing;
 use crate::product::size::Proposal;
 use crate::render::Summary;
 use crate::render::summary::{LineSummary, SizedLine};

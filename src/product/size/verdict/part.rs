@@ -1,7 +1,8 @@
 //! Every part: elastic Mises stress below yield, no plastic strain.
 
+use super::check::{Check, Kind};
 use super::flow::{Flow, flows};
-use super::{Check, Kind, Standing};
+use super::standing::Standing;
 use crate::answer::certify::{Claim, Quantity, claim};
 use crate::product::job::Outcome;
 use crate::product::size::Proposal;
@@ -48,9 +49,10 @@ fn bare(kind: Kind, body: &str) -> Check {
 fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
     use Quantity::{ElasticMisesAway, ElasticPeakMises, MisesAway, PeakMises};
     let yielded = flow != Flow::default();
-    let (peak, away) = match yielded {
-        true => (ElasticPeakMises, ElasticMisesAway),
-        false => (PeakMises, MisesAway),
+    let (peak, away) = if yielded {
+        (ElasticPeakMises, ElasticMisesAway)
+    } else {
+        (PeakMises, MisesAway)
     };
     let mut check = Check {
         limit: Some(limit),

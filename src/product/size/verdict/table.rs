@@ -1,6 +1,9 @@
 //! The verdict as text.
 
-use super::{Check, Kind, Placed, Standing, Verdict};
+use super::check::{Check, Kind};
+use super::design::Verdict;
+use super::position::Placed;
+use super::standing::Standing;
 use crate::product::size::table::wrapped;
 use crate::render::text::{Columns, percent, significant};
 use std::fmt::Write;
@@ -27,10 +30,12 @@ pub fn page(verdict: &Verdict) -> String {
         match (verdict.met, verdict.open) {
             (true, 0) => "met".to_string(),
             (true, open) => format!("no limit missed, {open} open"),
-            (false, _) => match verdict.positions.iter().any(Placed::misses) {
-                true => "MISSED".to_string(),
-                false => "none, not resolved".to_string(),
-            },
+            (false, _) =>
+                if verdict.positions.iter().any(Placed::misses) {
+                    "MISSED".to_string()
+                } else {
+                    "none, not resolved".to_string()
+                },
         },
         n(verdict.load),
         units.force,

@@ -41,7 +41,7 @@ pub use general::GeneralCase;
 pub use load::Loads;
 pub use mesh_choice::{Family, MeshOrigin, SceneMesh};
 pub use model::Model;
-pub use place::{Located, Place};
+pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
 pub use source::Source;
 pub use steel::{Steels, StrainIs};

@@ -5,7 +5,7 @@ use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
 use super::nearest::advice;
-use super::place::{Located, Place};
+use super::place::{KeyPlace, Located};
 use super::steel::Steels;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
@@ -89,7 +89,7 @@ fn values<T: Clone>(located: &[Located<T>]) -> Vec<T> {
     located.iter().map(|entry| entry.value.clone()).collect()
 }
 
-fn check_surface(mesh: &Mesh, name: &str, place: &Place) -> Result<(), CaseError> {
+fn check_surface(mesh: &Mesh, name: &str, place: &KeyPlace) -> Result<(), CaseError> {
     let Some(surface) = mesh.surface(name) else {
         let why = format!("the mesh {} has no surface called `{name}`", mesh.source);
         let help = advice(name, mesh.surfaces.iter().map(|s| s.name.as_str()));

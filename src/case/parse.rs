@@ -9,7 +9,7 @@ use super::document::Context;
 use super::error::{CaseError, ErrorKind};
 use super::keys::Keys;
 use super::nearest::advice;
-use super::place::{Located, Place};
+use super::place::{KeyPlace, Located};
 use super::source::Source;
 use crate::ground::units::UnitSystem;
 
@@ -63,9 +63,9 @@ impl<'a> Table<'a> {
     }
 
     /// Where the table begins.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyPlace {
         let key = self.key.clone();
-        Place {
+        KeyPlace {
             source: self.context.source.clone(),
             key,
             span: self.header(),
@@ -150,10 +150,10 @@ impl<'a> Table<'a> {
     }
 
     /// The place of a key itself, not of its value.
-    pub fn place_of_key(&self, key: &str) -> Place {
+    pub fn place_of_key(&self, key: &str) -> KeyPlace {
         let found = self.entries.keys().find(|k| name(k) == key);
         let span = found.map_or(0..0, Spanned::span);
-        Place {
+        KeyPlace {
             source: self.context.source.clone(),
             key: self.path(key),
             span,
@@ -181,10 +181,10 @@ impl<'a> Table<'a> {
 
     /// The place of the value at the dotted `path`, or of the nearest value around it where the
     /// file does not go so deep.
-    pub fn deepest(&self, path: &str) -> Place {
+    pub fn deepest(&self, path: &str) -> KeyPlace {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));
         let Some(field) = self.get(first) else {
-            return Place {
+            return KeyPlace {
                 key: self.path(path),
                 ..self.place()
             };
@@ -211,9 +211,9 @@ fn name<'a>(key: &'a Spanned<toml::de::DeString<'_>>) -> &'a str {
 }
 
 impl<'a> Field<'a> {
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyPlace {
         let source = self.context.source.clone();
-        Place {
+        KeyPlace {
             source,
             key: self.key.clone(),
             span: self.value.span(),

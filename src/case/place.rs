@@ -7,7 +7,7 @@ use super::source::Source;
 
 /// A key of the case file and the bytes of its value.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Place {
+pub struct KeyPlace {
     pub source: Source,
     /// Dotted path, for example `bearing.roller_wall`; `contact#2.upper` in the second
     /// `[[contact]]`.
@@ -16,7 +16,7 @@ pub struct Place {
     pub span: Range<usize>,
 }
 
-impl Place {
+impl KeyPlace {
     /// An error about the value that stands here: "`key = value`: why".
     pub fn error(&self, kind: ErrorKind, why: impl AsRef<str>) -> CaseError {
         let why = why.as_ref();
@@ -46,7 +46,7 @@ impl Place {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Located<T> {
     pub value: T,
-    pub place: Place,
+    pub place: KeyPlace,
 }
 
 impl<T> Located<T> {

@@ -2,7 +2,7 @@
 
 use super::case_file::read_case;
 use super::output::say;
-use super::status::{CommandResult, Status};
+use super::status::{CommandResult, ExitStatus};
 use crate::product::job::{self, JobError};
 use crate::render::check::{Check, render};
 use clap::Args;
@@ -32,7 +32,7 @@ pub struct CheckArgs {
 
 /// Carries out the command.
 pub fn run(args: &CheckArgs) -> CommandResult {
-    let bad = |report: miette::Report| (Status::BadInput, report);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let check = checked(args).map_err(|error| bad(error.into()))?;
     let text = if args.json {
         serde_json::to_string_pretty(&check)
@@ -42,9 +42,9 @@ pub fn run(args: &CheckArgs) -> CommandResult {
     };
     say(text.trim_end());
     Ok(if check.problems.is_empty() {
-        Status::Done
+        ExitStatus::Done
     } else {
-        Status::Failed
+        ExitStatus::Failed
     })
 }
 

@@ -1,6 +1,6 @@
 //! `brinell completions`: what a shell needs to complete commands, options and their values.
 
-use super::status::{CommandResult, Status};
+use super::status::{CommandResult, ExitStatus};
 use clap::{Args, Command, ValueEnum};
 use clap_complete::{Shell, generate};
 use std::io::Write;
@@ -35,5 +35,5 @@ pub fn run(args: &CompletionsArgs, command: &mut Command) -> CommandResult {
     generate(shell, command, "brinell", &mut script);
     // A reader that has gone, such as `head`, stops nothing.
     let _ = std::io::stdout().write_all(&script);
-    Ok(Status::Done)
+    Ok(ExitStatus::Done)
 }

@@ -3,7 +3,7 @@
 use super::console::Console;
 use super::failure::failure;
 use super::output::say;
-use super::status::{CommandResult, Status};
+use super::status::{CommandResult, ExitStatus};
 use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
 use crate::product::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 /// A formulation of the hexahedron.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Element {
+pub enum ElementName {
     Bbar,
     Full,
     Enhanced,
@@ -38,7 +38,7 @@ pub struct ConvergeArgs {
     pub mesh: Vec<PathBuf>,
     /// The elements to solve with [default: that of the case; both for problem H].
     #[arg(long, value_enum, value_delimiter = ',')]
-    pub element: Vec<Element>,
+    pub element: Vec<ElementName>,
     /// Keep every body elastic.
     #[arg(long)]
     pub elastic: bool,
@@ -55,12 +55,12 @@ pub struct ConvergeArgs {
 }
 
 /// Names of what is written to the folder.
-const JSON: &str = "converge.json";
-const PLOT: &str = "converge.svg";
+const JSON_FILE: &str = "converge.json";
+const PLOT_FILE: &str = "converge.svg";
 
 /// Carries out the command.
 pub fn run(args: &ConvergeArgs) -> CommandResult {
-    let bad = |error: ConvergeError| (Status::BadInput, error.into());
+    let bad = |error: ConvergeError| (ExitStatus::BadInput, error.into());
     let job = Job::new(args).map_err(bad)?;
     super::threads::set_threads(args.threads);
     let mut console = Console::new(true);
@@ -78,11 +78,11 @@ pub fn run(args: &ConvergeArgs) -> CommandResult {
         say(&format!("written to {}", job.out.display()));
     }
     match stopped {
-        Ok(Status::Done) if args.write => {
+        Ok(ExitStatus::Done) if args.write => {
             let written = peers::peers().and_then(|peers| page::write_page(&study, &peers));
             written.map_err(bad)?;
             say(&format!("written to {} and {}", page::PAGE, page::PICTURE));
-            Ok(Status::Done)
+            Ok(ExitStatus::Done)
         }
         Ok(status) => Ok(status),
         Err(error) => Err(failure(&console, error)),
@@ -130,9 +130,9 @@ impl Job {
         let mut elements: Vec<ElementKind> = Vec::new();
         for element in &args.element {
             let kind = match element {
-                Element::Bbar => ElementKind::Bbar,
-                Element::Full => ElementKind::Full,
-                Element::Enhanced => ElementKind::Enhanced,
+                ElementName::Bbar => ElementKind::Bbar,
+                ElementName::Full => ElementKind::Full,
+                ElementName::Enhanced => ElementKind::Enhanced,
             };
             if !elements.contains(&kind) {
                 elements.push(kind);
@@ -160,7 +160,7 @@ impl Job {
     }
 
     /// Solves level by level, each with every element, and writes after each what there is.
-    fn solve(&self, study: &mut Study, console: &mut Console) -> Result<Status, ConvergeError> {
+    fn solve(&self, study: &mut Study, console: &mut Console) -> Result<ExitStatus, ConvergeError> {
         for level in 0..self.levels {
             for element in &self.elements {
                 let solved = converge::run(
@@ -172,17 +172,17 @@ impl Job {
                     console,
                 )?;
                 let Some((level, quantities)) = solved else {
-                    return Ok(Status::Interrupted);
+                    return Ok(ExitStatus::Interrupted);
                 };
                 say(&table::line(&level));
                 study.push(level, quantities);
-                json::write(study, &self.out.join(JSON))?;
+                json::write(study, &self.out.join(JSON_FILE))?;
                 let figure = plot::figure(study);
                 if !figure.panels.is_empty() {
-                    write(&figure, &self.out.join(PLOT))?;
+                    write(&figure, &self.out.join(PLOT_FILE))?;
                 }
             }
         }
-        Ok(Status::Done)
+        Ok(ExitStatus::Done)
     }
 }

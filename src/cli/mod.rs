@@ -24,7 +24,7 @@ mod threads;
 pub mod verify;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-pub use status::{CommandResult, Status};
+pub use status::{CommandResult, ExitStatus};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -98,8 +98,8 @@ impl Cli {
             Command::Verify(args) => verify::run(&args),
             Command::Completions(args) => completions::run(&args, &mut command()),
             Command::Hertz(args) => hertz::run(&args)
-                .map(|()| Status::Done)
-                .map_err(|error| (Status::BadInput, miette::Report::msg(error.to_string()))),
+                .map(|()| ExitStatus::Done)
+                .map_err(|error| (ExitStatus::BadInput, miette::Report::msg(error.to_string()))),
         };
         let status = status.unwrap_or_else(|(status, report)| {
             // Nobody is left to tell where even this cannot be written.
@@ -109,8 +109,8 @@ impl Cli {
         let status = match output::write_error() {
             Some(why) => {
                 let _ = writeln!(std::io::stderr(), "cannot write standard output: {why}");
-                if status == Status::Done {
-                    Status::BadInput
+                if status == ExitStatus::Done {
+                    ExitStatus::BadInput
                 } else {
                     status
                 }

@@ -4,7 +4,7 @@ use super::case_file::read_case;
 use super::console::{Console, LEGEND};
 use super::failure::failure;
 use super::output::say;
-use super::status::{CommandResult, Status};
+use super::status::{CommandResult, ExitStatus};
 use super::threads::set_threads;
 use crate::case::Case;
 use crate::product::converge::ConvergeError;
@@ -67,7 +67,7 @@ pub struct RunArgs {
 
 /// Carries out the command.
 pub fn run(args: &RunArgs) -> CommandResult {
-    let bad = |report: miette::Report| (Status::BadInput, report);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let case = read(args).map_err(|error| bad(error.into()))?;
     set_threads(args.threads);
     let options = Options {
@@ -106,11 +106,11 @@ pub fn run(args: &RunArgs) -> CommandResult {
                 say(&format!("FAILED: {limit}"));
             }
             Ok(if outcome.interrupted {
-                Status::Interrupted
+                ExitStatus::Interrupted
             } else if missed.is_empty() {
-                Status::Done
+                ExitStatus::Done
             } else {
-                Status::Failed
+                ExitStatus::Failed
             })
         }
         Err(error) => Err(failure(&console, error)),

@@ -1,6 +1,6 @@
 //! The end of a command by Ctrl-C or by the system.
 
-use super::status::Status;
+use super::status::ExitStatus;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 pub fn set_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {
-        let end = i32::from(Status::Interrupted as u8);
+        let end = i32::from(ExitStatus::Interrupted as u8);
         // In this order: the first signal finds the flag down.
         let ends = flag::register_conditional_shutdown(signal, end, Arc::clone(&stop));
         // Where the system refuses, signals do as they always do.

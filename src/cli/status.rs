@@ -3,7 +3,7 @@
 /// Exit status of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
-pub enum Status {
+pub enum ExitStatus {
     /// Done and converged.
     Done = 0,
     /// Solved, but a claim or limit failed.
@@ -14,4 +14,4 @@ pub enum Status {
 }
 
 /// What a command comes to: a status, or one with the reason.
-pub type CommandResult = Result<Status, (Status, miette::Report)>;
+pub type CommandResult = Result<ExitStatus, (ExitStatus, miette::Report)>;

@@ -3,7 +3,7 @@
 use super::count;
 use super::error::GeometryError;
 use super::geometry::BearingGeometry;
-use super::reader::Reader;
+use super::reader::BearingReader;
 use super::request::MeshRequest;
 use super::strips::Strips;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
@@ -37,7 +37,7 @@ impl BearingCase {
         root: &Table,
         assumptions: &mut Vec<Assumption>,
     ) -> Result<Self, CaseError> {
-        let mut reader = Reader::new(root, assumptions)?;
+        let mut reader = BearingReader::new(root, assumptions)?;
         let load = reader.quantity("load", Dimension::FORCE)?.positive()?.value;
         let friction = reader
             .quantity("friction", Dimension::RATIO)?

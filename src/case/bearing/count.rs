@@ -11,17 +11,18 @@ use super::sizes::Sizes;
 type Stop = (f64, Option<f64>, f64);
 
 /// How the elements of a line are graded.
-struct Grading {
+struct GradedInterval {
     growth: f64,
     cap: f64,
     least: f64,
     uniform: bool,
 }
 
-/// The template gives no interval more elements: those beyond would be larger than asked for.
-const MOST: usize = 1000;
+/// The most elements between two stops of a grading, as in the template; an interval that asks for more gets
+/// elements larger than it asked for.
+const MOST_ELEMENTS: usize = 1000;
 
-impl Grading {
+impl GradedInterval {
     /// Elements on a line between its first and its last stop, as `meshes/spacing.geo` places them.
     fn elements(&self, stops: &[Stop]) -> f64 {
         stops.windows(2).map(|ends| self.interval(ends)).sum()
@@ -38,7 +39,7 @@ impl Grading {
             size * self.growth.powf((n as f64 + 1.0 - fine).max(0.0))
         };
         let (mut of_a, mut of_b, mut sum) = (0, 0, 0.0);
-        for _ in 0..MOST {
+        for _ in 0..MOST_ELEMENTS {
             if sum >= length * (1.0 - 1e-9) && (of_a + of_b) as f64 >= self.least {
                 break;
             }
@@ -76,9 +77,9 @@ struct Count<'a> {
 }
 
 impl Count<'_> {
-    fn grading(&self, growth: f64, cap: f64, least: f64) -> Grading {
+    fn grading(&self, growth: f64, cap: f64, least: f64) -> GradedInterval {
         let uniform = self.sizes.uniform;
-        Grading {
+        GradedInterval {
             growth,
             cap,
             least,
@@ -87,7 +88,7 @@ impl Count<'_> {
     }
 
     /// On a line that is the same on both sides of its middle stop: half of it on a quarter.
-    fn halved(&self, grading: &Grading, stops: &[Stop]) -> f64 {
+    fn halved(&self, grading: &GradedInterval, stops: &[Stop]) -> f64 {
         let first = if self.whole { 0 } else { stops.len() / 2 };
         grading.elements(&stops[first..])
     }

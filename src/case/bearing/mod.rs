@@ -35,6 +35,6 @@ pub use preset::{Preset, UnknownPreset};
 pub(super) use reader::UNLOAD_TO;
 pub use request::MeshRequest;
 pub use roller_end::shape_roller_ends;
-pub use sizes::{Kind, MESH_KEYS, MeshKey, Sizes};
+pub use sizes::{MESH_KEYS, MeshKey, SizeKind, Sizes};
 pub use strips::{FoundLine, Strips};
 pub use template::{TEMPLATE_FILES, TEMPLATE_MAIN, TEMPLATE_VERSION, write_template};

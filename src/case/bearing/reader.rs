@@ -15,12 +15,12 @@ use crate::model::scene::LITTLE;
 pub(in crate::case) const UNLOAD_TO: f64 = 1e-3;
 
 /// The table `[bearing]`.
-pub(in crate::case) struct Reader<'a, 'b> {
+pub(in crate::case) struct BearingReader<'a, 'b> {
     table: Table<'a>,
     assumptions: &'b mut Vec<Assumption>,
 }
 
-impl<'a, 'b> Reader<'a, 'b> {
+impl<'a, 'b> BearingReader<'a, 'b> {
     pub fn new(root: &Table<'a>, assumptions: &'b mut Vec<Assumption>) -> Result<Self, CaseError> {
         let table = root.need("bearing")?.table()?.only(&keys::BEARING)?;
         Ok(Self { table, assumptions })

@@ -4,14 +4,14 @@ use super::hardening::{HARDENING_KEYS, Hardening};
 use crate::case::assumption::Assumption;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::parse::Table;
-use crate::case::place::{Located, Place};
+use crate::case::place::{KeyPlace, Located};
 use crate::ground::units::{Dimension, UnitSystem};
 use crate::model::material::Steel;
 
 /// The keys of one steel table, not yet a whole steel: a body's own table adds to the default.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SteelTable {
-    place: Place,
+    place: KeyPlace,
     youngs_modulus: Option<Located<f64>>,
     poissons_ratio: Option<Located<f64>>,
     yield_stress: Option<Located<f64>>,

@@ -6,7 +6,7 @@ mod units;
 use clap::Args;
 use serde::Serialize;
 
-pub use units::Units;
+pub use units::HandbookUnits;
 
 use crate::analytic::DomainError;
 use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
@@ -20,7 +20,7 @@ use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
 pub struct HertzArgs {
     /// Units of every number below and of the answer.
     #[arg(long, value_enum, default_value = "in-kip-ksi")]
-    pub units: Units,
+    pub units: HandbookUnits,
     /// Outer diameter D of the roller, in the length of the units.
     #[arg(long, value_name = "LENGTH")]
     pub diameter: f64,
@@ -71,7 +71,7 @@ pub struct HertzArgs {
 /// Question and answer, as JSON.
 #[derive(Serialize)]
 struct Sheet<'a> {
-    units: Units,
+    units: HandbookUnits,
     input: &'a Handbook,
     answer: &'a HandbookAnswer,
 }

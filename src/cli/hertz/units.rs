@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// A consistent system of units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize)]
-pub enum Units {
+pub enum HandbookUnits {
     /// inch, kip, ksi
     #[value(name = "in-kip-ksi")]
     #[serde(rename = "in-kip-ksi")]
@@ -20,22 +20,22 @@ pub enum Units {
     MNPa,
 }
 
-impl Units {
+impl HandbookUnits {
     /// Names of length, force and stress.
     pub fn names(self) -> [&'static str; 3] {
         match self {
-            Units::InKipKsi => ["in", "kip", "ksi"],
-            Units::MmNMpa => ["mm", "N", "MPa"],
-            Units::MNPa => ["m", "N", "Pa"],
+            HandbookUnits::InKipKsi => ["in", "kip", "ksi"],
+            HandbookUnits::MmNMpa => ["mm", "N", "MPa"],
+            HandbookUnits::MNPa => ["m", "N", "Pa"],
         }
     }
 
     /// Young's modulus of the reference study's steel, 29500 ksi.
     pub fn steel_modulus(self) -> f64 {
         match self {
-            Units::InKipKsi => 29500.0,
-            Units::MmNMpa => 29500.0 * 6.894757293168361,
-            Units::MNPa => 29500.0 * 6.894757293168361e6,
+            HandbookUnits::InKipKsi => 29500.0,
+            HandbookUnits::MmNMpa => 29500.0 * 6.894757293168361,
+            HandbookUnits::MNPa => 29500.0 * 6.894757293168361e6,
         }
     }
 }

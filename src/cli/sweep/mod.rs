@@ -5,11 +5,13 @@ mod one;
 mod progress;
 
 use super::output::say;
-use super::status::{CommandResult, Status};
+use super::status::{CommandResult, ExitStatus};
 use crate::ground::memory::available;
-use crate::product::sweep::{self, Budget, CSV, JSON_LINES, Place, Record, Sweep, SweepError};
+use crate::product::sweep::{
+    self, CSV, JSON_LINES, RowRecord, Sweep, SweepBudget, SweepError, SweepFolder,
+};
 pub use arguments::{Scheduler, SweepArgs};
-use progress::Progress;
+use progress::SweepProgress;
 use std::path::Path;
 
 /// Carries out the command.
@@ -20,10 +22,10 @@ pub fn run(args: &SweepArgs) -> CommandResult {
         SweepArgs { emit: Some(_), .. } => emit(args, &sweep, &place),
         _ => local(args, &sweep, &place),
     });
-    status.map_err(|error| (Status::BadInput, error.into()))
+    status.map_err(|error| (ExitStatus::BadInput, error.into()))
 }
 
-fn read(args: &SweepArgs) -> Result<(Sweep, Place), SweepError> {
+fn read(args: &SweepArgs) -> Result<(Sweep, SweepFolder), SweepError> {
     let sweep = sweep::read(&args.sweep)?;
     // A task reads its own row only.
     if args.row.is_none() {
@@ -32,20 +34,20 @@ fn read(args: &SweepArgs) -> Result<(Sweep, Place), SweepError> {
     let stem = args.sweep.file_stem().unwrap_or(args.sweep.as_os_str());
     let out = args.out.clone();
     let out = out.unwrap_or_else(|| Path::new("results").join(stem));
-    Ok((sweep, Place(out)))
+    Ok((sweep, SweepFolder(out)))
 }
 
-fn local(args: &SweepArgs, sweep: &Sweep, place: &Place) -> Result<Status, SweepError> {
+fn local(args: &SweepArgs, sweep: &Sweep, place: &SweepFolder) -> Result<ExitStatus, SweepError> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = args.threads.map_or(cores, usize::from);
-    let budget = Budget {
+    let budget = SweepBudget {
         jobs: args.jobs.map_or(threads, usize::from),
         threads,
         memory: args
             .memory
             .unwrap_or_else(|| available().map_or(f64::INFINITY, |free| 0.8 * free)),
     };
-    let mut progress = Progress::new(sweep, args.quiet);
+    let mut progress = SweepProgress::new(sweep, args.quiet);
     progress.say(&format!(
         "{}: {} rows, {} at a time, {:.1} GB of memory for all",
         sweep.title,
@@ -60,9 +62,9 @@ fn local(args: &SweepArgs, sweep: &Sweep, place: &Place) -> Result<Status, Sweep
     report(sweep, place, &records, missing)
 }
 
-fn collect(sweep: &Sweep, place: &Place) -> Result<Status, SweepError> {
+fn collect(sweep: &Sweep, place: &SweepFolder) -> Result<ExitStatus, SweepError> {
     let (records, missing) = sweep::collect(sweep, place)?;
-    let mut progress = Progress::new(sweep, false);
+    let mut progress = SweepProgress::new(sweep, false);
     for record in &records {
         progress.line(record);
     }
@@ -73,8 +75,8 @@ fn collect(sweep: &Sweep, place: &Place) -> Result<Status, SweepError> {
     report(sweep, place, &records, missing.len())
 }
 
-fn emit(args: &SweepArgs, sweep: &Sweep, place: &Place) -> Result<Status, SweepError> {
-    let mut progress = Progress::new(sweep, args.quiet);
+fn emit(args: &SweepArgs, sweep: &Sweep, place: &SweepFolder) -> Result<ExitStatus, SweepError> {
+    let mut progress = SweepProgress::new(sweep, args.quiet);
     let emitted = sweep::emit(sweep, place, args.resume, &mut progress);
     progress.finish();
     let (script, rows) = emitted?;
@@ -89,22 +91,22 @@ fn emit(args: &SweepArgs, sweep: &Sweep, place: &Place) -> Result<Status, SweepE
         script.display()
     ));
     Ok(if progress.failed() {
-        Status::BadInput
+        ExitStatus::BadInput
     } else {
-        Status::Done
+        ExitStatus::Done
     })
 }
 
 /// Draws the plots, says what came of the rows and where it is.
 fn report(
     sweep: &Sweep,
-    place: &Place,
-    records: &[Record],
+    place: &SweepFolder,
+    records: &[RowRecord],
     missing: usize,
-) -> Result<Status, SweepError> {
+) -> Result<ExitStatus, SweepError> {
     let plots = sweep::draw(place, &sweep.columns, records)?;
-    let of = |status: sweep::Status| records.iter().filter(|r| r.status == status).count();
-    let counts = sweep::Status::ALL.iter().filter(|s| of(**s) > 0);
+    let of = |status: sweep::RowStatus| records.iter().filter(|r| r.status == status).count();
+    let counts = sweep::RowStatus::ALL.iter().filter(|s| of(**s) > 0);
     let mut words: Vec<String> = counts.map(|s| format!("{} {}", of(*s), s.name())).collect();
     if missing > 0 {
         words.push(format!("{missing} to do"));
@@ -121,23 +123,23 @@ fn report(
     ));
     Ok(match missing {
         0 => worst(records),
-        _ => Status::Interrupted,
+        _ => ExitStatus::Interrupted,
     })
 }
 
 /// The exit status of a sweep: that of its worst row.
-fn worst(records: &[Record]) -> Status {
-    use sweep::Status::{BadInput, Crashed, Interrupted, LimitsMissed, NotConverged};
+fn worst(records: &[RowRecord]) -> ExitStatus {
+    use sweep::RowStatus::{BadInput, Crashed, Interrupted, LimitsMissed, NotConverged};
     let some = |status| records.iter().any(|record| record.status == status);
     if some(Interrupted) {
-        Status::Interrupted
+        ExitStatus::Interrupted
     } else if some(BadInput) {
-        Status::BadInput
+        ExitStatus::BadInput
     } else if some(NotConverged) || some(Crashed) {
-        Status::NotConverged
+        ExitStatus::NotConverged
     } else if some(LimitsMissed) {
-        Status::Failed
+        ExitStatus::Failed
     } else {
-        Status::Done
+        ExitStatus::Done
     }
 }

@@ -3,10 +3,10 @@
 use super::arguments::SweepArgs;
 use crate::cli::console::{Console, LEGEND};
 use crate::cli::output::say;
-use crate::cli::status::Status;
+use crate::cli::status::ExitStatus;
 use crate::cli::threads::set_threads;
 use crate::model::state::State;
-use crate::product::sweep::{self, Place, Sweep, SweepError};
+use crate::product::sweep::{self, Sweep, SweepError, SweepFolder};
 use crate::render::table;
 use crate::solver::solve::{Iteration, Observer};
 use std::io::Read;
@@ -17,9 +17,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub fn run(
     args: &SweepArgs,
     sweep: &Sweep,
-    place: &Place,
+    place: &SweepFolder,
     number: usize,
-) -> Result<Status, SweepError> {
+) -> Result<ExitStatus, SweepError> {
     let row = sweep.row(number)?;
     set_threads(args.threads);
     let mut observer = Leashed {
@@ -35,11 +35,11 @@ pub fn run(
     }
     say(&format!("{} {}", record.status.name(), record.message));
     Ok(match record.status {
-        sweep::Status::Done => Status::Done,
-        sweep::Status::LimitsMissed => Status::Failed,
-        sweep::Status::BadInput => Status::BadInput,
-        sweep::Status::NotConverged | sweep::Status::Crashed => Status::NotConverged,
-        sweep::Status::Interrupted => Status::Interrupted,
+        sweep::RowStatus::Done => ExitStatus::Done,
+        sweep::RowStatus::LimitsMissed => ExitStatus::Failed,
+        sweep::RowStatus::BadInput => ExitStatus::BadInput,
+        sweep::RowStatus::NotConverged | sweep::RowStatus::Crashed => ExitStatus::NotConverged,
+        sweep::RowStatus::Interrupted => ExitStatus::Interrupted,
     })
 }
 

@@ -2,14 +2,14 @@
 
 use crate::cli::output::say;
 use crate::cli::signals::set_on_ctrl_c;
-use crate::product::sweep::{Record, Sweep, Watcher};
+use crate::product::sweep::{RowRecord, Sweep, Watcher};
 use crate::render::text::significant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-pub struct Progress {
+pub struct SweepProgress {
     bar: ProgressBar,
     stop: Arc<AtomicBool>,
     quiet: bool,
@@ -17,7 +17,7 @@ pub struct Progress {
     failed: bool,
 }
 
-impl Progress {
+impl SweepProgress {
     /// Ctrl-C stops the sweep, a second one at once.
     pub fn new(sweep: &Sweep, quiet: bool) -> Self {
         let all = sweep.rows.len();
@@ -53,7 +53,7 @@ impl Progress {
     }
 
     /// Says what came of a row.
-    pub fn line(&mut self, record: &Record) {
+    pub fn line(&mut self, record: &RowRecord) {
         let figure = |name: &str| {
             let number = record.number(name);
             number.map_or_else(|| "-".to_owned(), |value| significant(value, 4))
@@ -84,8 +84,8 @@ impl Progress {
     }
 }
 
-impl Watcher for Progress {
-    fn ended(&mut self, record: &Record, left: usize) {
+impl Watcher for SweepProgress {
+    fn ended(&mut self, record: &RowRecord, left: usize) {
         self.failed |= record.figures.is_empty();
         self.bar
             .set_position((self.all - left.min(self.all)) as u64);

@@ -3,4 +3,4 @@
 use toml::Value;
 
 /// Values by dotted key of the case, in the order in which they were written.
-pub type Settings = Vec<(String, Value)>;
+pub type KeyValues = Vec<(String, Value)>;

@@ -6,7 +6,7 @@ use serde::Serialize;
 /// What is held against a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Kind {
+pub enum LimitKind {
     /// Hertz's p0 under the largest load per length of a line of contact, (2-49).
     ContactPressure,
     /// Largest elastic Mises stress of a part, against yield.
@@ -19,7 +19,7 @@ pub enum Kind {
     Solution,
 }
 
-impl Kind {
+impl LimitKind {
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
@@ -34,8 +34,8 @@ impl Kind {
 
 /// One figure against its limit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Check {
-    pub kind: Kind,
+pub struct LimitCheck {
+    pub kind: LimitKind,
     /// A body or an interface.
     #[serde(rename = "where")]
     pub place: String,

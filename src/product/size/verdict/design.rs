@@ -11,7 +11,7 @@ use serde::Serialize;
 
 /// The verdict on a design.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Verdict {
+pub struct DesignVerdict {
     /// Is no limit missed, and everything resolved that is held against one?
     pub met: bool,
     /// Limits of which the mesh cannot tell.
@@ -28,7 +28,7 @@ pub struct Verdict {
     pub advice: Option<Advice>,
 }
 
-impl Verdict {
+impl DesignVerdict {
     /// The verdict on `design` from what was found at each position.
     ///
     /// # Errors

@@ -1,11 +1,11 @@
 //! The verdict as files: `verdict.json` and `verdict.md`.
 
-use super::design::Verdict;
+use super::design::DesignVerdict;
 use super::table;
 use crate::ground::file::{FileError, write_atomically};
 use std::path::Path;
 
-impl Verdict {
+impl DesignVerdict {
     /// Writes `verdict.json` and `verdict.md` into `folder`.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use crate::product::job::Outcome;
 
 /// Largest equivalent plastic strain of a body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Flow {
+pub struct BodyFlow {
     /// Beside loaded edges of contact surfaces, such as square ends of rollers.
     pub at_edges: f64,
     pub away: f64,
@@ -17,11 +17,11 @@ pub struct Flow {
 }
 
 /// One for each body, in the order of the mesh.
-pub fn flows(outcome: &Outcome) -> Vec<Flow> {
+pub fn flows(outcome: &Outcome) -> Vec<BodyFlow> {
     let (scene, state) = (&outcome.scene, outcome.state());
     let edges = LoadedEdges::find(scene, state);
     let of_body = |elements: std::ops::Range<usize>| {
-        let mut flow = Flow::default();
+        let mut flow = BodyFlow::default();
         for element in elements {
             let points = state.peeq_of(element);
             let strain = points.iter().copied().fold(0.0, f64::max);

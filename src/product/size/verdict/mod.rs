@@ -12,8 +12,8 @@ mod standing;
 mod table;
 
 pub use advice::Advice;
-pub use check::{Check, Kind};
-pub use design::Verdict;
+pub use check::{LimitCheck, LimitKind};
+pub use design::DesignVerdict;
 pub use position::Placed;
 pub use standing::Standing;
 pub use table::render;

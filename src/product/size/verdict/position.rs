@@ -1,6 +1,6 @@
 //! All checks of one position of the rollers.
 
-use super::check::{Check, Kind};
+use super::check::{LimitCheck, LimitKind};
 use super::standing::Standing;
 use super::{line, part};
 use crate::case::Case;
@@ -19,7 +19,7 @@ pub struct Placed {
     pub unknowns: usize,
     pub seconds: f64,
     pub descent: Option<f64>,
-    pub checks: Vec<Check>,
+    pub checks: Vec<LimitCheck>,
 }
 
 impl Placed {
@@ -29,8 +29,8 @@ impl Placed {
         let mut checks = line::checks(proposal, summary);
         checks.extend(part::checks(proposal, outcome));
         let missed = outcome.missed_limits(case).into_iter();
-        checks.extend(missed.map(|remark| Check {
-            kind: Kind::Solution,
+        checks.extend(missed.map(|remark| LimitCheck {
+            kind: LimitKind::Solution,
             place: "overall".to_string(),
             across: None,
             line_load: None,

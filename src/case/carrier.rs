@@ -1,7 +1,7 @@
 //! Which side of a contact pair carries the pressure (the slave, or non-mortar side).
 //!
-//! Pressures live on the nodes of the carrier, and the condition that nothing overlaps is weighed with
-//! their hat functions. Were they set closer than the other side can follow, or on bodies that do not
+//! Pressures live on the nodes of the carrier, and the condition that nothing overlaps is weighted with
+//! their shape functions. Were they set closer than the other side can follow, or on bodies that do not
 //! give way one node at a time, pressures would alternate from node to node and read too high between.
 //! A layer one facet deep has the stiffness k = E / (1 − ν²) / h per area, h being the shortest side
 //! of a facet. The side with the smaller k carries: the softer one, and of equal steels the one with the

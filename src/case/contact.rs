@@ -13,7 +13,7 @@ pub struct Contact {
     pub name: Located<String>,
     pub upper: Located<Partner>,
     pub lower: Located<Partner>,
-    /// `None`: chosen by how stiff the two sides are, see `case/carrier.rs`.
+    /// The non-mortar (slave) side. `None`: chosen by how stiff the two sides are, see `case/carrier.rs`.
     pub carrier: Option<Side>,
     /// The side that carries where both are equally stiff.
     pub preferred: Side,

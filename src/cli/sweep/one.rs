@@ -22,9 +22,9 @@ pub fn run(
 ) -> Result<ExitStatus, SweepError> {
     let row = sweep.row(number)?;
     set_threads(args.threads);
-    let mut observer = Leashed {
+    let mut observer = StoppableConsole {
         console: Console::new(false),
-        let_go: leash(args.leash),
+        input_ended: watch_input(args.leash),
     };
     say(&format!("row {number}: {}\n{LEGEND}\n", row.said()));
     let ended = sweep::run_row(row, place, args.resume, &mut observer);
@@ -45,25 +45,25 @@ pub fn run(
 
 /// A flag that is set when standard input ends, if that is asked for: whoever holds the other end has
 /// closed it or died, in whatever way.
-fn leash(wanted: bool) -> Arc<AtomicBool> {
-    let let_go = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&let_go);
+fn watch_input(wanted: bool) -> Arc<AtomicBool> {
+    let input_ended = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&input_ended);
     if wanted {
         std::thread::spawn(move || {
             let _ = std::io::stdin().read_to_end(&mut Vec::new());
             flag.store(true, Ordering::Relaxed);
         });
     }
-    let_go
+    input_ended
 }
 
-/// The console, and the leash beside Ctrl-C.
-struct Leashed {
+/// The console, which the end of standard input stops as Ctrl-C does.
+struct StoppableConsole {
     console: Console,
-    let_go: Arc<AtomicBool>,
+    input_ended: Arc<AtomicBool>,
 }
 
-impl Observer for Leashed {
+impl Observer for StoppableConsole {
     fn iteration(&mut self, iteration: &Iteration) {
         self.console.iteration(iteration);
     }
@@ -77,6 +77,6 @@ impl Observer for Leashed {
     }
 
     fn cancelled(&self) -> bool {
-        self.console.cancelled() || self.let_go.load(Ordering::Relaxed)
+        self.console.cancelled() || self.input_ended.load(Ordering::Relaxed)
     }
 }

@@ -27,6 +27,7 @@
 pub mod analytic;
 pub mod answer;
 pub mod case;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod ground;
 pub mod model;

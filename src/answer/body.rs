@@ -4,7 +4,7 @@ use super::named::{Named, Three};
 use super::solved::Solved;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
-use crate::answer::results::flow::{Flow, flows};
+use crate::answer::results::flow::{BodyFlow, flows};
 use crate::answer::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
 
@@ -21,7 +21,7 @@ pub struct BodyFigures {
     pub peeq_max: f64,
     /// Plastic strain beside loaded edges and away from them.
     #[serde(skip)]
-    pub flow: Flow,
+    pub flow: BodyFlow,
     /// In the whole body, not only its modelled part; so is `volume`.
     pub yielded_volume: f64,
     pub volume: f64,

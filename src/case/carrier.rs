@@ -1,7 +1,7 @@
 //! Which side of a contact pair carries the pressure (the slave, or non-mortar side).
 //!
-//! Pressures live on the nodes of the carrier, and the condition that nothing overlaps is weighed with
-//! their hat functions. Were they set closer than the other side can follow, or on bodies that do not
+//! Pressures live on the nodes of the carrier, and the condition that nothing overlaps is weighted with
+//! their shape functions. Were they set closer than the other side can follow, or on bodies that do not
 //! give way one node at a time, pressures would alternate from node to node and read too high between.
 //! A layer one facet deep has the stiffness k = E / (1 − ν²) / h per area, h being the shortest side
 //! of a facet. The side with the smaller k carries: the softer one, and of equal steels the one with the
@@ -18,8 +18,8 @@ use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::{Partner, Side};
 
-/// Ratio of stiffnesses up to which they count as equal.
-const EQUAL: f64 = 1.1;
+/// Ratio of stiffnesses up to which they count as equal: of facets 1:1.1 either side serves as carrier.
+const EQUAL_STIFFNESS_RATIO: f64 = 1.1;
 
 /// The carrier of a pair `[upper, lower]` on `mesh`, whose bodies are of `steels`; `preferred` where
 /// both serve alike.
@@ -33,8 +33,8 @@ pub(super) fn choose(
         stiffness(mesh, steels, upper),
         stiffness(mesh, steels, lower),
     ) {
-        (Some(above), Some(below)) if above > EQUAL * below => Side::Lower,
-        (Some(above), Some(below)) if below > EQUAL * above => Side::Upper,
+        (Some(above), Some(below)) if above > EQUAL_STIFFNESS_RATIO * below => Side::Lower,
+        (Some(above), Some(below)) if below > EQUAL_STIFFNESS_RATIO * above => Side::Upper,
         (Some(_), Some(_)) => preferred,
         // A plane has no nodes.
         (None, Some(_)) => Side::Lower,

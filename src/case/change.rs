@@ -1,7 +1,7 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
+use super::bearing::UNLOAD_TO;
 use super::bearing::{MeshRequest, Preset, Strips};
-use super::bearing_reader::UNLOAD_TO;
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};

@@ -7,7 +7,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::nearest::advice;
 use super::parse::Table;
-use super::source::Located;
+use super::place::Located;
 use crate::ground::units::Dimension;
 
 /// Which of the three Mises values stands beside the printed one.

@@ -3,7 +3,7 @@
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::{Field, Table};
-use super::source::Located;
+use super::place::Located;
 use crate::ground::units::Dimension;
 use crate::model::scene::{Partner, Side};
 
@@ -13,7 +13,7 @@ pub struct Contact {
     pub name: Located<String>,
     pub upper: Located<Partner>,
     pub lower: Located<Partner>,
-    /// `None`: chosen by how stiff the two sides are, see `case/carrier.rs`.
+    /// The non-mortar (slave) side. `None`: chosen by how stiff the two sides are, see `case/carrier.rs`.
     pub carrier: Option<Side>,
     /// The side that carries where both are equally stiff.
     pub preferred: Side,

@@ -3,7 +3,7 @@
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::Table;
-use super::source::Located;
+use super::place::Located;
 use crate::model::scene::{Controls, ElementKind, SolverKind};
 
 /// The controls of the case, with the defaults of [`Controls`].

@@ -8,7 +8,7 @@ use super::load::Loads;
 use super::mesh_choice::SceneMesh;
 use super::model::Model;
 use super::parse::Table;
-use super::source::Located;
+use super::place::Located;
 use super::steel::Steels;
 use crate::model::mesh::Mesh;
 use crate::model::scene::Controls;

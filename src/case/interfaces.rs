@@ -10,7 +10,7 @@ pub const BODIES: [&str; 5] = [
 ];
 
 /// An interface: its name, its two surfaces, and whether the roller is the upper one.
-pub struct Interface {
+pub struct BearingInterface {
     pub name: &'static str,
     pub upper: &'static str,
     pub lower: &'static str,
@@ -18,26 +18,26 @@ pub struct Interface {
 }
 
 /// Interfaces, from the top down.
-pub const INTERFACES: [Interface; 4] = [
-    Interface {
+pub const INTERFACES: [BearingInterface; 4] = [
+    BearingInterface {
         name: "upper_plate-upper_roller",
         upper: "upper_plate_bottom",
         lower: "upper_roller_surface",
         roller_above: false,
     },
-    Interface {
+    BearingInterface {
         name: "upper_roller-intermediate_plate",
         upper: "upper_roller_surface",
         lower: "intermediate_plate_top",
         roller_above: true,
     },
-    Interface {
+    BearingInterface {
         name: "intermediate_plate-lower_roller",
         upper: "intermediate_plate_bottom",
         lower: "lower_roller_surface",
         roller_above: false,
     },
-    Interface {
+    BearingInterface {
         name: "lower_roller-lower_plate",
         upper: "lower_roller_surface",
         lower: "lower_plate_top",

@@ -4,7 +4,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
-use super::source::Located;
+use super::place::Located;
 use crate::ground::geometry::AXES;
 use crate::ground::units::Dimension;
 use crate::model::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, TractionValue};
@@ -56,9 +56,10 @@ impl Loads {
                 let table = table.only(&keys::LOAD)?;
                 let (name, surface) = named(&table, &mut names)?;
                 let field = table.need("value")?;
-                let value = match pressure {
-                    true => TractionValue::Pressure(field.quantity(Dimension::STRESS)?.value),
-                    false => TractionValue::Vector(field.vector(Dimension::STRESS)?.value),
+                let value = if pressure {
+                    TractionValue::Pressure(field.quantity(Dimension::STRESS)?.value)
+                } else {
+                    TractionValue::Vector(field.vector(Dimension::STRESS)?.value)
                 };
                 let traction = surface.map(|surface| Traction {
                     name,

@@ -4,11 +4,11 @@
 use std::path::PathBuf;
 
 use super::assumption::Assumption;
-use super::bearing::{Kind, MESH_KEYS, MeshKey, MeshRequest, Preset};
+use super::bearing::{MESH_KEYS, MeshKey, MeshRequest, Preset, SizeKind};
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::Table;
-use super::source::Located;
+use super::place::Located;
 use crate::ground::units::Dimension;
 
 /// The mesh of a general scene.
@@ -35,10 +35,10 @@ pub enum Family {
     ProblemH,
 }
 
-/// The level that is taken where none is given.
-const LEVEL: u32 = 2;
-/// Finer levels than this have more elements than can be solved.
-const FINEST: usize = 8;
+/// The level of a built-in mesh where the case gives none.
+const DEFAULT_LEVEL: u32 = 2;
+/// The finest level of a built-in mesh: those beyond have more elements than can be solved.
+const FINEST_LEVEL: usize = 8;
 
 impl SceneMesh {
     pub(super) fn read(root: &Table) -> Result<Self, CaseError> {
@@ -67,11 +67,12 @@ impl SceneMesh {
         let family = table.need("family")?;
         let family = family.choice(&[("problem-h", Family::ProblemH)])?.value;
         let level = match table.get("level") {
-            None => LEVEL,
+            None => DEFAULT_LEVEL,
             Some(field) => {
-                let level = field
-                    .count()?
-                    .require(|l| *l <= FINEST, format!("must lie between 1 and {FINEST}"))?;
+                let level = field.count()?.require(
+                    |l| *l <= FINEST_LEVEL,
+                    format!("must lie between 1 and {FINEST_LEVEL}"),
+                )?;
                 level.value as u32
             }
         };
@@ -107,9 +108,9 @@ pub(super) fn request(
                 continue;
             };
             let value = match kind {
-                Kind::Length => field.quantity(Dimension::LENGTH)?.value,
-                Kind::Count => field.count()?.value as f64,
-                Kind::Ratio => field.ratio()?.value,
+                SizeKind::Length => field.quantity(Dimension::LENGTH)?.value,
+                SizeKind::Count => field.count()?.value as f64,
+                SizeKind::Ratio => field.ratio()?.value,
             };
             request.overrides.push((key.to_string(), value));
         }

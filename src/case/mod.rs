@@ -7,15 +7,12 @@
 
 mod assumption;
 pub mod bearing;
-mod bearing_case;
-mod bearing_mesh;
-mod bearing_model;
-mod bearing_reader;
 mod carrier;
 mod change;
 mod comparison;
 mod contact;
 mod controls;
+mod document;
 mod error;
 mod general;
 pub mod interfaces;
@@ -25,16 +22,18 @@ mod mesh_choice;
 mod model;
 mod nearest;
 mod parse;
+mod place;
 mod quantity;
 mod reference;
 mod source;
 mod steel;
+mod values;
 pub mod variant;
 
 use std::path::{Path, PathBuf};
 
 pub use assumption::Assumption;
-pub use bearing_case::BearingCase;
+pub use bearing::BearingCase;
 pub use comparison::{Comparison, Measure, MisesRead, Printed};
 pub use contact::Contact;
 pub use error::{CaseError, ErrorKind};
@@ -42,14 +41,16 @@ pub use general::GeneralCase;
 pub use load::Loads;
 pub use mesh_choice::{Family, MeshOrigin, SceneMesh};
 pub use model::Model;
+pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
-pub use source::{Located, Place, Source};
+pub use source::Source;
 pub use steel::{Steels, StrainIs};
 
 use crate::ground::units::UnitSystem;
 use crate::model::mesh::Mesh;
 use crate::model::scene::{Controls, Scene};
-use parse::{Context, Table, document};
+use document::{Context, document};
+use parse::Table;
 
 /// A validated case.
 #[derive(Debug, Clone, PartialEq)]

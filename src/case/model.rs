@@ -5,7 +5,7 @@ use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
 use super::nearest::advice;
-use super::source::{Located, Place};
+use super::place::{KeyPlace, Located};
 use super::steel::Steels;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
@@ -89,18 +89,19 @@ fn values<T: Clone>(located: &[Located<T>]) -> Vec<T> {
     located.iter().map(|entry| entry.value.clone()).collect()
 }
 
-fn check_surface(mesh: &Mesh, name: &str, place: &Place) -> Result<(), CaseError> {
+fn check_surface(mesh: &Mesh, name: &str, place: &KeyPlace) -> Result<(), CaseError> {
     let Some(surface) = mesh.surface(name) else {
         let why = format!("the mesh {} has no surface called `{name}`", mesh.source);
         let help = advice(name, mesh.surfaces.iter().map(|s| s.name.as_str()));
         return Err(place.error(ErrorKind::UnknownName, why).help(help));
     };
-    match surface.faces.is_empty() {
-        true => Err(place.error(
+    if surface.faces.is_empty() {
+        Err(place.error(
             ErrorKind::Mesh,
             format!("the surface `{name}` has no faces"),
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }
 

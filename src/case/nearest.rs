@@ -49,9 +49,10 @@ fn distance(a: &str, b: &str) -> usize {
 /// `a, b, c`, or a word that says there are none.
 pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let names: Vec<&str> = names.into_iter().collect();
-    match names.is_empty() {
-        true => "none".to_string(),
-        false => names.join(", "),
+    if names.is_empty() {
+        "none".to_string()
+    } else {
+        names.join(", ")
     }
 }
 

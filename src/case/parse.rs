@@ -5,19 +5,13 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::document::Context;
 use super::error::{CaseError, ErrorKind};
 use super::keys::Keys;
-use super::nearest::{advice, list};
-use super::source::{Located, Place, Source};
+use super::nearest::advice;
+use super::place::{KeyPlace, Located};
+use super::source::Source;
 use crate::ground::units::UnitSystem;
-
-/// What every table of a file shares.
-#[derive(Clone, Copy)]
-pub(super) struct Context<'a> {
-    pub source: &'a Source,
-    /// The system of the file: what bare numbers are in, and what quantities are turned into.
-    pub units: UnitSystem,
-}
 
 /// A table whose keys have been checked against those it may have.
 #[derive(Clone)]
@@ -35,23 +29,6 @@ pub(super) struct Field<'a> {
     context: Context<'a>,
     key: String,
     value: &'a Spanned<DeValue<'a>>,
-}
-
-/// The document of `source`.
-pub(super) fn document(source: &Source) -> Result<Spanned<DeTable<'_>>, CaseError> {
-    DeTable::parse(source.text()).map_err(|error| {
-        let message = error.message().trim().replace('\n', ", ");
-        let line = error.span().map_or(1, |s| line_of(source.text(), s.start));
-        let report = CaseError::new(ErrorKind::Syntax, format!("line {line}: {message}"));
-        match error.span() {
-            Some(span) => report.at(source, span, "here"),
-            None => report,
-        }
-    })
-}
-
-fn line_of(text: &str, offset: usize) -> usize {
-    text.bytes().take(offset).filter(|b| *b == b'\n').count() + 1
 }
 
 impl<'a> Table<'a> {
@@ -86,9 +63,9 @@ impl<'a> Table<'a> {
     }
 
     /// Where the table begins.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyPlace {
         let key = self.key.clone();
-        Place {
+        KeyPlace {
             source: self.context.source.clone(),
             key,
             span: self.header(),
@@ -113,16 +90,18 @@ impl<'a> Table<'a> {
             .get(self.span.clone())
             .unwrap_or_default();
         let first = text.lines().next().unwrap_or_default();
-        match self.key.is_empty() {
-            true => 0..0,
-            false => self.span.start..self.span.start + first.len(),
+        if self.key.is_empty() {
+            0..0
+        } else {
+            self.span.start..self.span.start + first.len()
         }
     }
 
     fn path(&self, key: &str) -> String {
-        match self.key.is_empty() {
-            true => key.to_string(),
-            false => format!("{}.{key}", self.key),
+        if self.key.is_empty() {
+            key.to_string()
+        } else {
+            format!("{}.{key}", self.key)
         }
     }
 
@@ -171,10 +150,10 @@ impl<'a> Table<'a> {
     }
 
     /// The place of a key itself, not of its value.
-    pub fn place_of_key(&self, key: &str) -> Place {
+    pub fn place_of_key(&self, key: &str) -> KeyPlace {
         let found = self.entries.keys().find(|k| name(k) == key);
         let span = found.map_or(0..0, Spanned::span);
-        Place {
+        KeyPlace {
             source: self.context.source.clone(),
             key: self.path(key),
             span,
@@ -202,10 +181,10 @@ impl<'a> Table<'a> {
 
     /// The place of the value at the dotted `path`, or of the nearest value around it where the
     /// file does not go so deep.
-    pub fn deepest(&self, path: &str) -> Place {
+    pub fn deepest(&self, path: &str) -> KeyPlace {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));
         let Some(field) = self.get(first) else {
-            return Place {
+            return KeyPlace {
                 key: self.path(path),
                 ..self.place()
             };
@@ -232,9 +211,9 @@ fn name<'a>(key: &'a Spanned<toml::de::DeString<'_>>) -> &'a str {
 }
 
 impl<'a> Field<'a> {
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyPlace {
         let source = self.context.source.clone();
-        Place {
+        KeyPlace {
             source,
             key: self.key.clone(),
             span: self.value.span(),
@@ -262,52 +241,6 @@ impl<'a> Field<'a> {
         Located {
             value,
             place: self.place(),
-        }
-    }
-
-    pub fn string(&self) -> Result<Located<String>, CaseError> {
-        let text = self
-            .raw()
-            .as_str()
-            .ok_or_else(|| self.wrong_type("a string"))?;
-        let named = self.located(text.to_string());
-        named.require(|text| !text.trim().is_empty(), "must not be empty")
-    }
-
-    pub fn boolean(&self) -> Result<Located<bool>, CaseError> {
-        let value = self
-            .raw()
-            .as_bool()
-            .ok_or_else(|| self.wrong_type("true or false"))?;
-        Ok(self.located(value))
-    }
-
-    /// A whole number of things, at least one.
-    pub fn count(&self) -> Result<Located<usize>, CaseError> {
-        let integer = self
-            .raw()
-            .as_integer()
-            .ok_or_else(|| self.wrong_type("a whole number"))?;
-        let value = usize::from_str_radix(integer.as_str(), integer.radix()).ok();
-        match value.filter(|v| *v > 0) {
-            Some(value) => Ok(self.located(value)),
-            None => Err(self
-                .place()
-                .error(ErrorKind::Value, "must be a whole number, 1 or more")),
-        }
-    }
-
-    /// One of a few words.
-    pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<Located<T>, CaseError> {
-        let word = self.string()?;
-        let names = || choices.iter().map(|(name, _)| *name);
-        match choices.iter().find(|(name, _)| *name == word.value) {
-            Some((_, value)) => Ok(word.map(|_| *value)),
-            None => {
-                let why = format!("must be one of: {}", list(names()));
-                let help = advice(&word.value, names());
-                Err(word.place.error(ErrorKind::Value, why).help(help))
-            }
         }
     }
 

@@ -4,7 +4,7 @@ use toml::de::DeValue;
 
 use super::error::{CaseError, ErrorKind};
 use super::parse::Field;
-use super::source::Located;
+use super::place::Located;
 use crate::ground::units::{Dimension, Quantity};
 
 impl Field<'_> {

@@ -1,9 +1,6 @@
-//! The text of a case file, and values that remember where in it they stand.
+//! The text of a case file.
 
-use std::ops::Range;
 use std::sync::Arc;
-
-use super::error::{CaseError, ErrorKind};
 
 /// The file a case was read from. Cheap to clone.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,78 +28,5 @@ impl Source {
 
     pub(super) fn shared_text(&self) -> Arc<str> {
         self.text.clone()
-    }
-}
-
-/// A key of the case file and the bytes of its value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Place {
-    pub source: Source,
-    /// Dotted path, for example `bearing.roller_wall`; `contact#2.upper` in the second
-    /// `[[contact]]`.
-    pub key: String,
-    /// Empty where the template and not the user wrote the value.
-    pub span: Range<usize>,
-}
-
-impl Place {
-    /// An error about the value that stands here: "`key = value`: why".
-    pub fn error(&self, kind: ErrorKind, why: impl AsRef<str>) -> CaseError {
-        let why = why.as_ref();
-        let text = self
-            .source
-            .text()
-            .get(self.span.clone())
-            .unwrap_or_default();
-        // The value is told where it is short, and not where it is the key itself or the header
-        // of its table.
-        let is_key = self.key.ends_with(text.trim_matches(['[', ']']));
-        let named = match is_key || text.len() > 60 || text.contains('\n') {
-            true => self.key.clone(),
-            false => format!("{} = {text}", self.key),
-        };
-        let error = CaseError::new(kind, format!("`{named}`: {why}"));
-        match self.span.is_empty() {
-            true => error,
-            false => error.at(&self.source, self.span.clone(), "here"),
-        }
-    }
-}
-
-/// A value and its place.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Located<T> {
-    pub value: T,
-    pub place: Place,
-}
-
-impl<T> Located<T> {
-    pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Located<U> {
-        Located {
-            value: f(self.value),
-            place: self.place,
-        }
-    }
-
-    /// The value where `holds`, else an error that says `why`.
-    pub fn require(
-        self,
-        holds: impl FnOnce(&T) -> bool,
-        why: impl AsRef<str>,
-    ) -> Result<Self, CaseError> {
-        match holds(&self.value) {
-            true => Ok(self),
-            false => Err(self.place.error(ErrorKind::Value, why)),
-        }
-    }
-}
-
-impl Located<f64> {
-    pub fn positive(self) -> Result<Self, CaseError> {
-        self.require(|v| *v > 0.0, "must be positive")
-    }
-
-    pub fn not_negative(self) -> Result<Self, CaseError> {
-        self.require(|v| *v >= 0.0, "must not be negative")
     }
 }

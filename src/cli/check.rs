@@ -1,6 +1,8 @@
 //! `brinell check`: a case and its mesh looked at, but not solved.
 
-use super::{CommandResult, Status, read_case, say};
+use super::case_file::read_case;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
 use crate::product::job::{self, JobError};
 use crate::render::check::{Check, render};
 use clap::Args;
@@ -30,17 +32,19 @@ pub struct CheckArgs {
 
 /// Carries out the command.
 pub fn run(args: &CheckArgs) -> CommandResult {
-    let bad = |report: miette::Report| (Status::BadInput, report);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let check = checked(args).map_err(|error| bad(error.into()))?;
-    let text = match args.json {
-        true => serde_json::to_string_pretty(&check)
-            .map_err(|error| bad(miette::Report::msg(error.to_string())))?,
-        false => render(&check),
+    let text = if args.json {
+        serde_json::to_string_pretty(&check)
+            .map_err(|error| bad(miette::Report::msg(error.to_string())))?
+    } else {
+        render(&check)
     };
     say(text.trim_end());
-    Ok(match check.problems.is_empty() {
-        true => Status::Done,
-        false => Status::Failed,
+    Ok(if check.problems.is_empty() {
+        ExitStatus::Done
+    } else {
+        ExitStatus::Failed
     })
 }
 

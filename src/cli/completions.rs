@@ -1,7 +1,7 @@
 //! `brinell completions`: what a shell needs to complete commands, options and their values.
 
-use super::{CommandResult, Status};
-use clap::{Args, ValueEnum};
+use super::status::{CommandResult, ExitStatus};
+use clap::{Args, Command, ValueEnum};
 use clap_complete::{Shell, generate};
 use std::io::Write;
 
@@ -24,16 +24,16 @@ pub struct CompletionsArgs {
     pub shell: ShellName,
 }
 
-/// Carries out the command.
-pub fn run(args: &CompletionsArgs) -> CommandResult {
+/// Prints the script for `command`, the whole command line.
+pub fn run(args: &CompletionsArgs, command: &mut Command) -> CommandResult {
     let shell = match args.shell {
         ShellName::Bash => Shell::Bash,
         ShellName::Zsh => Shell::Zsh,
         ShellName::Fish => Shell::Fish,
     };
     let mut script = Vec::new();
-    generate(shell, &mut super::command(), "brinell", &mut script);
+    generate(shell, command, "brinell", &mut script);
     // A reader that has gone, such as `head`, stops nothing.
     let _ = std::io::stdout().write_all(&script);
-    Ok(Status::Done)
+    Ok(ExitStatus::Done)
 }

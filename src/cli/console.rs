@@ -1,11 +1,10 @@
 //! What a running solution shows on the terminal: a line an iteration, a bar for the load.
 
-use super::{Status, say};
+use super::output::say;
+use super::signals::set_on_ctrl_c;
 use crate::model::state::State;
 use crate::solver::solve::{Iteration, Observer};
 use indicatif::{ProgressBar, ProgressStyle};
-use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -47,19 +46,6 @@ impl Console {
             self.bar.suspend(|| say(text));
         }
     }
-}
-
-/// A flag that Ctrl-C (SIGINT) and the end of a job's time (SIGTERM) set; a second one ends the program at once.
-pub fn set_on_ctrl_c() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
-        let end = i32::from(Status::Interrupted as u8);
-        // In this order: the first signal finds the flag down.
-        let ends = flag::register_conditional_shutdown(signal, end, Arc::clone(&stop));
-        // Where the system refuses, signals do as they always do.
-        let _ = ends.and_then(|_| flag::register(signal, Arc::clone(&stop)));
-    }
-    stop
 }
 
 impl Observer for Console {

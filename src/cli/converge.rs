@@ -1,7 +1,9 @@
 //! `brinell converge`: one case on a series of meshes, error against unknowns and run time.
 
 use super::console::Console;
-use super::{CommandResult, Status, failure, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
 use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
 use crate::product::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
@@ -14,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 /// A formulation of the hexahedron.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Element {
+pub enum ElementName {
     Bbar,
     Full,
     Enhanced,
@@ -36,7 +38,7 @@ pub struct ConvergeArgs {
     pub mesh: Vec<PathBuf>,
     /// The elements to solve with [default: that of the case; both for problem H].
     #[arg(long, value_enum, value_delimiter = ',')]
-    pub element: Vec<Element>,
+    pub element: Vec<ElementName>,
     /// Keep every body elastic.
     #[arg(long)]
     pub elastic: bool,
@@ -53,14 +55,14 @@ pub struct ConvergeArgs {
 }
 
 /// Names of what is written to the folder.
-const JSON: &str = "converge.json";
-const PLOT: &str = "converge.svg";
+const JSON_FILE: &str = "converge.json";
+const PLOT_FILE: &str = "converge.svg";
 
 /// Carries out the command.
 pub fn run(args: &ConvergeArgs) -> CommandResult {
-    let bad = |error: ConvergeError| (Status::BadInput, error.into());
+    let bad = |error: ConvergeError| (ExitStatus::BadInput, error.into());
     let job = Job::new(args).map_err(bad)?;
-    super::run::set_threads(args.threads);
+    super::threads::set_threads(args.threads);
     let mut console = Console::new(true);
     let mut study = Study::new(&job.case.title, job.series.words());
     say(&format!(
@@ -76,11 +78,11 @@ pub fn run(args: &ConvergeArgs) -> CommandResult {
         say(&format!("written to {}", job.out.display()));
     }
     match stopped {
-        Ok(Status::Done) if args.write => {
+        Ok(ExitStatus::Done) if args.write => {
             let written = peers::peers().and_then(|peers| page::write_page(&study, &peers));
             written.map_err(bad)?;
             say(&format!("written to {} and {}", page::PAGE, page::PICTURE));
-            Ok(Status::Done)
+            Ok(ExitStatus::Done)
         }
         Ok(status) => Ok(status),
         Err(error) => Err(failure(&console, error)),
@@ -99,9 +101,10 @@ struct Job {
 impl Job {
     fn new(args: &ConvergeArgs) -> Result<Self, ConvergeError> {
         let built_in = args.case.as_os_str() == PROBLEM_H && !args.case.exists();
-        let mut case = match built_in {
-            true => problem_h()?,
-            false => case::read(&args.case)?,
+        let mut case = if built_in {
+            problem_h()?
+        } else {
+            case::read(&args.case)?
         };
         if args.write && !is_problem_h(&case) {
             return Err(ConvergeError::Choice {
@@ -127,18 +130,19 @@ impl Job {
         let mut elements: Vec<ElementKind> = Vec::new();
         for element in &args.element {
             let kind = match element {
-                Element::Bbar => ElementKind::Bbar,
-                Element::Full => ElementKind::Full,
-                Element::Enhanced => ElementKind::Enhanced,
+                ElementName::Bbar => ElementKind::Bbar,
+                ElementName::Full => ElementKind::Full,
+                ElementName::Enhanced => ElementKind::Enhanced,
             };
             if !elements.contains(&kind) {
                 elements.push(kind);
             }
         }
         if elements.is_empty() {
-            elements = match is_problem_h(&case) {
-                true => vec![ElementKind::Bbar, ElementKind::Enhanced],
-                false => vec![case.controls.element],
+            elements = if is_problem_h(&case) {
+                vec![ElementKind::Bbar, ElementKind::Enhanced]
+            } else {
+                vec![case.controls.element]
             };
         }
         let stem = args.case.file_stem().unwrap_or(args.case.as_os_str());
@@ -156,7 +160,7 @@ impl Job {
     }
 
     /// Solves level by level, each with every element, and writes after each what there is.
-    fn solve(&self, study: &mut Study, console: &mut Console) -> Result<Status, ConvergeError> {
+    fn solve(&self, study: &mut Study, console: &mut Console) -> Result<ExitStatus, ConvergeError> {
         for level in 0..self.levels {
             for element in &self.elements {
                 let solved = converge::run(
@@ -168,17 +172,17 @@ impl Job {
                     console,
                 )?;
                 let Some((level, quantities)) = solved else {
-                    return Ok(Status::Interrupted);
+                    return Ok(ExitStatus::Interrupted);
                 };
                 say(&table::line(&level));
                 study.push(level, quantities);
-                json::write(study, &self.out.join(JSON))?;
+                json::write(study, &self.out.join(JSON_FILE))?;
                 let figure = plot::figure(study);
                 if !figure.panels.is_empty() {
-                    write(&figure, &self.out.join(PLOT))?;
+                    write(&figure, &self.out.join(PLOT_FILE))?;
                 }
             }
         }
-        Ok(Status::Done)
+        Ok(ExitStatus::Done)
     }
 }

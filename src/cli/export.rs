@@ -1,6 +1,8 @@
 //! `brinell export`: a case as a deck for CalculiX or Abaqus.
 
-use super::{CommandResult, Status, read_case, say};
+use super::case_file::read_case;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
 use crate::product::job::{self, JobError};
 use crate::render::inp::{ContactType, Settings};
 use clap::{Args, ValueEnum};
@@ -15,7 +17,7 @@ pub enum Format {
 
 /// Contact of the deck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Contact {
+pub enum DeckContact {
     /// Penalty at points of the faces; copes with friction and plasticity.
     SurfaceToSurface,
     /// Penalty at the nodes.
@@ -36,7 +38,7 @@ pub enum Solver {
 
 /// Element types of the deck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Element {
+pub enum DeckElement {
     #[value(name = "C3D8")]
     C3d8,
     #[value(name = "C3D8I")]
@@ -70,7 +72,7 @@ pub struct ExportArgs {
     pub contact_stiffness: Option<f64>,
     /// Kind of contact.
     #[arg(long, value_enum, default_value = "surface-to-surface")]
-    pub contact: Contact,
+    pub contact: DeckContact,
     /// How far the closing step moves what the load steps drive by force, in the length of the
     /// case. Nine tenths of the descent save increments in a symmetric bearing; in a displaced one
     /// CalculiX then loses its way [default: the shortening of a solid block, safely too little].
@@ -86,15 +88,15 @@ pub struct ExportArgs {
     pub solver: Option<Solver>,
     /// Element type [default: C3D8, or C3D8I for the enhanced element].
     #[arg(long, value_enum)]
-    pub element: Option<Element>,
+    pub element: Option<DeckElement>,
 }
 
 /// Carries out the command.
 pub fn run(args: &ExportArgs) -> CommandResult {
     let Format::Inp = args.format;
-    let exported = export(args).map_err(|error| (Status::BadInput, error.into()))?;
+    let exported = export(args).map_err(|error| (ExitStatus::BadInput, error.into()))?;
     say(&exported);
-    Ok(Status::Done)
+    Ok(ExitStatus::Done)
 }
 
 fn export(args: &ExportArgs) -> Result<String, JobError> {
@@ -120,16 +122,16 @@ fn settings(args: &ExportArgs) -> Settings {
         Solver::IterativeCholesky => "ITERATIVE CHOLESKY",
     });
     let element = args.element.map(|element| match element {
-        Element::C3d8 => "C3D8",
-        Element::C3d8i => "C3D8I",
-        Element::C3d8r => "C3D8R",
+        DeckElement::C3d8 => "C3D8",
+        DeckElement::C3d8i => "C3D8I",
+        DeckElement::C3d8r => "C3D8R",
     });
     Settings {
         element: element.map(str::to_string),
         contact: match args.contact {
-            Contact::SurfaceToSurface => ContactType::SurfaceToSurface,
-            Contact::NodeToSurface => ContactType::NodeToSurface,
-            Contact::Mortar => ContactType::Mortar,
+            DeckContact::SurfaceToSurface => ContactType::SurfaceToSurface,
+            DeckContact::NodeToSurface => ContactType::NodeToSurface,
+            DeckContact::Mortar => ContactType::Mortar,
         },
         contact_stiffness: args.contact_stiffness,
         closing: args.closing,

@@ -1,7 +1,6 @@
 //! The help of the program as a whole: commands in groups, examples at the end.
 
-use super::Cli;
-use clap::{Command, CommandFactory};
+use clap::Command;
 
 /// At the end of `brinell --help`.
 pub const EXAMPLES: &str = "Examples:
@@ -21,19 +20,8 @@ const GROUPS: [(&str, &[&str]); 5] = [
     ("Shell", &["completions", "help"]),
 ];
 
-/// The whole command line, as it is parsed, completed and described.
-pub fn command() -> Command {
-    let mut command = Cli::command();
-    command.build();
-    let list = grouped(&command);
-    Cli::command().help_template(format!(
-        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{list}Options:\n{{options}}\
-         {{after-help}}"
-    ))
-}
-
 /// Headings with the commands that there are, each with the first line of its help.
-fn grouped(command: &Command) -> String {
+pub fn grouped(command: &Command) -> String {
     let mut text = String::new();
     for (heading, names) in GROUPS {
         let there = names
@@ -55,6 +43,8 @@ fn grouped(command: &Command) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::{Cli, command};
+    use clap::CommandFactory;
 
     #[test]
     fn every_command_has_a_group() {

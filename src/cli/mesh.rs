@@ -1,6 +1,8 @@
 //! `brinell mesh`: the mesh of a bearing case, by gmsh.
 
-use super::{CommandResult, Status, read_case, say};
+use super::case_file::read_case;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
 use crate::product::job::{self, JobError};
 use clap::Args;
 use std::path::PathBuf;
@@ -22,9 +24,9 @@ pub struct MeshArgs {
 
 /// Carries out the command.
 pub fn run(args: &MeshArgs) -> CommandResult {
-    let text = make(args).map_err(|error| (Status::BadInput, error.into()))?;
+    let text = make(args).map_err(|error| (ExitStatus::BadInput, error.into()))?;
     say(&text);
-    Ok(Status::Done)
+    Ok(ExitStatus::Done)
 }
 
 fn make(args: &MeshArgs) -> Result<String, JobError> {

@@ -1,32 +1,32 @@
 //! Commands: arguments and printing, one file a command.
 
+mod case_file;
 pub mod check;
 pub mod completions;
 mod console;
 pub mod converge;
 pub mod export;
+mod failure;
 mod help;
 pub mod hertz;
 pub mod init;
 pub mod mesh;
+mod output;
 mod preset;
 pub mod reference;
 pub mod run;
+mod signals;
 pub mod size;
+mod status;
 pub mod study;
 pub mod sweep;
+mod threads;
 pub mod verify;
 
-use crate::case::{self, Case};
-use crate::product::converge::ConvergeError;
-use crate::product::job::JobError;
-use clap::{FromArgMatches, Parser, Subcommand};
-use console::Console;
-pub use help::command;
-use std::io::{ErrorKind, Write};
-use std::path::Path;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+pub use status::{CommandResult, ExitStatus};
+use std::io::Write;
 use std::process::ExitCode;
-use std::sync::OnceLock;
 
 /// Contact stresses of roller bearings by finite elements.
 #[derive(Debug, Parser)]
@@ -64,17 +64,15 @@ enum Command {
     Completions(completions::CompletionsArgs),
 }
 
-/// Exit status of the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Status {
-    /// Done and converged.
-    Done = 0,
-    /// Solved, but a claim or limit failed.
-    Failed = 1,
-    BadInput = 2,
-    NotConverged = 3,
-    Interrupted = 130,
+/// The whole command line, as it is parsed, completed and described.
+pub fn command() -> clap::Command {
+    let mut command = Cli::command();
+    command.build();
+    let list = help::grouped(&command);
+    Cli::command().help_template(format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{list}Options:\n{{options}}\
+         {{after-help}}"
+    ))
 }
 
 impl Cli {
@@ -98,21 +96,21 @@ impl Cli {
             Command::Study(args) => study::run(&args),
             Command::Sweep(args) => sweep::run(&args),
             Command::Verify(args) => verify::run(&args),
-            Command::Completions(args) => completions::run(&args),
+            Command::Completions(args) => completions::run(&args, &mut command()),
             Command::Hertz(args) => hertz::run(&args)
-                .map(|()| Status::Done)
-                .map_err(|error| (Status::BadInput, miette::Report::msg(error.to_string()))),
+                .map(|()| ExitStatus::Done)
+                .map_err(|error| (ExitStatus::BadInput, miette::Report::msg(error.to_string()))),
         };
         let status = status.unwrap_or_else(|(status, report)| {
             // Nobody is left to tell where even this cannot be written.
             let _ = writeln!(std::io::stderr(), "{report:?}");
             status
         });
-        let status = match LOST.get() {
+        let status = match output::write_error() {
             Some(why) => {
                 let _ = writeln!(std::io::stderr(), "cannot write standard output: {why}");
-                if status == Status::Done {
-                    Status::BadInput
+                if status == ExitStatus::Done {
+                    ExitStatus::BadInput
                 } else {
                     status
                 }
@@ -121,46 +119,4 @@ impl Cli {
         };
         ExitCode::from(status as u8)
     }
-}
-
-/// Why standard output could not be written, the first time.
-static LOST: OnceLock<String> = OnceLock::new();
-
-/// Prints a line. A reader that has gone, such as `head`, stops nothing; what else cannot be written makes the
-/// command fail at its end.
-fn say(text: &str) {
-    if let Err(error) = writeln!(std::io::stdout(), "{text}")
-        && error.kind() != ErrorKind::BrokenPipe
-    {
-        LOST.get_or_init(|| error.to_string());
-    }
-}
-
-/// What a command comes to: a status, or one with the reason.
-pub type CommandResult = Result<Status, (Status, miette::Report)>;
-
-/// What a solution that failed comes to, the progress bar being taken off the terminal.
-fn failure(console: &Console, error: ConvergeError) -> (Status, miette::Report) {
-    console.finish();
-    // Ctrl-C reaches gmsh too, whose end then looks like a failure.
-    let status = if console.interrupted() {
-        Status::Interrupted
-    } else if error.is_not_converged() {
-        Status::NotConverged
-    } else {
-        Status::BadInput
-    };
-    (status, error.into())
-}
-
-/// The case of a file with what the arguments change: mesh preset, whole model.
-fn read_case(path: &Path, preset: Option<&str>, full: bool) -> Result<Case, JobError> {
-    let mut case = case::read(path)?;
-    if let Some(preset) = preset {
-        case.set_preset(preset)?;
-    }
-    if full {
-        case.set_full()?;
-    }
-    Ok(case)
 }

@@ -85,9 +85,10 @@ fn row(argument: &Arg) -> String {
             None => format!("`{}`", value.get_name()),
         })
         .collect();
-    let one_of = match values.is_empty() {
-        true => String::new(),
-        false => format!(" One of: {}.", values.join(", ")),
+    let one_of = if values.is_empty() {
+        String::new()
+    } else {
+        format!(" One of: {}.", values.join(", "))
     };
     let escape = |text: String| text.replace('|', "\\|").replace('\n', " ");
     format!(
@@ -113,9 +114,10 @@ fn written(argument: &Arg) -> String {
                 .into_iter()
                 .chain(long.map(|long| format!("--{long}")));
             let names: Vec<String> = names.collect();
-            match argument.get_action().takes_values() {
-                true => format!("{} <{}>", names.join(", "), value()),
-                false => names.join(", "),
+            if argument.get_action().takes_values() {
+                format!("{} <{}>", names.join(", "), value())
+            } else {
+                names.join(", ")
             }
         }
     }

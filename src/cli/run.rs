@@ -1,9 +1,12 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
+use super::case_file::read_case;
 use super::console::{Console, LEGEND};
-use super::{CommandResult, Status, failure, read_case, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
+use super::threads::set_threads;
 use crate::case::Case;
-use crate::ground::memory;
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::product::target::{self, Level, Limits, Target, Verdict};
@@ -64,7 +67,7 @@ pub struct RunArgs {
 
 /// Carries out the command.
 pub fn run(args: &RunArgs) -> CommandResult {
-    let bad = |report: miette::Report| (Status::BadInput, report);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let case = read(args).map_err(|error| bad(error.into()))?;
     set_threads(args.threads);
     let options = Options {
@@ -103,11 +106,11 @@ pub fn run(args: &RunArgs) -> CommandResult {
                 say(&format!("FAILED: {limit}"));
             }
             Ok(if outcome.interrupted {
-                Status::Interrupted
+                ExitStatus::Interrupted
             } else if missed.is_empty() {
-                Status::Done
+                ExitStatus::Done
             } else {
-                Status::Failed
+                ExitStatus::Failed
             })
         }
         Err(error) => Err(failure(&console, error)),
@@ -159,26 +162,4 @@ fn read(args: &RunArgs) -> Result<Case, JobError> {
 
 fn default_folder(case: &Path) -> PathBuf {
     Path::new("results").join(case.file_stem().unwrap_or(case.as_os_str()))
-}
-
-/// Sets the size of the thread pool, smaller where the address space has a limit; a pool that exists already is kept.
-pub(super) fn set_threads(threads: Option<u16>) {
-    let set = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let _ = pool.build_global();
-    };
-    let by_default = || {
-        let named = std::env::var("RAYON_NUM_THREADS").ok();
-        let named = named.and_then(|text| text.parse().ok());
-        named.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
-    };
-    let asked = threads.map_or_else(by_default, usize::from);
-    match memory::most_threads() {
-        Some(most) if most < asked => {
-            eprintln!("threads: {most} in place of {asked}, as the address space is limited");
-            set(most);
-        }
-        _ if threads.is_some() => set(asked),
-        _ => {}
-    }
 }

@@ -1,14 +1,16 @@
 //! `brinell size`: from load, steel and displacement to a bearing, and a verdict on it.
 
 use super::console::{Console, LEGEND};
-use super::run::set_threads;
-use super::{CommandResult, Status, failure, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
+use super::threads::set_threads;
 use crate::case::bearing::{Preset, RollerEnd};
 use crate::ground::units::{Dimension, UnitSystem};
 use crate::product::converge::ConvergeError;
 use crate::product::size::{
-    Proposal, Request, Rule, Setting, SizeError, Verdict, Verification, quantity, render_verdict,
-    table, units_of_load, verify, write,
+    DesignVerdict, Proposal, Request, Rule, Setting, SizeError, Verification, quantity,
+    render_verdict, table, units_of_load, verify, write,
 };
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -114,7 +116,7 @@ pub struct SizeArgs {
 
 /// Carries out the command.
 pub fn run(args: &SizeArgs) -> CommandResult {
-    let bad = |error: SizeError| (Status::BadInput, error.into());
+    let bad = |error: SizeError| (ExitStatus::BadInput, error.into());
     let mut request = args.request().map_err(bad)?;
     set_threads(args.threads);
     let mut console = Console::new(args.quiet);
@@ -122,13 +124,13 @@ pub fn run(args: &SizeArgs) -> CommandResult {
         let proposal = Proposal::new(&request).map_err(bad)?;
         say(&table::render(&proposal));
         let Some(choice) = proposal.choice() else {
-            return Ok(Status::Failed);
+            return Ok(ExitStatus::Failed);
         };
         let folder = args.folder(design);
         let written = write(&proposal, choice, &folder).map_err(|error| bad(error.into()))?;
         say(&format!("written: {}", names(&written)));
         if !args.verify {
-            return Ok(Status::Done);
+            return Ok(ExitStatus::Done);
         }
         if !args.quiet && design == 1 {
             say(&format!("\n{LEGEND}\n"));
@@ -137,7 +139,7 @@ pub fn run(args: &SizeArgs) -> CommandResult {
             Ok(Verification::Done(verdict)) => verdict,
             Ok(Verification::Interrupted) => {
                 console.finish();
-                return Ok(Status::Interrupted);
+                return Ok(ExitStatus::Interrupted);
             }
             Err(SizeError::Job(error)) => return Err(failure(&console, ConvergeError::Job(error))),
             Err(error) => return Err(bad(error)),
@@ -145,7 +147,7 @@ pub fn run(args: &SizeArgs) -> CommandResult {
         console.finish();
         told(&verdict, &folder);
         if verdict.met {
-            return Ok(Status::Done);
+            return Ok(ExitStatus::Done);
         }
         match verdict.advice {
             Some(advice) if design < args.tries && advice.diameter.is_some() => {
@@ -154,10 +156,10 @@ pub fn run(args: &SizeArgs) -> CommandResult {
             _ => break,
         }
     }
-    Ok(Status::Failed)
+    Ok(ExitStatus::Failed)
 }
 
-fn told(verdict: &Verdict, folder: &Path) {
+fn told(verdict: &DesignVerdict, folder: &Path) {
     say(&format!("\n{}", render_verdict(verdict)));
     let names = ["verdict.json", "verdict.md"].map(|name| folder.join(name));
     let fields = verdict.positions.iter();

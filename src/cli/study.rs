@@ -1,14 +1,16 @@
 //! `brinell study`: the published study, rerun.
 
 use super::console::Console;
-use super::{CommandResult, Status, failure, say};
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
 use crate::proof::study::{self, MEMBERS, Meshes, NAME, PAGE};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
 /// A mesh of the study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Mesh {
+pub enum StudyMesh {
     ReportLike,
     Resolved,
 }
@@ -19,7 +21,7 @@ pub struct StudyArgs {
     pub study: String,
     /// Only on this mesh [default: on both].
     #[arg(long, value_enum)]
-    pub mesh: Option<Mesh>,
+    pub mesh: Option<StudyMesh>,
     /// Folder of the results [default: results/ and the name of the study].
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
@@ -38,12 +40,12 @@ pub struct StudyArgs {
 pub fn run(args: &StudyArgs) -> CommandResult {
     if args.study != NAME {
         let message = format!("there is no study `{}`; there is: {NAME}", args.study);
-        return Err((Status::BadInput, miette::Report::msg(message)));
+        return Err((ExitStatus::BadInput, miette::Report::msg(message)));
     }
-    super::run::set_threads(args.threads);
+    super::threads::set_threads(args.threads);
     let meshes = Meshes {
-        report_like: args.mesh != Some(Mesh::Resolved),
-        resolved: args.mesh != Some(Mesh::ReportLike),
+        report_like: args.mesh != Some(StudyMesh::Resolved),
+        resolved: args.mesh != Some(StudyMesh::ReportLike),
     };
     let default = || Path::new("results").join(NAME);
     let out = args.out.clone().unwrap_or_else(default);
@@ -57,7 +59,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
             Some(case) => solved.push(case),
             None => {
                 console.finish();
-                return Ok(Status::Interrupted);
+                return Ok(ExitStatus::Interrupted);
             }
         }
     }
@@ -69,7 +71,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
     say(&format!("\nwritten to {}", out.display()));
     let page = Path::new(PAGE);
     let bad = |error: crate::render::page::PageError| {
-        (Status::BadInput, miette::Report::msg(error.to_string()))
+        (ExitStatus::BadInput, miette::Report::msg(error.to_string()))
     };
     if args.write {
         study::write(page, &parts).map_err(bad)?;
@@ -77,7 +79,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
         say(&format!("written to {PAGE}"));
     }
     if !args.check {
-        return Ok(Status::Done);
+        return Ok(ExitStatus::Done);
     }
     let differences = study::check(page, &parts).map_err(bad)?;
     for d in &differences {
@@ -86,11 +88,10 @@ pub fn run(args: &StudyArgs) -> CommandResult {
             d.part, d.row, d.page, d.fresh
         ));
     }
-    Ok(match differences.is_empty() {
-        true => {
-            say(&format!("{PAGE} says what this run says"));
-            Status::Done
-        }
-        false => Status::Failed,
+    Ok(if differences.is_empty() {
+        say(&format!("{PAGE} says what this run says"));
+        ExitStatus::Done
+    } else {
+        ExitStatus::Failed
     })
 }

@@ -1,8 +1,9 @@
 //! `brinell verify`: the ladder of problems with known answers.
 
 use super::console::Console;
-use super::run::set_threads;
-use super::{CommandResult, Status, say};
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
+use super::threads::set_threads;
 use crate::ground::file::write_atomically;
 use crate::proof::verify::coverage::{self, Answer, Keep, Set};
 use crate::proof::verify::{
@@ -63,10 +64,10 @@ pub struct CoverageArgs {
 }
 
 /// The page that `--write` writes, from the folder where the command is run.
-const PAGE: &str = "docs/verification.md";
+const VERIFICATION_PAGE: &str = "docs/verification.md";
 
 /// The suite of extreme cases, and the page of these and of random ones.
-const EXTREME: &str = "cases/extreme/suite.toml";
+const EXTREME_SUITE: &str = "cases/extreme/suite.toml";
 const STABILITY_PAGE: &str = "docs/stability.md";
 
 const COVERAGE_PAGE: &str = "docs/coverage.md";
@@ -84,7 +85,7 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     if args.suite.as_deref() == Some("coverage") {
         return run_coverage(args);
     }
-    let bad = |report: miette::Report| (Status::BadInput, report);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
     let suites = suites(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
     say(&matrix::head());
@@ -111,17 +112,21 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
         unsolved.len()
     ));
     if args.write {
-        write(Path::new(PAGE), &claims, &unsolved)
-            .map_err(|error| cannot(Path::new(PAGE), error))?;
-        say(&format!("written to {PAGE}"));
+        write(Path::new(VERIFICATION_PAGE), &claims, &unsolved)
+            .map_err(|error| cannot(Path::new(VERIFICATION_PAGE), error))?;
+        say(&format!("written to {VERIFICATION_PAGE}"));
     }
     let sound = failed == 0 && unsolved.is_empty();
-    Ok(if sound { Status::Done } else { Status::Failed })
+    Ok(if sound {
+        ExitStatus::Done
+    } else {
+        ExitStatus::Failed
+    })
 }
 
 fn run_extreme(write: bool) -> CommandResult {
-    let bad = |report: miette::Report| (Status::BadInput, report);
-    let suite = Path::new(EXTREME);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
+    let suite = Path::new(EXTREME_SUITE);
     let cases = extreme::read(suite).map_err(|error| bad(error.into()))?;
     let folder = suite.parent().unwrap_or(suite);
     say(&extreme::head());
@@ -147,9 +152,9 @@ fn run_extreme(write: bool) -> CommandResult {
         say(&format!("written to {STABILITY_PAGE}"));
     }
     Ok(if failed == 0 {
-        Status::Done
+        ExitStatus::Done
     } else {
-        Status::Failed
+        ExitStatus::Failed
     })
 }
 
@@ -192,7 +197,11 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
         say(&format!("written to {STABILITY_PAGE}"));
     }
     let holds = sets.iter().flat_map(|(_, o)| o).all(random::Outcome::holds);
-    Ok(if holds { Status::Done } else { Status::Failed })
+    Ok(if holds {
+        ExitStatus::Done
+    } else {
+        ExitStatus::Failed
+    })
 }
 
 /// The arguments that say which random cases are drawn.
@@ -207,22 +216,23 @@ fn drawn_by(args: &VerifyArgs) -> String {
     words
 }
 
-fn cannot(path: &Path, error: impl std::fmt::Display) -> (Status, miette::Report) {
+fn cannot(path: &Path, error: impl std::fmt::Display) -> (ExitStatus, miette::Report) {
     let report = miette::miette!("{} cannot be written: {error}", path.display());
-    (Status::BadInput, report)
+    (ExitStatus::BadInput, report)
 }
 
 fn run_coverage(all: &VerifyArgs) -> CommandResult {
     let (args, write) = (&all.coverage, all.write);
-    let bad = |report: miette::Report| (Status::BadInput, report);
+    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     set_threads(all.threads);
     let mut console = Console::new(true);
     let mut suite = coverage::Suite {
         sets: vec![Set::Named, Set::Drawn(all.seed)],
         only: all.only.clone(),
-        presets: match args.mesh.is_empty() {
-            true => coverage::presets(),
-            false => args.mesh.clone(),
+        presets: if args.mesh.is_empty() {
+            coverage::presets()
+        } else {
+            args.mesh.clone()
         },
         plastic: !args.elastic,
         keep: Keep {
@@ -276,13 +286,13 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     ))
 }
 
-fn status(answer: &Answer, sound: bool) -> Status {
+fn status(answer: &Answer, sound: bool) -> ExitStatus {
     if answer.interrupted {
-        Status::Interrupted
+        ExitStatus::Interrupted
     } else if sound && answer.unsolved.is_empty() {
-        Status::Done
+        ExitStatus::Done
     } else {
-        Status::Failed
+        ExitStatus::Failed
     }
 }
 

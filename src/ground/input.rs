@@ -8,8 +8,9 @@ use std::path::Path;
 /// Bytes that a text which somebody writes by hand, or a table of cases, may have.
 pub const TEXT: u64 = 256 << 20;
 
-/// What is read however little memory is left: whether the rest is enough, the solution says better.
-const SMALL: u64 = 4 << 20;
+/// A file of at most this size, in bytes, is read however little memory is left: whether the rest is enough
+/// to solve is for the solution to say.
+const READ_IN_ANY_CASE: u64 = 4 << 20;
 
 /// The bytes of the file at `path`, which may be as many as half of the memory that is left.
 ///
@@ -20,7 +21,7 @@ pub fn bytes(path: &Path) -> io::Result<Vec<u8>> {
         path,
         memory::available()
             .map_or(u64::MAX - 1, |left| (0.5 * left) as u64)
-            .max(SMALL),
+            .max(READ_IN_ANY_CASE),
     )
 }
 
@@ -51,9 +52,10 @@ pub fn bounded(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::with_capacity(about.len() as usize);
     // Some files, as of the kernel, say nothing of their size, and some grow.
     File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
-    match bytes.len() as u64 > most {
-        true => refused(too_large(bytes.len() as u64)),
-        false => Ok(bytes),
+    if bytes.len() as u64 > most {
+        refused(too_large(bytes.len() as u64))
+    } else {
+        Ok(bytes)
     }
 }
 

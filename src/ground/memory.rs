@@ -4,10 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Prefix of the kernel's files, for tests: a folder that has `proc` and `sys` below it.
-const ROOT: &str = "BRINELL_SYSTEM_ROOT";
+const SYSTEM_ROOT_VARIABLE: &str = "BRINELL_SYSTEM_ROOT";
 
-/// Address space that each thread reserves for its stack and an arena of the allocator.
-const BESIDE: f64 = 80e6;
+/// Address space, in bytes, that each thread reserves for its stack and an arena of the allocator.
+const STACK_AND_ARENA: f64 = 80e6;
 
 /// Bytes that this process can still get, as far as the system tells: what the machine has left, or
 /// less where a control group, its parents or a limit on the address space (`ulimit -v`) say so.
@@ -43,13 +43,13 @@ pub fn most_threads() -> Option<usize> {
 }
 
 fn root() -> PathBuf {
-    std::env::var_os(ROOT).map_or_else(|| PathBuf::from("/"), PathBuf::from)
+    std::env::var_os(SYSTEM_ROOT_VARIABLE).map_or_else(|| PathBuf::from("/"), PathBuf::from)
 }
 
 /// Address space that a thread reserves: the kernel of dense products takes two buffers of the size of the last level
 /// of cache in every thread, and touches next to nothing of them.
 fn of_a_thread(read: &impl Fn(&str) -> Option<String>) -> f64 {
-    BESIDE + 2.0 * last_cache(read).unwrap_or(0.0)
+    STACK_AND_ARENA + 2.0 * last_cache(read).unwrap_or(0.0)
 }
 
 /// Bytes of the last level of cache, of all processors together.

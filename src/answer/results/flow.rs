@@ -8,7 +8,7 @@ use crate::model::state::State;
 
 /// Largest equivalent plastic strain of a body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Flow {
+pub struct BodyFlow {
     /// Beside loaded edges of contact surfaces, such as square ends of rollers.
     pub at_edges: f64,
     pub away: f64,
@@ -18,9 +18,9 @@ pub struct Flow {
 }
 
 /// One for each body, in the order of the mesh.
-pub fn flows(scene: &Scene, state: &State, edges: &LoadedEdges) -> Vec<Flow> {
+pub fn flows(scene: &Scene, state: &State, edges: &LoadedEdges) -> Vec<BodyFlow> {
     let of_body = |elements: std::ops::Range<usize>| {
-        let mut flow = Flow::default();
+        let mut flow = BodyFlow::default();
         for element in elements {
             let points = state.peeq_of(element);
             let strain = points.iter().copied().fold(0.0, f64::max);

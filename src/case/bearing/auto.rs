@@ -2,15 +2,14 @@
 
 use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
-use super::preset::PLATE_TO_ROLLER;
-use super::sizes::Sizes;
+use super::sizes::{PLATE_TO_ROLLER, Sizes};
 use super::strips::Strips;
 
 /// Elements across the half-width of the narrowest line: a tenth more than are asked for, on the
 /// plates too, whose elements are the larger ones.
-const ACROSS: f64 = 3.5;
+const ELEMENTS_ACROSS: f64 = 3.5;
 /// Fine elements reach this many half-widths of the widest line.
-const REACH: f64 = 1.35;
+const FINE_REACH: f64 = 1.35;
 /// More fine rows than this are of no use: lines whose widths differ so much cannot share a size.
 const MOST_ROWS: f64 = 40.0;
 
@@ -22,8 +21,8 @@ const MOST_ROWS: f64 = 40.0;
 /// by 0.3 % at most.
 pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
     let diameter = geometry.diameter;
-    let fine = strips.narrowest / ACROSS;
-    let rows = (REACH * strips.widest / fine - 1e-6).ceil();
+    let fine = strips.narrowest / ELEMENTS_ACROSS;
+    let rows = (FINE_REACH * strips.widest / fine - 1e-6).ceil();
     let half_length = geometry.length / 2.0;
     let half_plan = geometry.plan[0].max(geometry.plan[1]) / 2.0;
     let wall = geometry.wall.unwrap_or(geometry.radius() / 2.0);
@@ -63,7 +62,7 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
     use crate::case::bearing::strips::{self, FoundLine};
 
     const STEEL: f64 = 2.0 * 0.91 / 29500.0;
@@ -81,8 +80,8 @@ mod tests {
             };
             let strips = predicted(&geometry, load);
             let sizes = sizes(&geometry, &strips);
-            assert!(strips::ACROSS * sizes.plate_size <= strips.narrowest);
-            assert!(sizes.fine_elements * sizes.roller_size >= strips::REACH * strips.widest);
+            assert!(strips::FEWEST_ACROSS * sizes.plate_size <= strips.narrowest);
+            assert!(sizes.fine_elements * sizes.roller_size >= strips::LEAST_REACH * strips.widest);
             assert!(sizes.fine_elements <= 6.0, "no more rows than that takes");
         }
     }

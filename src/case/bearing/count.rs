@@ -11,17 +11,18 @@ use super::sizes::Sizes;
 type Stop = (f64, Option<f64>, f64);
 
 /// How the elements of a line are graded.
-struct Grading {
+struct GradedInterval {
     growth: f64,
     cap: f64,
     least: f64,
     uniform: bool,
 }
 
-/// The template gives no interval more elements: those beyond would be larger than asked for.
-const MOST: usize = 1000;
+/// The most elements between two stops of a grading, as in the template; an interval that asks for more gets
+/// elements larger than it asked for.
+const MOST_ELEMENTS: usize = 1000;
 
-impl Grading {
+impl GradedInterval {
     /// Elements on a line between its first and its last stop, as `meshes/spacing.geo` places them.
     fn elements(&self, stops: &[Stop]) -> f64 {
         stops.windows(2).map(|ends| self.interval(ends)).sum()
@@ -38,14 +39,15 @@ impl Grading {
             size * self.growth.powf((n as f64 + 1.0 - fine).max(0.0))
         };
         let (mut of_a, mut of_b, mut sum) = (0, 0, 0.0);
-        for _ in 0..MOST {
+        for _ in 0..MOST_ELEMENTS {
             if sum >= length * (1.0 - 1e-9) && (of_a + of_b) as f64 >= self.least {
                 break;
             }
             let (next_a, next_b) = (grown(a, of_a, fine_a), grown(b, of_b, fine_b));
-            match next_a <= next_b * (1.0 + 1e-9) {
-                true => of_a += 1,
-                false => of_b += 1,
+            if next_a <= next_b * (1.0 + 1e-9) {
+                of_a += 1
+            } else {
+                of_b += 1
             }
             sum += self.cap.min(next_a).min(next_b);
         }
@@ -75,9 +77,9 @@ struct Count<'a> {
 }
 
 impl Count<'_> {
-    fn grading(&self, growth: f64, cap: f64, least: f64) -> Grading {
+    fn grading(&self, growth: f64, cap: f64, least: f64) -> GradedInterval {
         let uniform = self.sizes.uniform;
-        Grading {
+        GradedInterval {
             growth,
             cap,
             least,
@@ -86,7 +88,7 @@ impl Count<'_> {
     }
 
     /// On a line that is the same on both sides of its middle stop: half of it on a quarter.
-    fn halved(&self, grading: &Grading, stops: &[Stop]) -> f64 {
+    fn halved(&self, grading: &GradedInterval, stops: &[Stop]) -> f64 {
         let first = if self.whole { 0 } else { stops.len() / 2 };
         grading.elements(&stops[first..])
     }
@@ -147,9 +149,10 @@ impl Count<'_> {
     fn flat_plate(&self, thickness: f64, [across, along]: [f64; 2]) -> f64 {
         let (geometry, sizes) = (self.geometry, self.sizes);
         let (centre, any) = (2.0 * geometry.offset, None);
-        let line = match sizes.uniform {
-            true => (centre, any, 1.0),
-            false => (geometry.offset, Some(sizes.plate_size), sizes.fine_elements),
+        let line = if sizes.uniform {
+            (centre, any, 1.0)
+        } else {
+            (geometry.offset, Some(sizes.plate_size), sizes.fine_elements)
         };
         let edge = |at| (at, any, sizes.fine_elements);
         let stops = [

@@ -1,8 +1,5 @@
 //! The profile of a roller near its ends.
 
-use super::error::GeometryError;
-use super::geometry::BearingGeometry;
-
 /// The shape of the ends of a roller.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RollerEnd {
@@ -36,23 +33,6 @@ impl RollerEnd {
                 drop * (1.0 - (1.0 - bound) * share).ln() / bound.ln()
             }
         }
-    }
-
-    pub(super) fn check(self, geometry: &BearingGeometry) -> Result<(), GeometryError> {
-        let (key, value) = match self {
-            Self::Square => return Ok(()),
-            Self::Radius(radius) => ("roller_end.radius", radius),
-            Self::Crown(drop) => ("roller_end.crown", drop),
-        };
-        let wall = geometry.wall.unwrap_or(geometry.radius());
-        let most = 0.5 * wall.min(geometry.length / 2.0);
-        GeometryError::unless(
-            value > 0.0 && value <= most,
-            key,
-            value,
-            || format!("must be more than 0 and at most {most} (half the wall)"),
-            "the end of the roller must keep some of its wall",
-        )
     }
 }
 

@@ -60,7 +60,7 @@ pub fn write_with_fingerprint(
 mod tests {
     use super::*;
     use crate::case::bearing::Preset;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
 
     #[test]
     fn one_bearing_has_one_fingerprint_in_any_unit() {

@@ -2,7 +2,7 @@
 
 use super::geometry::BearingGeometry;
 use super::request::MeshRequest;
-use super::sizes::{Kind, MESH_KEYS};
+use super::sizes::{MESH_KEYS, SizeKind};
 use crate::model::mesh::Mesh;
 
 /// A number of the template, with what it measures.
@@ -44,7 +44,7 @@ pub(super) fn parameters(geometry: &BearingGeometry, request: &MeshRequest) -> V
         list.push(Parameter {
             name: key.parameter,
             value,
-            is_length: key.kind == Kind::Length,
+            is_length: key.kind == SizeKind::Length,
         });
     }
     list

@@ -7,7 +7,7 @@ use std::str::FromStr;
 use super::auto;
 use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
-use super::sizes::Sizes;
+use super::sizes::{PLATE_TO_ROLLER, Sizes};
 use super::strips::Strips;
 
 /// A named choice of element sizes.
@@ -31,9 +31,6 @@ pub enum Preset {
     /// The uniform coarse mesh of the reference study, for comparison only.
     ReportLike,
 }
-
-/// Plate elements across a contact line against those of the roller.
-pub(super) const PLATE_TO_ROLLER: f64 = 1.06;
 
 impl Preset {
     /// Those that a case may ask for, the default first.
@@ -176,7 +173,7 @@ pub struct UnknownPreset(pub String);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
 
     #[test]
     fn presets_go_by_their_names() {

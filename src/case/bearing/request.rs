@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use super::error::GeometryError;
 use super::geometry::BearingGeometry;
-use super::preset::{PLATE_TO_ROLLER, Preset};
-use super::sizes::{Kind, MESH_KEYS, Sizes};
+use super::preset::Preset;
+use super::sizes::{MESH_KEYS, PLATE_TO_ROLLER, SizeKind, Sizes};
 use super::strips::{FoundLine, Strips};
 
 /// How a bearing is to be meshed.
@@ -122,13 +122,13 @@ impl MeshRequest {
         for (key, value) in numbers.into_iter().flatten() {
             let (least, most, range) = match key.kind {
                 // Finer meshes than this could not be solved, nor made in reasonable time.
-                Kind::Length => {
+                SizeKind::Length => {
                     let least = 1e-4 * geometry.diameter;
                     let range = format!("must be at least {least} (1e-4 diameters)");
                     (least, f64::MAX, range)
                 }
-                Kind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
-                Kind::Ratio => (1.0, 10.0, "must lie between 1 and 10".into()),
+                SizeKind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
+                SizeKind::Ratio => (1.0, 10.0, "must lie between 1 and 10".into()),
             };
             let help = "a size, count or growth of the bearing template";
             GeometryError::unless(
@@ -146,7 +146,7 @@ impl MeshRequest {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
 
     #[test]
     fn overrides_take_the_place_of_the_preset() {

@@ -55,7 +55,7 @@ fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::bearing::geometry::tests::initial;
+    use crate::case::bearing::sample::initial;
     use crate::model::mesh::Body;
 
     #[test]

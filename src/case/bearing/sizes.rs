@@ -45,9 +45,9 @@ pub struct Sizes {
     pub along_least: f64,
 }
 
-/// What a number of [`Sizes`] measures.
+/// What a number of [`Sizes`] measures, which decides how it scales.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum SizeKind {
     Length,
     Count,
     Ratio,
@@ -60,10 +60,10 @@ pub struct MeshKey {
     pub key: &'static str,
     /// In the template.
     pub parameter: &'static str,
-    pub kind: Kind,
+    pub kind: SizeKind,
 }
 
-const fn key(key: &'static str, parameter: &'static str, kind: Kind) -> MeshKey {
+const fn key(key: &'static str, parameter: &'static str, kind: SizeKind) -> MeshKey {
     MeshKey {
         key,
         parameter,
@@ -73,25 +73,29 @@ const fn key(key: &'static str, parameter: &'static str, kind: Kind) -> MeshKey 
 
 /// The numbers of [`Sizes`] that a case file may set.
 pub const MESH_KEYS: [MeshKey; 18] = [
-    key("roller_size", "RollerSize", Kind::Length),
-    key("plate_size", "PlateSize", Kind::Length),
-    key("fine_elements", "FineElements", Kind::Count),
-    key("fine_layers", "FineLayers", Kind::Count),
-    key("crossing_size", "CrossingSize", Kind::Length),
-    key("end_size", "EndSize", Kind::Length),
-    key("growth", "Growth", Kind::Ratio),
-    key("depth_growth", "DepthGrowth", Kind::Ratio),
-    key("along_growth", "AlongGrowth", Kind::Ratio),
-    key("around_cap", "AroundCap", Kind::Length),
-    key("along_cap", "AlongCap", Kind::Length),
-    key("wall_cap", "WallCap", Kind::Length),
-    key("plan_cap", "PlanCap", Kind::Length),
-    key("middle_cap", "MiddleCap", Kind::Length),
-    key("depth_cap", "DepthCap", Kind::Length),
-    key("wall_least", "WallLeast", Kind::Count),
-    key("depth_least", "DepthLeast", Kind::Count),
-    key("along_least", "AlongLeast", Kind::Count),
+    key("roller_size", "RollerSize", SizeKind::Length),
+    key("plate_size", "PlateSize", SizeKind::Length),
+    key("fine_elements", "FineElements", SizeKind::Count),
+    key("fine_layers", "FineLayers", SizeKind::Count),
+    key("crossing_size", "CrossingSize", SizeKind::Length),
+    key("end_size", "EndSize", SizeKind::Length),
+    key("growth", "Growth", SizeKind::Ratio),
+    key("depth_growth", "DepthGrowth", SizeKind::Ratio),
+    key("along_growth", "AlongGrowth", SizeKind::Ratio),
+    key("around_cap", "AroundCap", SizeKind::Length),
+    key("along_cap", "AlongCap", SizeKind::Length),
+    key("wall_cap", "WallCap", SizeKind::Length),
+    key("plan_cap", "PlanCap", SizeKind::Length),
+    key("middle_cap", "MiddleCap", SizeKind::Length),
+    key("depth_cap", "DepthCap", SizeKind::Length),
+    key("wall_least", "WallLeast", SizeKind::Count),
+    key("depth_least", "DepthLeast", SizeKind::Count),
+    key("along_least", "AlongLeast", SizeKind::Count),
 ];
+
+/// Plate elements across a contact line against those of the roller: unequal, so that the nodes of the two
+/// surfaces do not meet.
+pub(super) const PLATE_TO_ROLLER: f64 = 1.06;
 
 impl Sizes {
     /// The numbers, in the order of [`MESH_KEYS`].
@@ -105,9 +109,9 @@ impl Sizes {
     pub fn scaled(mut self, scale: f64) -> Self {
         for (key, field) in MESH_KEYS.iter().zip(self.fields()) {
             *field = match key.kind {
-                Kind::Length => *field * scale,
-                Kind::Count => (*field / scale).round().max(1.0),
-                Kind::Ratio => field.powf(scale),
+                SizeKind::Length => *field * scale,
+                SizeKind::Count => (*field / scale).round().max(1.0),
+                SizeKind::Ratio => field.powf(scale),
             };
         }
         self

@@ -28,9 +28,9 @@ pub struct FoundLine {
     pub half_width: f64,
 }
 
-/// Of half-widths, a share of the diameter: strips are narrower in bearings that carry next to
-/// nothing, and meshes of them would spend all elements on nothing.
-const LEAST: f64 = 1e-3;
+/// The least half-width that a mesh is made for, as a share of the diameter: strips are narrower only in
+/// bearings that carry next to nothing, and would take all elements of the mesh.
+const LEAST_HALF_WIDTH: f64 = 1e-3;
 
 impl Strips {
     /// Of steel on steel at p0 = E*/100, where nothing is known of the load: a = 0.02 R.
@@ -91,7 +91,7 @@ impl Strips {
     pub fn found(geometry: &BearingGeometry, lines: &[FoundLine]) -> Option<Self> {
         let narrow: Vec<f64> = lines.iter().map(|line| line.half_width).collect();
         let wide: Vec<f64> = (lines.iter())
-            .map(|line| line.reach(geometry) / REACH)
+            .map(|line| line.reach(geometry) / LEAST_REACH)
             .collect();
         (!lines.is_empty()).then(|| Self::of(geometry, &narrow, &wide, true))
     }
@@ -99,7 +99,7 @@ impl Strips {
     fn of(geometry: &BearingGeometry, narrow: &[f64], wide: &[f64], found: bool) -> Self {
         // Three digits: one mesh whatever the units, though the numbers differ in their last ones.
         let rounded = |width: f64| {
-            let share = (width / geometry.diameter).max(LEAST);
+            let share = (width / geometry.diameter).max(LEAST_HALF_WIDTH);
             let digits = 10f64.powf(2.0 - share.log10().floor());
             (share * digits).round() / digits * geometry.diameter
         };
@@ -112,25 +112,25 @@ impl Strips {
 }
 
 /// The fine elements reach this many half-widths to either side of a line.
-pub const REACH: f64 = 1.3;
+pub const LEAST_REACH: f64 = 1.3;
 /// Elements across a half-width, at least.
-pub const ACROSS: f64 = 3.0;
+pub const FEWEST_ACROSS: f64 = 3.0;
 
 impl FoundLine {
     /// Do elements of this size across it, and so many half-widths of them, serve this line? `fine`
     /// is how far elements of `size` reach to either side of where the line lies in the geometry.
     pub fn is_served(&self, geometry: &BearingGeometry, size: f64, fine: f64) -> bool {
-        ACROSS * size <= self.half_width && self.reach(geometry) <= fine
+        FEWEST_ACROSS * size <= self.half_width && self.reach(geometry) <= fine
     }
 
     /// How far the fine elements must reach from where the line lies in the geometry. What a
     /// roller covers between the two lines of its valley is on both their fine elements.
     fn reach(&self, geometry: &BearingGeometry) -> f64 {
         if !self.valley {
-            return (self.across - geometry.offset).abs() + REACH * self.half_width;
+            return (self.across - geometry.offset).abs() + LEAST_REACH * self.half_width;
         }
         let line = geometry.v_line();
-        let half = REACH * self.half_width;
+        let half = LEAST_REACH * self.half_width;
         if geometry.is_centred() {
             let across = self.across.abs();
             let outward = across + half - line;

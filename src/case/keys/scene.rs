@@ -131,7 +131,7 @@ pub const CONTACT: Keys = Keys {
             "carrier",
             "`upper` or `lower`",
             "the softer side, of equal steels the one with coarser facets, else the upper one",
-            "the side whose nodes carry the pressure",
+            "the non-mortar (slave) side, whose nodes carry the pressure",
         ),
         key("friction", "share, 0 or more", "0", "Coulomb's coefficient"),
         key(

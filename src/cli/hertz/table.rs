@@ -2,16 +2,16 @@
 
 use std::fmt::Write;
 
-use super::Units;
+use super::units::HandbookUnits;
 use crate::analytic::handbook::{Below, HandbookAnswer, Spread};
 use crate::analytic::sizing;
 
 /// Rows of label, value and unit under headings.
-struct Table {
+struct HandbookTable {
     text: String,
 }
 
-impl Table {
+impl HandbookTable {
     fn heading(&mut self, heading: &str) {
         let gap = if self.text.is_empty() { "" } else { "\n" };
         self.put(format_args!("{gap}{heading}\n"));
@@ -45,10 +45,10 @@ fn number(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-pub(super) fn table(units: Units, answer: &HandbookAnswer) -> String {
+pub(super) fn table(units: HandbookUnits, answer: &HandbookAnswer) -> String {
     let [length, force, stress] = units.names();
     let (per_length, area) = (format!("{force}/{length}"), format!("{length}²"));
-    let mut t = Table {
+    let mut t = HandbookTable {
         text: String::new(),
     };
     t.heading("Contact (Hertz, line, even load)");
@@ -105,7 +105,7 @@ fn yes_no(yes: bool) -> &'static str {
     if yes { "yes" } else { "no" }
 }
 
-fn peak(t: &mut Table, body: &str, below: &Below, length: &str, stress: &str) {
+fn peak(t: &mut HandbookTable, body: &str, below: &Below, length: &str, stress: &str) {
     t.row(
         &format!("largest Mises stress, {body}"),
         below.mises,
@@ -119,7 +119,7 @@ fn peak(t: &mut Table, body: &str, below: &Below, length: &str, stress: &str) {
 }
 
 fn sections(
-    t: &mut Table,
+    t: &mut HandbookTable,
     answer: &HandbookAnswer,
     [length, force, stress]: [&str; 3],
     per_length: &str,
@@ -206,7 +206,7 @@ fn sections(
 }
 
 fn spread(
-    t: &mut Table,
+    t: &mut HandbookTable,
     name: &str,
     spread: &Spread,
     per_length: &str,

@@ -1,11 +1,12 @@
 //! One row of a sweep, in a process of its own: what a sweep starts here, and a task of a job array.
 
-use super::SweepArgs;
+use super::arguments::SweepArgs;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::run::set_threads;
-use crate::cli::{Status, say};
+use crate::cli::output::say;
+use crate::cli::status::ExitStatus;
+use crate::cli::threads::set_threads;
 use crate::model::state::State;
-use crate::product::sweep::{self, Place, Sweep, SweepError};
+use crate::product::sweep::{self, Sweep, SweepError, SweepFolder};
 use crate::render::table;
 use crate::solver::solve::{Iteration, Observer};
 use std::io::Read;
@@ -16,14 +17,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub fn run(
     args: &SweepArgs,
     sweep: &Sweep,
-    place: &Place,
+    place: &SweepFolder,
     number: usize,
-) -> Result<Status, SweepError> {
+) -> Result<ExitStatus, SweepError> {
     let row = sweep.row(number)?;
     set_threads(args.threads);
-    let mut observer = Leashed {
+    let mut observer = StoppableConsole {
         console: Console::new(false),
-        let_go: leash(args.leash),
+        input_ended: watch_input(args.leash),
     };
     say(&format!("row {number}: {}\n{LEGEND}\n", row.said()));
     let ended = sweep::run_row(row, place, args.resume, &mut observer);
@@ -34,35 +35,35 @@ pub fn run(
     }
     say(&format!("{} {}", record.status.name(), record.message));
     Ok(match record.status {
-        sweep::Status::Done => Status::Done,
-        sweep::Status::LimitsMissed => Status::Failed,
-        sweep::Status::BadInput => Status::BadInput,
-        sweep::Status::NotConverged | sweep::Status::Crashed => Status::NotConverged,
-        sweep::Status::Interrupted => Status::Interrupted,
+        sweep::RowStatus::Done => ExitStatus::Done,
+        sweep::RowStatus::LimitsMissed => ExitStatus::Failed,
+        sweep::RowStatus::BadInput => ExitStatus::BadInput,
+        sweep::RowStatus::NotConverged | sweep::RowStatus::Crashed => ExitStatus::NotConverged,
+        sweep::RowStatus::Interrupted => ExitStatus::Interrupted,
     })
 }
 
 /// A flag that is set when standard input ends, if that is asked for: whoever holds the other end has
 /// closed it or died, in whatever way.
-fn leash(wanted: bool) -> Arc<AtomicBool> {
-    let let_go = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&let_go);
+fn watch_input(wanted: bool) -> Arc<AtomicBool> {
+    let input_ended = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&input_ended);
     if wanted {
         std::thread::spawn(move || {
             let _ = std::io::stdin().read_to_end(&mut Vec::new());
             flag.store(true, Ordering::Relaxed);
         });
     }
-    let_go
+    input_ended
 }
 
-/// The console, and the leash beside Ctrl-C.
-struct Leashed {
+/// The console, which the end of standard input stops as Ctrl-C does.
+struct StoppableConsole {
     console: Console,
-    let_go: Arc<AtomicBool>,
+    input_ended: Arc<AtomicBool>,
 }
 
-impl Observer for Leashed {
+impl Observer for StoppableConsole {
     fn iteration(&mut self, iteration: &Iteration) {
         self.console.iteration(iteration);
     }
@@ -76,6 +77,6 @@ impl Observer for Leashed {
     }
 
     fn cancelled(&self) -> bool {
-        self.console.cancelled() || self.let_go.load(Ordering::Relaxed)
+        self.console.cancelled() || self.input_ended.load(Ordering::Relaxed)
     }
 }

@@ -1,15 +1,15 @@
 //! What a running sweep shows on the terminal: a line for each row that has ended, and a bar.
 
-use crate::cli::console::set_on_ctrl_c;
-use crate::cli::say;
-use crate::product::sweep::{Record, Sweep, Watcher};
+use crate::cli::output::say;
+use crate::cli::signals::set_on_ctrl_c;
+use crate::product::sweep::{RowRecord, Sweep, Watcher};
 use crate::render::text::significant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-pub struct Progress {
+pub struct SweepProgress {
     bar: ProgressBar,
     stop: Arc<AtomicBool>,
     quiet: bool,
@@ -17,7 +17,7 @@ pub struct Progress {
     failed: bool,
 }
 
-impl Progress {
+impl SweepProgress {
     /// Ctrl-C stops the sweep, a second one at once.
     pub fn new(sweep: &Sweep, quiet: bool) -> Self {
         let all = sweep.rows.len();
@@ -53,7 +53,7 @@ impl Progress {
     }
 
     /// Says what came of a row.
-    pub fn line(&mut self, record: &Record) {
+    pub fn line(&mut self, record: &RowRecord) {
         let figure = |name: &str| {
             let number = record.number(name);
             number.map_or_else(|| "-".to_owned(), |value| significant(value, 4))
@@ -65,13 +65,14 @@ impl Progress {
             format!("{} {value}", key.rsplit('.').next().unwrap_or(key))
         };
         let parameters: Vec<String> = record.parameters.iter().map(word).collect();
-        let answer = match record.figures.is_empty() {
-            true => record.message.clone(),
-            false => format!(
+        let answer = if record.figures.is_empty() {
+            record.message.clone()
+        } else {
+            format!(
                 "Mises {:>7}  utilisation {:>6}",
                 figure("mises_nodal"),
                 figure("utilisation")
-            ),
+            )
         };
         self.say(&format!(
             "{:4}  {:13} {:8.1} s  {answer}  {}",
@@ -83,8 +84,8 @@ impl Progress {
     }
 }
 
-impl Watcher for Progress {
-    fn ended(&mut self, record: &Record, left: usize) {
+impl Watcher for SweepProgress {
+    fn ended(&mut self, record: &RowRecord, left: usize) {
         self.failed |= record.figures.is_empty();
         self.bar
             .set_position((self.all - left.min(self.all)) as u64);

@@ -10,6 +10,7 @@ mod labels;
 mod quantity;
 mod symbol;
 mod system;
+mod words;
 
 pub use dimension::Dimension;
 pub use labels::{Measure, UnitLabels};

@@ -1,7 +1,8 @@
 //! A number with a unit, read from text.
 
+use super::dimension::Dimension;
 use super::symbol::{SYMBOLS, Term, dimension, expression};
-use super::{Dimension, UnitSystem};
+use super::system::UnitSystem;
 
 /// A finite number and its unit, as they were written.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,14 +84,6 @@ impl Quantity {
         })
     }
 
-    pub(super) fn with_terms(value: f64, terms: Vec<Term>) -> Self {
-        Self {
-            value,
-            terms,
-            text: value.to_string(),
-        }
-    }
-
     /// What it measures.
     pub fn dimension(&self) -> Dimension {
         dimension(&self.terms)
@@ -114,9 +107,10 @@ impl Quantity {
             });
         }
         let value = self.value * system.factor_from(&self.terms);
-        match value.is_finite() {
-            true => Ok(value),
-            false => Err(UnitError::NotFinite { text: text() }),
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err(UnitError::NotFinite { text: text() })
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Unit symbols and expressions of them, such as `kip/in^2`.
 
-use super::Dimension;
+use super::dimension::Dimension;
 
 /// What a base unit measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::symbol::{Base, Term, expression, symbol};
-use super::{Dimension, Quantity};
+use super::dimension::Dimension;
+use super::symbol::{Base, Term, dimension, expression, symbol};
 
 /// A length and a force; the stress follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -148,9 +148,12 @@ impl UnitSystem {
 
     /// The factor that takes a number in the unit `terms` to this system.
     pub(super) fn factor_from(self, terms: &[Term]) -> f64 {
-        let factor = |t: &Term| match t.power >= 0 {
-            true => (t.size / self.size(t.base)).powi(t.power),
-            false => (self.size(t.base) / t.size).powi(-t.power),
+        let factor = |t: &Term| {
+            if t.power >= 0 {
+                (t.size / self.size(t.base)).powi(t.power)
+            } else {
+                (self.size(t.base) / t.size).powi(-t.power)
+            }
         };
         terms.iter().map(factor).product()
     }
@@ -158,8 +161,9 @@ impl UnitSystem {
     /// The factor that takes a length in `unit` (a symbol such as `mm`) to this system; `None`
     /// where it is not a length.
     pub fn length_factor(self, unit: &str) -> Option<f64> {
-        let quantity = Quantity::with_terms(1.0, expression(unit).ok()?);
-        quantity.value_in(self, Dimension::LENGTH).ok()
+        let terms = expression(unit).ok()?;
+        let factor = self.factor_from(&terms);
+        (dimension(&terms) == Dimension::LENGTH && factor.is_finite()).then_some(factor)
     }
 
     fn size(self, base: Base) -> f64 {

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// One assumption.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Assumption {
+pub struct SizingAssumption {
     /// The option that changes it.
     pub option: &'static str,
     pub value: String,
@@ -18,10 +18,10 @@ pub struct Assumption {
 }
 
 /// Everything that the proposal rests on beside load, yield stress and displacement.
-pub fn assumptions(request: &Request) -> Vec<Assumption> {
+pub fn assumptions(request: &Request) -> Vec<SizingAssumption> {
     let r = request;
     let show = |value: f64, dimension| r.units.show(value, dimension);
-    let entry = |option, value: String, given: bool, why: &str| Assumption {
+    let entry = |option, value: String, given: bool, why: &str| SizingAssumption {
         option,
         value,
         given,
@@ -96,7 +96,7 @@ pub fn assumptions(request: &Request) -> Vec<Assumption> {
     list
 }
 
-fn plate(r: &Request) -> Assumption {
+fn plate(r: &Request) -> SizingAssumption {
     let (value, why) = match r.plate {
         Some(plate) => (r.units.show(plate, Dimension::LENGTH), "as asked"),
         None => (
@@ -105,7 +105,7 @@ fn plate(r: &Request) -> Assumption {
              bearings have 1.33 (section 2.6.2, prototype 1), 1.11 (prototype 2) and 1 (chapter 5)",
         ),
     };
-    Assumption {
+    SizingAssumption {
         option: "--plate",
         value,
         given: r.plate.is_some(),
@@ -121,7 +121,7 @@ fn end(r: &Request) -> String {
     }
 }
 
-fn rule(r: &Request) -> Assumption {
+fn rule(r: &Request) -> SizingAssumption {
     let margin = r.margin.value;
     let (value, why) = match r.rule.value {
         Rule::Printed => ("printed", "(2-50) with the constant 8, (2-51)".to_string()),
@@ -134,7 +134,7 @@ fn rule(r: &Request) -> Assumption {
                 .to_string(),
         ),
     };
-    Assumption {
+    SizingAssumption {
         option: "--rule, --margin",
         value: format!("{value}, for {margin} times the load"),
         why,

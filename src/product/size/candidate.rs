@@ -51,7 +51,7 @@ pub struct Lengths {
 
 /// A contact line under an assumed distribution of the load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Pressed {
+pub struct PressureSpread {
     pub line_load: f64,
     /// Hertz's p0.
     pub pressure: f64,
@@ -79,9 +79,9 @@ pub struct Candidate {
     /// L' over D.
     pub slenderness: f64,
     /// (2-49) under the load, without margin, over L = L' - 2 D_r.
-    pub even: Pressed,
+    pub even: PressureSpread,
     /// The same under the linear load of a displaced roller; none where the load passes its end.
-    pub linear: Option<Pressed>,
+    pub linear: Option<PressureSpread>,
     /// (2-3).
     pub rolling_friction: f64,
     /// (2-39), radians.
@@ -101,10 +101,11 @@ impl Candidate {
     /// Where a rule does not apply or the bearing cannot be built.
     pub fn new(request: &Request, diameter: f64) -> Result<Self, SizeError> {
         let units = request.units;
-        let contact = Contact::new(request, diameter)?;
-        let wall = match request.wall.given {
-            true => request.wall.value * diameter,
-            false => rounded_up(units, request.wall.value * diameter),
+        let contact = RollerContact::new(request, diameter)?;
+        let wall = if request.wall.given {
+            request.wall.value * diameter
+        } else {
+            rounded_up(units, request.wall.value * diameter)
         };
         let plate = match request.plate {
             Some(plate) => plate,
@@ -187,12 +188,12 @@ impl Candidate {
 /// Where the rule does not apply.
 pub fn square_diameter(request: &Request) -> Result<f64, DomainError> {
     // D L is the same for every diameter.
-    let lengths = Contact::new(request, 1.0)?.lengths(exact())?;
+    let lengths = RollerContact::new(request, 1.0)?.lengths(exact())?;
     Ok(lengths.diameter_times_length.sqrt())
 }
 
 /// Contact of a roller with a plate of the same steel.
-struct Contact<'r> {
+struct RollerContact<'r> {
     request: &'r Request,
     diameter: f64,
     compliance: f64,
@@ -200,7 +201,7 @@ struct Contact<'r> {
     largest: f64,
 }
 
-impl<'r> Contact<'r> {
+impl<'r> RollerContact<'r> {
     fn new(request: &'r Request, diameter: f64) -> Result<Self, DomainError> {
         let steel = Elastic::new(request.modulus.value, request.poissons_ratio.value)?;
         let compliance = contact_compliance(steel, steel)?;
@@ -240,10 +241,10 @@ impl<'r> Contact<'r> {
         })
     }
 
-    fn pressed(&self, line_load: f64) -> Result<Pressed, DomainError> {
+    fn pressed(&self, line_load: f64) -> Result<PressureSpread, DomainError> {
         let contact = LineContact::new(line_load, 0.5 * self.diameter, self.compliance)?;
         let limit = self.request.limit.value * self.request.yield_stress;
-        Ok(Pressed {
+        Ok(PressureSpread {
             line_load,
             pressure: contact.peak_pressure,
             utilisation: contact.peak_pressure / limit,
@@ -258,9 +259,10 @@ impl<'r> Contact<'r> {
 /// axes, and climbs from one outer plate to the other: s + 2 z tan(θ/2) at the farther one, the
 /// inner faces of the outer plates being at ±z.
 fn eccentricity(geometry: &BearingGeometry) -> f64 {
-    match geometry.is_centred() {
-        true => 0.0,
-        false => geometry.offset + 2.0 * geometry.flat_face() * (0.5 * geometry.slope).tan(),
+    if geometry.is_centred() {
+        0.0
+    } else {
+        geometry.offset + 2.0 * geometry.flat_face() * (0.5 * geometry.slope).tan()
     }
 }
 

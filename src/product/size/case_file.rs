@@ -20,9 +20,10 @@ pub enum Position {
 impl Position {
     /// Those that a bearing has to be verified at: one that does not move has only one.
     pub fn of(capacity: f64) -> &'static [Self] {
-        match capacity > 0.0 {
-            true => &[Self::Centre, Self::Displaced],
-            false => &[Self::Centre],
+        if capacity > 0.0 {
+            &[Self::Centre, Self::Displaced]
+        } else {
+            &[Self::Centre]
         }
     }
 

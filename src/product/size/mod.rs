@@ -2,7 +2,7 @@
 //!
 //! [`Proposal`] goes through practical diameters by the rules of the reference study ([`Candidate`]);
 //! [`case_file`] writes the chosen one; [`verify`] solves it at the centre and displaced, and holds
-//! every part and every line of contact against its limit ([`Verdict`]).
+//! every part and every line of contact against its limit ([`DesignVerdict`]).
 
 mod assumption;
 mod candidate;
@@ -15,12 +15,14 @@ pub mod table;
 mod verdict;
 mod verify;
 
-pub use assumption::Assumption;
-pub use candidate::{Candidate, Lengths, Pressed, STOUT};
+pub use assumption::SizingAssumption;
+pub use candidate::{Candidate, Lengths, PressureSpread, STOUT};
 pub use case_file::{Position, case_file};
 pub use error::SizeError;
 pub use practical::{diameters, rounded_up};
 pub use proposal::Proposal;
 pub use request::{Request, Rule, Setting, quantity, units_of_load};
-pub use verdict::{Advice, Check, Kind, Placed, Standing, Verdict, render as render_verdict};
+pub use verdict::{
+    Advice, DesignVerdict, LimitCheck, LimitKind, Placed, Standing, render as render_verdict,
+};
 pub use verify::{Verification, verify, write};

@@ -22,9 +22,10 @@ const FINENESS: f64 = 32.0;
 
 /// Practical diameters of `least` and more, ascending without end.
 pub fn diameters(units: UnitSystem, least: f64) -> impl Iterator<Item = f64> {
-    let (base, sizes, finer): (f64, &'static [f64], i32) = match in_inches(units) {
-        true => (2.0, &OCTAVE, 0),
-        false => (10.0, &R20, 2),
+    let (base, sizes, finer): (f64, &'static [f64], i32) = if in_inches(units) {
+        (2.0, &OCTAVE, 0)
+    } else {
+        (10.0, &R20, 2)
     };
     let first = least.log(base).floor() as i32 - finer;
     // Rounding in the logarithm may lose a size at the seam.
@@ -36,15 +37,14 @@ pub fn diameters(units: UnitSystem, least: f64) -> impl Iterator<Item = f64> {
 /// `value` rounded up to a practical length.
 pub fn rounded_up(units: UnitSystem, value: f64) -> f64 {
     let most = value / FINENESS;
-    let step = match in_inches(units) {
-        true => 2f64.powi(most.log2().floor() as i32),
-        false => {
-            let power = most.log10().floor() as i32;
-            let share = [5.0, 2.0, 1.0]
-                .into_iter()
-                .find(|s| scaled(*s, 10.0, power) <= most);
-            scaled(share.unwrap_or(1.0), 10.0, power)
-        }
+    let step = if in_inches(units) {
+        2f64.powi(most.log2().floor() as i32)
+    } else {
+        let power = most.log10().floor() as i32;
+        let share = [5.0, 2.0, 1.0]
+            .into_iter()
+            .find(|s| scaled(*s, 10.0, power) <= most);
+        scaled(share.unwrap_or(1.0), 10.0, power)
     };
     // What is practical already stays, whatever the last digit says.
     let steps = (value / step - 1e-9).ceil();
@@ -61,9 +61,10 @@ fn in_inches(units: UnitSystem) -> bool {
 
 /// `size` times a power of `base`; a negative power of ten divides, which is exact to the last digit.
 fn scaled(size: f64, base: f64, power: i32) -> f64 {
-    match power < 0 {
-        true => size / base.powi(-power),
-        false => size * base.powi(power),
+    if power < 0 {
+        size / base.powi(-power)
+    } else {
+        size * base.powi(power)
     }
 }
 

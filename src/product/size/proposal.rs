@@ -1,7 +1,7 @@
 //! The table of candidates and the one that is recommended.
 
 use super::SizeError;
-use super::assumption::{Assumption, assumptions};
+use super::assumption::{SizingAssumption, assumptions};
 use super::candidate::{Candidate, SLENDEREST, STOUT, square_diameter};
 use super::practical::diameters;
 use super::request::{Request, Rule};
@@ -9,15 +9,15 @@ use crate::ground::units::UnitLabels;
 use crate::render::text::significant;
 use serde::Serialize;
 
-/// The table begins at this share of the diameter of a roller as long as it is thick, √(D L): the
+/// The first diameter of the table, as a share of the diameter of a roller as long as it is thick, √(D L): the
 /// study's bearings have 0.61 to 0.97.
-const FIRST: f64 = 0.6;
+const FIRST_DIAMETER: f64 = 0.6;
 
-/// Rows beyond the recommended one.
-const BEYOND: usize = 3;
+/// Rows beyond the recommended one, to show what larger rollers would do.
+const ROWS_BEYOND: usize = 3;
 
-/// No table is longer.
-const MOST: usize = 60;
+/// The most rows of a table: it ends here where no diameter will do.
+const MOST_ROWS: usize = 60;
 
 /// What is proposed for a request.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,7 +30,7 @@ pub struct Proposal {
     pub recommended: Option<usize>,
     /// Why that one, or why none.
     pub why: String,
-    pub assumptions: Vec<Assumption>,
+    pub assumptions: Vec<SizingAssumption>,
 }
 
 impl Proposal {
@@ -66,17 +66,17 @@ fn candidates(request: &Request) -> Result<Vec<Candidate>, SizeError> {
     if let Some(diameter) = request.diameter {
         return Ok(vec![Candidate::new(request, diameter)?]);
     }
-    let first = FIRST * square_diameter(request)?;
+    let first = FIRST_DIAMETER * square_diameter(request)?;
     let mut found: Vec<Candidate> = Vec::new();
     let mut beyond = 0;
-    for diameter in diameters(request.units, first).take(MOST) {
+    for diameter in diameters(request.units, first).take(MOST_ROWS) {
         let candidate = Candidate::new(request, diameter)?;
         if beyond > 0 || will_do(request, &candidate) {
             beyond += 1;
         }
         let stubby = candidate.slenderness < 0.5;
         found.push(candidate);
-        if beyond > BEYOND || stubby {
+        if beyond > ROWS_BEYOND || stubby {
             break;
         }
     }
@@ -99,19 +99,18 @@ fn why(request: &Request, candidates: &[Candidate], recommended: Option<usize>) 
             .iter()
             .map(|c| c.largest_slope)
             .fold(0.0, f64::max);
-        return match candidates.iter().any(Candidate::rolls) {
-            true => {
-                "no diameter of the table carries the load with rollers that are neither too short \
+        return if candidates.iter().any(Candidate::rolls) {
+            "no diameter of the table carries the load with rollers that are neither too short \
                      nor too slender: fix one with --diameter, or leave the length open"
-                    .to_string()
-            }
-            false => format!(
+                .to_string()
+        } else {
+            format!(
                 "the rollers slide: at a friction of {} (2-39) allows a slope of {:.2} deg, and {:.2} \
                  deg are asked for; take a smaller --slope",
                 request.friction.value,
                 steepest.to_degrees(),
                 request.slope.value.to_degrees()
-            ),
+            )
         };
     };
     let mut text = match (request.diameter, request.rule.value) {

@@ -217,13 +217,14 @@ impl Request {
             }
         }
         let slope = self.slope.value.to_degrees();
-        match (0.05..45.0).contains(&slope) {
-            true => Ok(()),
-            false => Err(SizeError::Range {
+        if (0.05..45.0).contains(&slope) {
+            Ok(())
+        } else {
+            Err(SizeError::Range {
                 option: "--slope",
                 value: format!("{slope} deg"),
                 range: "from 0.05 to less than 45 deg",
-            }),
+            })
         }
     }
 }
@@ -243,9 +244,10 @@ pub fn units_of_load(text: &str) -> Option<UnitSystem> {
     if quantity.dimension() != Dimension::FORCE {
         return None;
     }
-    match text.contains("kip") || text.contains("lbf") {
-        true => Some(UnitSystem::InKipKsi),
-        false => Some(UnitSystem::MmNMPa),
+    if text.contains("kip") || text.contains("lbf") {
+        Some(UnitSystem::InKipKsi)
+    } else {
+        Some(UnitSystem::MmNMPa)
     }
 }
 

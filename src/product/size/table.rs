@@ -30,9 +30,10 @@ fn asked(proposal: &Proposal) -> String {
 }
 
 fn marked(proposal: &Proposal, place: usize) -> &'static str {
-    match proposal.recommended == Some(place) {
-        true => " <",
-        false => "",
+    if proposal.recommended == Some(place) {
+        " <"
+    } else {
+        ""
     }
 }
 
@@ -104,7 +105,7 @@ fn pressures(proposal: &Proposal) -> String {
     ]);
     let request = &proposal.request;
     for (place, c) in proposal.candidates.iter().enumerate() {
-        let linear = |read: &dyn Fn(&super::candidate::Pressed) -> String| {
+        let linear = |read: &dyn Fn(&super::candidate::PressureSpread) -> String| {
             c.linear.as_ref().map_or_else(|| "-".to_string(), read)
         };
         table.row([

@@ -4,7 +4,7 @@ use super::SizeError;
 use super::candidate::Candidate;
 use super::case_file::{Position, case_file};
 use super::proposal::Proposal;
-use super::verdict::{Placed, Verdict};
+use super::verdict::{DesignVerdict, Placed};
 use crate::case;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// How a verification ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verification {
-    Done(Box<Verdict>),
+    Done(Box<DesignVerdict>),
     Interrupted,
 }
 
@@ -65,7 +65,7 @@ pub fn verify(
         }
         positions.push(Placed::new(proposal, *position, &case, &outcome));
     }
-    let verdict = Verdict::new(proposal, candidate, positions)?;
+    let verdict = DesignVerdict::new(proposal, candidate, positions)?;
     verdict.write(folder)?;
     Ok(Verification::Done(Box::new(verdict)))
 }

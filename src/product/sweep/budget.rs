@@ -4,7 +4,7 @@ use super::prepare::Need;
 
 /// What the runs may take together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Budget {
+pub struct SweepBudget {
     /// Runs at a time.
     pub jobs: usize,
     /// Threads, divided among the runs.
@@ -13,7 +13,7 @@ pub struct Budget {
     pub memory: f64,
 }
 
-impl Budget {
+impl SweepBudget {
     /// May a run that needs `memory` start beside those that run already?
     pub fn allows(&self, running: &[Need], memory: f64) -> bool {
         let taken: f64 = running.iter().map(|need| need.memory).sum();
@@ -38,7 +38,7 @@ impl Budget {
 mod tests {
     use super::*;
 
-    const BUDGET: Budget = Budget {
+    const BUDGET: SweepBudget = SweepBudget {
         jobs: 4,
         threads: 8,
         memory: 10.0,
@@ -66,7 +66,7 @@ mod tests {
         assert_eq!(BUDGET.threads_of(1.0, 2), 4);
         assert_eq!(BUDGET.threads_of(5.0, 12), 4);
         assert_eq!(BUDGET.threads_of(6.0, 12), 8);
-        let crowded = Budget {
+        let crowded = SweepBudget {
             threads: 2,
             ..BUDGET
         };

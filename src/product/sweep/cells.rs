@@ -1,7 +1,7 @@
 //! Rows from a CSV file: the first line names the keys, the others have their values.
 
 use super::error::SweepError;
-use super::file::Settings;
+use super::settings::KeyValues;
 use std::path::Path;
 use toml::Value;
 
@@ -9,7 +9,7 @@ use toml::Value;
 ///
 /// # Errors
 /// [`SweepError`] where the file cannot be read, or a row is longer or shorter than the first line.
-pub fn read(path: &Path) -> Result<Vec<Settings>, SweepError> {
+pub fn read(path: &Path) -> Result<Vec<KeyValues>, SweepError> {
     let text =
         crate::ground::input::bounded(path, crate::ground::input::TEXT).map_err(|error| {
             SweepError::Read {
@@ -23,7 +23,7 @@ pub fn read(path: &Path) -> Result<Vec<Settings>, SweepError> {
     })
 }
 
-fn parse(text: &[u8]) -> Result<Vec<Settings>, String> {
+fn parse(text: &[u8]) -> Result<Vec<KeyValues>, String> {
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(b'#'))

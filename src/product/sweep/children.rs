@@ -1,28 +1,28 @@
 //! The processes of rows: how they are started, and what came of one that has ended.
 
 use super::error::SweepError;
-use super::place::Place;
-use super::record::{Record, Status};
-use super::rows::{Row, Sweep};
+use super::place::SweepFolder;
+use super::record::{RowRecord, RowStatus};
+use super::rows::{Sweep, SweepRow};
 use std::fs::OpenOptions;
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
 
 /// Where what a run prints goes.
-const LOG: &str = "run.log";
+const LOG_FILE: &str = "run.log";
 
 /// Starts runs of rows by this program itself.
 pub struct Children<'s> {
     program: PathBuf,
     sweep: &'s Sweep,
-    place: &'s Place,
+    place: &'s SweepFolder,
     resume: bool,
 }
 
 impl<'s> Children<'s> {
     /// # Errors
     /// [`SweepError::Start`] where the program cannot find itself.
-    pub fn new(sweep: &'s Sweep, place: &'s Place, resume: bool) -> Result<Self, SweepError> {
+    pub fn new(sweep: &'s Sweep, place: &'s SweepFolder, resume: bool) -> Result<Self, SweepError> {
         Ok(Self {
             program: std::env::current_exe().map_err(|error| SweepError::Start { error })?,
             sweep,
@@ -35,8 +35,8 @@ impl<'s> Children<'s> {
     ///
     /// # Errors
     /// Where its log cannot be written or the process cannot be started.
-    pub fn start(&self, row: &Row, threads: usize) -> Result<Child, SweepError> {
-        let path = self.place.row(row).join(LOG);
+    pub fn start(&self, row: &SweepRow, threads: usize) -> Result<Child, SweepError> {
+        let path = self.place.row(row).join(LOG_FILE);
         let mut how = OpenOptions::new();
         let how = how.create(true).write(true);
         let how = how.append(self.resume).truncate(!self.resume);
@@ -64,23 +64,23 @@ impl<'s> Children<'s> {
     ///
     /// # Errors
     /// Where that of a crashed row cannot be written.
-    pub fn what_came(&self, row: &Row, status: ExitStatus) -> Result<Record, SweepError> {
+    pub fn what_came(&self, row: &SweepRow, status: ExitStatus) -> Result<RowRecord, SweepError> {
         const INTERRUPTED: i32 = 130;
         // What is not final may have been left by an earlier run.
         let stopped = status.code() == Some(INTERRUPTED);
-        let fits = |record: &Record| {
-            let own = status.code().is_some() && stopped == (record.status == Status::Interrupted);
+        let fits = |record: &RowRecord| {
+            let own =
+                status.code().is_some() && stopped == (record.status == RowStatus::Interrupted);
             record.status.is_final() || own
         };
-        if let Some(record) = Record::read(self.place, row).filter(fits) {
+        if let Some(record) = RowRecord::read(self.place, row).filter(fits) {
             return Ok(record);
         }
-        let record = match stopped {
-            true => Record::without(row, Status::Interrupted, "stopped"),
-            false => {
-                let message = format!("{status}; see rows/{}/{LOG}", row.name);
-                Record::without(row, Status::Crashed, message)
-            }
+        let record = if stopped {
+            RowRecord::without(row, RowStatus::Interrupted, "stopped")
+        } else {
+            let message = format!("{status}; see rows/{}/{LOG_FILE}", row.name);
+            RowRecord::without(row, RowStatus::Crashed, message)
         };
         record.write(self.place, row)?;
         Ok(record)

@@ -1,8 +1,8 @@
 //! One table from rows that ran by themselves, such as the tasks of a job array.
 
 use super::error::SweepError;
-use super::place::Place;
-use super::record::Record;
+use super::place::SweepFolder;
+use super::record::RowRecord;
 use super::rows::Sweep;
 use super::table;
 
@@ -11,11 +11,14 @@ use super::table;
 ///
 /// # Errors
 /// [`SweepError::Output`] where the table cannot be written.
-pub fn collect(sweep: &Sweep, place: &Place) -> Result<(Vec<Record>, Vec<usize>), SweepError> {
+pub fn collect(
+    sweep: &Sweep,
+    place: &SweepFolder,
+) -> Result<(Vec<RowRecord>, Vec<usize>), SweepError> {
     let mut records = Vec::new();
     let mut missing = Vec::new();
     for row in &sweep.rows {
-        match Record::read(place, row) {
+        match RowRecord::read(place, row) {
             Some(record) => records.push(record),
             None => missing.push(row.number),
         }

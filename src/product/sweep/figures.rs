@@ -7,9 +7,9 @@ use serde_json::Value;
 
 /// Figures under their names, in the order of the columns.
 #[derive(Debug, Default)]
-struct Figures(Vec<(String, Value)>);
+struct RowFigures(Vec<(String, Value)>);
 
-impl Figures {
+impl RowFigures {
     fn add(&mut self, name: impl Into<String>, value: impl Into<Value>) {
         self.0.push((name.into(), value.into()));
     }
@@ -20,7 +20,7 @@ impl Figures {
 /// Mises peaks without an estimated error lie at a loaded edge, where they belong to the mesh. Where
 /// nothing has yielded, the elastic peak is the peak.
 pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
-    let mut out = Figures::default();
+    let mut out = RowFigures::default();
     let units = &summary.units;
     out.add(
         "units",
@@ -55,7 +55,7 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
 }
 
 /// The largest of all bodies and lines.
-fn overall(summary: &Summary, out: &mut Figures) {
+fn overall(summary: &Summary, out: &mut RowFigures) {
     let bodies = &summary.answer.bodies.0;
     let centroid = bodies.iter().filter_map(|(_, b)| b.mises_max.centroid);
     out.add("mises_centroid", centroid.reduce(f64::max));
@@ -84,7 +84,7 @@ fn add_largest<'s>(
     name: &str,
     values: impl Iterator<Item = (&'s String, f64)>,
     error: impl Fn(&str) -> Option<f64>,
-    out: &mut Figures,
+    out: &mut RowFigures,
 ) {
     let largest = values.reduce(|a, b| if b.1 > a.1 { b } else { a });
     out.add(name, largest.map(|(_, value)| value));
@@ -95,7 +95,7 @@ fn add_largest<'s>(
     out.add(format!("{name}_at"), largest.map(|(at, _)| at.as_str()));
 }
 
-fn add_body(summary: &Summary, name: &str, body: &BodyFigures, out: &mut Figures) {
+fn add_body(summary: &Summary, name: &str, body: &BodyFigures, out: &mut RowFigures) {
     let mut add = |figure: &str, value: Option<f64>| out.add(format!("{name}.{figure}"), value);
     add("mises_centroid", body.mises_max.centroid);
     add("mises_nodal", body.mises_max.nodal);
@@ -112,7 +112,7 @@ fn add_body(summary: &Summary, name: &str, body: &BodyFigures, out: &mut Figures
     add("peeq_max", Some(body.peeq_max));
 }
 
-fn add_interface(summary: &Summary, name: &str, contact: &InterfaceFigures, out: &mut Figures) {
+fn add_interface(summary: &Summary, name: &str, contact: &InterfaceFigures, out: &mut RowFigures) {
     let mut add = |figure: &str, value: Option<f64>| out.add(format!("{name}.{figure}"), value);
     add("p_max", Some(contact.max_pressure));
     add("p_max_error", error(summary, Quantity::PeakPressure, name));
@@ -150,9 +150,10 @@ fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
         .bodies
         .get(body)
         .is_some_and(|b| b.elastic_mises_max.is_some());
-    let what = match yielded {
-        true => Quantity::ElasticPeakMises,
-        false => Quantity::PeakMises,
+    let what = if yielded {
+        Quantity::ElasticPeakMises
+    } else {
+        Quantity::PeakMises
     };
     error(summary, what, body)
 }

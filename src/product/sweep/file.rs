@@ -13,14 +13,12 @@
 
 use super::cells;
 use super::error::SweepError;
+use super::settings::KeyValues;
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 use toml::{Spanned, Value};
-
-/// Values by dotted key of the case, in the order in which they were written.
-pub type Settings = Vec<(String, Value)>;
 
 /// A sweep as its file has it: nothing of the case is understood yet.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,17 +27,17 @@ pub struct SweepFile {
     /// The case that is varied.
     pub case: PathBuf,
     /// What every row sets.
-    pub fixed: Settings,
+    pub fixed: KeyValues,
     /// The keys that are varied, in order.
     pub columns: Vec<String>,
     /// What each row sets beside that. A row may leave out columns: they stay as in the case.
-    pub rows: Vec<Settings>,
+    pub rows: Vec<KeyValues>,
 }
 
-/// More rows than this are taken for a slip.
-const MOST: usize = 100_000;
+/// A sweep with more rows than this is taken for a mistake in its file.
+const MOST_ROWS: usize = 100_000;
 
-/// More values than this in all rows of a grid are, too.
+/// So is one with more values than this in all rows of a grid.
 const MOST_VALUES: usize = 1_000_000;
 
 const KEYS: [&str; 6] = ["title", "case", "set", "grid", "row", "csv"];
@@ -61,10 +59,10 @@ pub fn read(path: &Path) -> Result<SweepFile, SweepError> {
 /// # Errors
 /// [`SweepError`] where it, or the CSV file that it names, cannot be read or understood.
 pub fn parse(path: &Path, text: &str) -> Result<SweepFile, SweepError> {
-    Reader { path, text }.read()
+    SweepReader { path, text }.read()
 }
 
-struct Reader<'a> {
+struct SweepReader<'a> {
     path: &'a Path,
     text: &'a str,
 }
@@ -72,7 +70,7 @@ struct Reader<'a> {
 /// A dotted key and its value, with their place.
 type Leaf<'t> = (String, &'t Spanned<DeValue<'t>>);
 
-impl Reader<'_> {
+impl SweepReader<'_> {
     fn read(&self) -> Result<SweepFile, SweepError> {
         let document = DeTable::parse(self.text).map_err(|error| {
             let message = format!("it is no TOML: {}", error.message().trim());
@@ -157,14 +155,14 @@ impl Reader<'_> {
         }
     }
 
-    fn settings(&self, table: &Spanned<DeValue>) -> Result<Settings, SweepError> {
+    fn settings(&self, table: &Spanned<DeValue>) -> Result<KeyValues, SweepError> {
         let leaves = self.leaves(table)?.into_iter();
         leaves.map(|(key, v)| Ok((key, self.value(v)?))).collect()
     }
 
     /// Every combination, the last key changing fastest.
-    fn grid(&self, table: &Spanned<DeValue>) -> Result<Vec<Settings>, SweepError> {
-        let mut rows: Vec<Settings> = vec![Vec::new()];
+    fn grid(&self, table: &Spanned<DeValue>) -> Result<Vec<KeyValues>, SweepError> {
+        let mut rows: Vec<KeyValues> = vec![Vec::new()];
         for (columns, (key, values)) in (1..).zip(self.leaves(table)?) {
             let list = values.get_ref().as_array();
             let list = list.filter(|list| !list.is_empty()).ok_or_else(|| {
@@ -173,7 +171,7 @@ impl Reader<'_> {
             })?;
             let count = rows.len().saturating_mul(list.len());
             let beyond = [
-                (count > MOST, MOST, "rows"),
+                (count > MOST_ROWS, MOST_ROWS, "rows"),
                 (
                     count.saturating_mul(columns) > MOST_VALUES,
                     MOST_VALUES,
@@ -188,7 +186,7 @@ impl Reader<'_> {
                 .iter()
                 .map(|v| self.value(v))
                 .collect::<Result<_, _>>()?;
-            let longer = |row: &Settings| -> Vec<Settings> {
+            let longer = |row: &KeyValues| -> Vec<KeyValues> {
                 let with =
                     |value: &Value| [row.clone(), vec![(key.clone(), value.clone())]].concat();
                 list.iter().map(with).collect()
@@ -199,7 +197,7 @@ impl Reader<'_> {
         Ok(rows)
     }
 
-    fn list(&self, rows: &Spanned<DeValue>) -> Result<Vec<Settings>, SweepError> {
+    fn list(&self, rows: &Spanned<DeValue>) -> Result<Vec<KeyValues>, SweepError> {
         let tables = rows
             .get_ref()
             .as_array()

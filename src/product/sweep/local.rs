@@ -3,14 +3,14 @@
 //! A row that crashes takes nothing along. Each run holds the other end of a pipe and stops, at its
 //! checkpoint, when that closes: when the sweep is stopped, and when it is killed.
 
-use super::budget::Budget;
+use super::budget::SweepBudget;
 use super::children::Children;
 use super::error::SweepError;
 use super::one;
-use super::place::Place;
+use super::place::SweepFolder;
 use super::prepare::{Need, prepare};
-use super::record::{Record, Status};
-use super::rows::{Row, Sweep};
+use super::record::{RowRecord, RowStatus};
+use super::rows::{Sweep, SweepRow};
 use super::table;
 use std::collections::{BTreeMap, VecDeque};
 use std::process::Child;
@@ -19,13 +19,13 @@ use std::time::Duration;
 /// Is told how a sweep goes on, and may stop it.
 pub trait Watcher {
     /// After each row that has ended; `left` have not.
-    fn ended(&mut self, record: &Record, left: usize);
+    fn ended(&mut self, record: &RowRecord, left: usize);
     /// Asked all the time.
     fn stopped(&self) -> bool;
 }
 
-/// Rows that are prepared ahead of those that run, to find one that fits beside them.
-const AHEAD: usize = 4;
+/// At most so many rows are prepared ahead of those that run, to find one that fits beside them.
+const ROWS_AHEAD: usize = 4;
 
 /// Runs the rows of `sweep` into `place`; with `resume` those that have not ended yet, and half-done
 /// ones from where they were. The table is written after each of them. Comes back with what is known
@@ -35,18 +35,18 @@ const AHEAD: usize = 4;
 /// [`SweepError`] where the sweep cannot go on. A row that fails stops nothing.
 pub fn run(
     sweep: &Sweep,
-    place: &Place,
-    budget: Budget,
+    place: &SweepFolder,
+    budget: SweepBudget,
     resume: bool,
     watcher: &mut dyn Watcher,
-) -> Result<Vec<Record>, SweepError> {
+) -> Result<Vec<RowRecord>, SweepError> {
     let _lock = place.lock()?;
-    let records = Record::all_final(sweep, place, resume)?;
+    let records = RowRecord::all_final(sweep, place, resume)?;
     let left = sweep
         .rows
         .iter()
         .filter(|row| !records.contains_key(&row.number));
-    let mut run = Run {
+    let mut run = LocalRun {
         children: Children::new(sweep, place, resume)?,
         sweep,
         place,
@@ -61,26 +61,26 @@ pub fn run(
     Ok(run.records.into_values().collect())
 }
 
-struct Run<'s> {
+struct LocalRun<'s> {
     children: Children<'s>,
     sweep: &'s Sweep,
-    place: &'s Place,
-    budget: Budget,
+    place: &'s SweepFolder,
+    budget: SweepBudget,
     watcher: &'s mut dyn Watcher,
     /// Not prepared yet; prepared; begun.
-    pending: VecDeque<&'s Row>,
-    ready: Vec<(&'s Row, Need)>,
+    pending: VecDeque<&'s SweepRow>,
+    ready: Vec<(&'s SweepRow, Need)>,
     running: Vec<Running<'s>>,
-    records: BTreeMap<usize, Record>,
+    records: BTreeMap<usize, RowRecord>,
 }
 
 struct Running<'s> {
-    row: &'s Row,
+    row: &'s SweepRow,
     need: Need,
     process: Child,
 }
 
-impl<'s> Run<'s> {
+impl<'s> LocalRun<'s> {
     fn all(&mut self) -> Result<(), SweepError> {
         const PAUSE: Duration = Duration::from_millis(10);
         self.write()?;
@@ -106,11 +106,11 @@ impl<'s> Run<'s> {
     fn start(&mut self) -> Result<(), SweepError> {
         while self.running.len() < self.budget.jobs {
             let running: Vec<Need> = self.running.iter().map(|run| run.need).collect();
-            let allowed = |(_, need): &(&Row, Need)| self.budget.allows(&running, need.memory);
+            let allowed = |(_, need): &(&SweepRow, Need)| self.budget.allows(&running, need.memory);
             if let Some(at) = self.ready.iter().position(allowed) {
                 let (row, need) = self.ready.remove(at);
                 self.launch(row, need)?;
-            } else if self.ready.len() < AHEAD && !self.watcher.stopped() {
+            } else if self.ready.len() < ROWS_AHEAD && !self.watcher.stopped() {
                 let Some(row) = self.pending.pop_front() else {
                     return Ok(());
                 };
@@ -122,7 +122,7 @@ impl<'s> Run<'s> {
         Ok(())
     }
 
-    fn prepare(&mut self, row: &'s Row) -> Result<(), SweepError> {
+    fn prepare(&mut self, row: &'s SweepRow) -> Result<(), SweepError> {
         let need = match prepare(self.sweep, row, self.place) {
             Ok(need) => need,
             Err(error) => {
@@ -141,10 +141,10 @@ impl<'s> Run<'s> {
             gb(need.memory),
             gb(self.budget.memory)
         );
-        self.failed(row, Record::without(row, Status::BadInput, message))
+        self.failed(row, RowRecord::without(row, RowStatus::BadInput, message))
     }
 
-    fn launch(&mut self, row: &'s Row, need: Need) -> Result<(), SweepError> {
+    fn launch(&mut self, row: &'s SweepRow, need: Need) -> Result<(), SweepError> {
         let left = self.pending.len() + self.ready.len() + self.running.len() + 1;
         let threads = self.budget.threads_of(need.memory, left);
         let process = self.children.start(row, threads)?;
@@ -170,12 +170,12 @@ impl<'s> Run<'s> {
     }
 
     /// A row that did not get as far as its own process.
-    fn failed(&mut self, row: &Row, record: Record) -> Result<(), SweepError> {
+    fn failed(&mut self, row: &SweepRow, record: RowRecord) -> Result<(), SweepError> {
         record.write(self.place, row)?;
         self.ended(record)
     }
 
-    fn ended(&mut self, record: Record) -> Result<(), SweepError> {
+    fn ended(&mut self, record: RowRecord) -> Result<(), SweepError> {
         let left = self.pending.len() + self.ready.len() + self.running.len();
         self.watcher.ended(&record, left);
         self.records.insert(record.row, record);

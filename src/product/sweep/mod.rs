@@ -2,7 +2,7 @@
 //!
 //! Rows are made and read first ([`read`], [`Sweep::validate`]). Each is solved in a process of its
 //! own ([`run_row`]), started here ([`run`]) or by Slurm ([`emit`]); what came of it is kept beside it
-//! ([`Record`]), and the table is made from that.
+//! ([`RowRecord`]), and the table is made from that.
 
 mod budget;
 mod cells;
@@ -20,19 +20,21 @@ mod plot;
 mod prepare;
 mod record;
 mod rows;
+mod settings;
 mod slurm;
 mod table;
 mod validate;
 
-pub use budget::Budget;
+pub use budget::SweepBudget;
 pub use collect::collect;
 pub use error::{RowError, SweepError};
-pub use file::{Settings, SweepFile, parse};
+pub use file::{SweepFile, parse};
 pub use local::{Watcher, run};
 pub use one::run as run_row;
-pub use place::Place;
+pub use place::SweepFolder;
 pub use plot::draw;
-pub use record::{Record, Status};
-pub use rows::{Row, Sweep, read};
+pub use record::{RowRecord, RowStatus};
+pub use rows::{Sweep, SweepRow, read};
+pub use settings::KeyValues;
 pub use slurm::{emit, ranges};
 pub use table::{CSV, JSON_LINES};

@@ -2,10 +2,10 @@
 
 use super::error::SweepError;
 use super::figures::figures;
-use super::place::{Lock, Place, lock};
+use super::place::{Lock, SweepFolder, lock};
 use super::prepare::CASE;
-use super::record::{self, Record, Status};
-use super::rows::Row;
+use super::record::{self, RowRecord, RowStatus};
+use super::rows::SweepRow;
 use crate::case;
 use crate::ground::file::write_atomically;
 use crate::product::job::{self, JobError, Options, Outcome};
@@ -15,7 +15,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// The fingerprint of the row whose checkpoint is in the folder.
-const BEGUN: &str = "begun";
+const FINGERPRINT_FILE: &str = "begun";
 
 /// Runs the row that was prepared in `place`, and keeps what came of it. With `resume` a row that has
 /// been finished stays as it is, and a half-done one goes on from its checkpoint. While another run
@@ -25,17 +25,20 @@ const BEGUN: &str = "begun";
 /// [`SweepError`] where the row was not prepared or its folder cannot be used. What is wrong with
 /// the run itself is in the record.
 pub fn run(
-    row: &Row,
-    place: &Place,
+    row: &SweepRow,
+    place: &SweepFolder,
     resume: bool,
     observer: &mut dyn Observer,
-) -> Result<(Record, Option<Outcome>), SweepError> {
+) -> Result<(RowRecord, Option<Outcome>), SweepError> {
     let folder = place.row(row);
     let Some(_lock) = wait(&folder, observer)? else {
         let message = "stopped while another run of the row was waited for";
-        return Ok((Record::without(row, Status::Interrupted, message), None));
+        return Ok((
+            RowRecord::without(row, RowStatus::Interrupted, message),
+            None,
+        ));
     };
-    if let Some(finished) = Record::read_final(place, row).filter(|_| resume) {
+    if let Some(finished) = RowRecord::read_final(place, row).filter(|_| resume) {
         return Ok((finished, None));
     }
     record::forget(&folder)?;
@@ -52,7 +55,8 @@ pub fn run(
             path: folder,
         });
     }
-    let same = std::fs::read(folder.join(BEGUN)).is_ok_and(|b| b == row.fingerprint.as_bytes());
+    let same =
+        std::fs::read(folder.join(FINGERPRINT_FILE)).is_ok_and(|b| b == row.fingerprint.as_bytes());
     let start = Instant::now();
     let ended = solve(row, &file, resume && same, observer);
     let (mut record, outcome) = match ended {
@@ -85,7 +89,7 @@ fn wait(folder: &Path, observer: &mut dyn Observer) -> Result<Option<Lock>, Swee
 
 /// The outcome, and the limits that it misses.
 fn solve(
-    row: &Row,
+    row: &SweepRow,
     file: &Path,
     resume: bool,
     observer: &mut dyn Observer,
@@ -107,7 +111,7 @@ fn solve(
             _ => {}
         }
         let begun = row.fingerprint.as_bytes();
-        write_atomically(&folder.join(BEGUN), |out| out.write_all(begun))?;
+        write_atomically(&folder.join(FINGERPRINT_FILE), |out| out.write_all(begun))?;
     }
     let outcome = match job::run(&case, &options(resume), observer) {
         Err(JobError::Checkpoint { why, .. }) => {
@@ -122,27 +126,28 @@ fn solve(
     Ok((outcome, missed))
 }
 
-fn solved(row: &Row, outcome: &Outcome, missed: &[String]) -> Record {
+fn solved(row: &SweepRow, outcome: &Outcome, missed: &[String]) -> RowRecord {
     if outcome.interrupted {
-        return Record::without(row, Status::Interrupted, "stopped");
+        return RowRecord::without(row, RowStatus::Interrupted, "stopped");
     }
-    let status = match missed.is_empty() {
-        true => Status::Done,
-        false => Status::LimitsMissed,
+    let status = if missed.is_empty() {
+        RowStatus::Done
+    } else {
+        RowStatus::LimitsMissed
     };
-    Record {
+    RowRecord {
         figures: figures(&outcome.summary),
-        ..Record::without(row, status, missed.join("; "))
+        ..RowRecord::without(row, status, missed.join("; "))
     }
 }
 
 /// What a row comes to whose run has failed, `stopped` by the user or by itself.
-pub fn failed(row: &Row, error: &JobError, stopped: bool) -> Record {
+pub fn failed(row: &SweepRow, error: &JobError, stopped: bool) -> RowRecord {
     let status = match error {
         // Ctrl-C reaches gmsh too, whose end then looks like a failure.
-        JobError::Interrupted | JobError::Gmsh(_) if stopped => Status::Interrupted,
-        error if error.is_not_converged() => Status::NotConverged,
-        _ => Status::BadInput,
+        JobError::Interrupted | JobError::Gmsh(_) if stopped => RowStatus::Interrupted,
+        error if error.is_not_converged() => RowStatus::NotConverged,
+        _ => RowStatus::BadInput,
     };
-    Record::without(row, status, error.to_string())
+    RowRecord::without(row, status, error.to_string())
 }

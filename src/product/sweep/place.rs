@@ -8,14 +8,14 @@
 //! ```
 
 use super::error::SweepError;
-use super::rows::Row;
+use super::rows::SweepRow;
 use crate::ground::file;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
 /// The folder of a sweep.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place(pub PathBuf);
+pub struct SweepFolder(pub PathBuf);
 
 /// A folder of which nobody else has the lock. The system gives it back when the process ends,
 /// however it ends.
@@ -24,8 +24,8 @@ pub struct Lock {
     _file: File,
 }
 
-impl Place {
-    pub fn row(&self, row: &Row) -> PathBuf {
+impl SweepFolder {
+    pub fn row(&self, row: &SweepRow) -> PathBuf {
         self.0.join("rows").join(&row.name)
     }
 

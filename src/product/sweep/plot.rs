@@ -2,17 +2,17 @@
 
 use super::error::SweepError;
 use super::parameter;
-use super::place::Place;
-use super::record::Record;
+use super::place::SweepFolder;
+use super::record::RowRecord;
 use crate::ground::units::UnitSystem;
 use crate::render::plot::{Figure, Line, Panel, Scale, write};
 use std::path::PathBuf;
 
 /// Lines of more groups than this cannot be told apart: then there are dots only.
-const MOST: usize = 7;
+const MOST_GROUPS: usize = 7;
 
 /// A figure that is drawn.
-struct Drawn {
+struct PlottedFigure {
     /// In the table.
     name: &'static str,
     title: &'static str,
@@ -24,26 +24,26 @@ struct Drawn {
 const PEAK: &str = "mises_nodal";
 const ELASTIC: &str = "elastic_mises_nodal";
 
-const DRAWN: [Drawn; 4] = [
-    Drawn {
+const PLOTTED_FIGURES: [PlottedFigure; 4] = [
+    PlottedFigure {
         name: PEAK,
         title: "largest Mises, nodal",
         unit: UnitSystem::stress,
         limit: None,
     },
-    Drawn {
+    PlottedFigure {
         name: ELASTIC,
         title: "largest Mises, nodal, without yielding",
         unit: UnitSystem::stress,
         limit: None,
     },
-    Drawn {
+    PlottedFigure {
         name: "utilisation",
         title: "p0 under the largest line load, over 1.65 yield",
         unit: |_| "",
         limit: Some(1.0),
     },
-    Drawn {
+    PlottedFigure {
         name: "descent",
         title: "descent",
         unit: UnitSystem::length,
@@ -56,11 +56,11 @@ const DRAWN: [Drawn; 4] = [
 /// # Errors
 /// [`SweepError::Output`] names the path.
 pub fn draw(
-    place: &Place,
+    place: &SweepFolder,
     columns: &[String],
-    records: &[Record],
+    records: &[RowRecord],
 ) -> Result<Vec<PathBuf>, SweepError> {
-    let solved: Vec<&Record> = records.iter().filter(|r| !r.figures.is_empty()).collect();
+    let solved: Vec<&RowRecord> = records.iter().filter(|r| !r.figures.is_empty()).collect();
     let mut files = Vec::new();
     for column in columns {
         if let Some(figure) = figure(column, columns, &solved) {
@@ -79,23 +79,23 @@ fn file_name(column: &str) -> String {
 }
 
 /// What is drawn over `column`; nothing where its values are the same or no numbers.
-fn figure(column: &str, columns: &[String], solved: &[&Record]) -> Option<Figure> {
+fn figure(column: &str, columns: &[String], solved: &[&RowRecord]) -> Option<Figure> {
     let (at, unit) = parameter::numbers(column, solved)?;
     if at.windows(2).all(|pair| pair[0] == pair[1]) {
         return None;
     }
-    let groups = Groups::of(column, columns, solved);
+    let groups = RowGroups::of(column, columns, solved);
     let system = parameter::units(solved.first()?)?;
     let yielded = solved.iter().any(|r| r.number(PEAK) != r.number(ELASTIC));
-    let shown = |drawn: &&Drawn| drawn.name != ELASTIC || yielded;
-    let panel = |drawn: &Drawn| Panel {
+    let shown = |drawn: &&PlottedFigure| drawn.name != ELASTIC || yielded;
+    let panel = |drawn: &PlottedFigure| Panel {
         title: with_unit(drawn.title, (drawn.unit)(system)),
         axes: [with_unit(column, &unit), String::new()],
         scale: Scale::Linear,
         lines: groups.lines(&at, solved, drawn.name),
         dashed: drawn.limit.into_iter().collect(),
     };
-    let mut panels: Vec<Panel> = DRAWN.iter().filter(shown).map(panel).collect();
+    let mut panels: Vec<Panel> = PLOTTED_FIGURES.iter().filter(shown).map(panel).collect();
     panels.retain(|panel| !panel.lines.is_empty());
     (!panels.is_empty()).then(|| Figure {
         panels,
@@ -105,26 +105,27 @@ fn figure(column: &str, columns: &[String], solved: &[&Record]) -> Option<Figure
 }
 
 fn with_unit(name: &str, unit: &str) -> String {
-    match unit.is_empty() {
-        true => name.to_owned(),
-        false => format!("{name}, {unit}"),
+    if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}, {unit}")
     }
 }
 
 /// Rows that differ in one parameter only, joined by lines.
-struct Groups {
+struct RowGroups {
     names: Vec<String>,
     /// Of each row.
     of: Vec<usize>,
     joined: bool,
 }
 
-impl Groups {
-    fn of(column: &str, columns: &[String], solved: &[&Record]) -> Self {
+impl RowGroups {
+    fn of(column: &str, columns: &[String], solved: &[&RowRecord]) -> Self {
         let others = columns.iter().filter(|c| *c != column);
         let others: Vec<&String> = others.filter(|c| parameter::varies(c, solved)).collect();
         let mut names: Vec<String> = Vec::new();
-        let group = |record: &&Record| {
+        let group = |record: &&RowRecord| {
             let words = others.iter().map(|c| parameter::said(record, c));
             let name = words.collect::<Vec<_>>().join(", ");
             names.iter().position(|n| *n == name).unwrap_or_else(|| {
@@ -135,7 +136,7 @@ impl Groups {
         let of: Vec<usize> = solved.iter().map(group).collect();
         // Parameters that vary together, as they may in a list, make one line.
         let together = names.len() == solved.len() || names.len() == 1;
-        if together || names.len() > MOST {
+        if together || names.len() > MOST_GROUPS {
             return Self {
                 names: vec!["rows of the sweep".to_owned()],
                 of: vec![0; solved.len()],
@@ -150,7 +151,7 @@ impl Groups {
     }
 
     /// The lines of the figure `name` over the numbers `at`.
-    fn lines(&self, at: &[f64], solved: &[&Record], name: &str) -> Vec<Line> {
+    fn lines(&self, at: &[f64], solved: &[&RowRecord], name: &str) -> Vec<Line> {
         let mut lines: Vec<Line> = Vec::new();
         for ((record, x), style) in solved.iter().zip(at).zip(&self.of) {
             let Some(y) = record.number(name) else {
@@ -174,22 +175,22 @@ impl Groups {
 
 #[cfg(test)]
 mod tests {
-    use super::super::record::Status;
+    use super::super::record::RowStatus;
     use super::*;
     use serde_json::json;
 
     /// A solved row with a wall, a load and a peak.
-    fn record(wall: &str, load: &str, peak: f64) -> Record {
+    fn record(wall: &str, load: &str, peak: f64) -> RowRecord {
         let named = |pairs: &[(&str, serde_json::Value)]| {
             let own = pairs.iter().map(|(k, v)| ((*k).to_owned(), v.clone()));
             own.collect()
         };
-        Record {
+        RowRecord {
             row: 1,
             folder: String::new(),
             fingerprint: String::new(),
             parameters: named(&[("b.wall", json!(wall)), ("b.load", json!(load))]),
-            status: Status::Done,
+            status: RowStatus::Done,
             message: String::new(),
             seconds: 1.0,
             figures: named(&[
@@ -212,7 +213,7 @@ mod tests {
             record("0.5 in", "65 kip", 60.0),
             record("1 in", "65 kip", 50.0),
         ];
-        let rows: Vec<&Record> = rows.iter().collect();
+        let rows: Vec<&RowRecord> = rows.iter().collect();
         let figure = figure("b.wall", &columns(), &rows).unwrap();
         assert_eq!(figure.legend, ["load 45 kip", "load 65 kip"]);
         // Nothing has yielded, and there is neither utilisation nor descent.
@@ -237,7 +238,7 @@ mod tests {
             record("thin", "45 kip", 30.0),
             record("thick", "65 kip", 40.0),
         ];
-        let rows: Vec<&Record> = rows.iter().collect();
+        let rows: Vec<&RowRecord> = rows.iter().collect();
         let over_load = figure("b.load", &columns(), &rows).unwrap();
         assert_eq!(over_load.panels[0].lines.len(), 1);
         assert_eq!(over_load.panels[0].lines[0].points.len(), 2);

@@ -1,7 +1,7 @@
 //! What a row needs before it runs: its folder, its mesh, and how much memory it will take.
 
-use super::place::Place;
-use super::rows::{Row, Sweep};
+use super::place::SweepFolder;
+use super::rows::{Sweep, SweepRow};
 use crate::case::Kind;
 use crate::ground::file::write_atomically;
 use crate::product::job::{self, JobError, MESH_FILE};
@@ -19,17 +19,17 @@ pub struct Need {
 }
 
 /// Bytes of a run beside its model: program, mesh, fields and what is written.
-const BESIDE: f64 = 40e6;
+const MEMORY_BESIDE_MODEL: f64 = 40e6;
 /// The estimate is that of the first model; where steel flows or contact widens, larger ones follow.
 /// Largest resident memory over it: 1.2 at 25 and 1.6 at 36 thousand unknowns, with plastic flow.
-const GROWTH: f64 = 1.5;
+const MEMORY_GROWTH: f64 = 1.5;
 
 /// Writes the case of `row` and puts its mesh beside it. Rows with the same mesh share one, made once
 /// by gmsh where none is at hand.
 ///
 /// # Errors
 /// [`JobError`] where the row cannot be meshed, or does not fit its mesh.
-pub fn prepare(sweep: &Sweep, row: &Row, place: &Place) -> Result<Need, JobError> {
+pub fn prepare(sweep: &Sweep, row: &SweepRow, place: &SweepFolder) -> Result<Need, JobError> {
     let case = sweep.case_of(row)?;
     let folder = place.row(row);
     let mesh = match &case.kind {
@@ -49,7 +49,7 @@ pub fn prepare(sweep: &Sweep, row: &Row, place: &Place) -> Result<Need, JobError
     write_atomically(&folder.join(CASE), |out| out.write_all(row.text.as_bytes()))?;
     Ok(Need {
         unknowns: forecast.unknowns,
-        memory: GROWTH * forecast.memory + BESIDE,
+        memory: MEMORY_GROWTH * forecast.memory + MEMORY_BESIDE_MODEL,
     })
 }
 

@@ -1,8 +1,8 @@
 //! What came of a row: its line of the table, in a file of its own.
 
 use super::error::SweepError;
-use super::place::Place;
-use super::rows::{Row, Sweep};
+use super::place::SweepFolder;
+use super::rows::{Sweep, SweepRow};
 use crate::ground::file::write_atomically;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -10,11 +10,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Its name in the folder of the row.
-const FILE: &str = "row.json";
+const RECORD_FILE: &str = "row.json";
 
 /// How a row ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Status {
+pub enum RowStatus {
     #[serde(rename = "done")]
     Done,
     #[serde(rename = "limits missed")]
@@ -32,14 +32,14 @@ pub enum Status {
 
 /// A line of the table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Record {
+pub struct RowRecord {
     /// Counted from 1.
     pub row: usize,
     pub folder: String,
-    /// That of [`Row::fingerprint`].
+    /// That of [`SweepRow::fingerprint`].
     pub fingerprint: String,
     pub parameters: Vec<(String, Value)>,
-    pub status: Status,
+    pub status: RowStatus,
     /// Why it is not done.
     pub message: String,
     /// Of the run that ended last.
@@ -48,7 +48,7 @@ pub struct Record {
     pub figures: Vec<(String, Value)>,
 }
 
-impl Status {
+impl RowStatus {
     pub const ALL: [Self; 6] = [
         Self::Done,
         Self::LimitsMissed,
@@ -77,9 +77,9 @@ impl Status {
     }
 }
 
-impl Record {
+impl RowRecord {
     /// A row without an answer.
-    pub fn without(row: &Row, status: Status, message: impl Into<String>) -> Self {
+    pub fn without(row: &SweepRow, status: RowStatus, message: impl Into<String>) -> Self {
         let value = |v: &toml::Value| serde_json::to_value(v).unwrap_or_default();
         let parameters = row.parameters.iter();
         Self {
@@ -95,14 +95,14 @@ impl Record {
     }
 
     /// What came of `row`; `None` where nothing has yet, or only of another row in its place.
-    pub fn read(place: &Place, row: &Row) -> Option<Self> {
-        let bytes = std::fs::read(place.row(row).join(FILE)).ok()?;
+    pub fn read(place: &SweepFolder, row: &SweepRow) -> Option<Self> {
+        let bytes = std::fs::read(place.row(row).join(RECORD_FILE)).ok()?;
         let record: Self = serde_json::from_slice(&bytes).ok()?;
         (record.fingerprint == row.fingerprint).then_some(record)
     }
 
     /// Has a run of `row` come to an end that need not be tried again?
-    pub fn read_final(place: &Place, row: &Row) -> Option<Self> {
+    pub fn read_final(place: &SweepFolder, row: &SweepRow) -> Option<Self> {
         Self::read(place, row).filter(|record| record.status.is_final())
     }
 
@@ -112,7 +112,7 @@ impl Record {
     /// [`SweepError::There`] where there are some, and the sweep is not to `resume`.
     pub fn all_final(
         sweep: &Sweep,
-        place: &Place,
+        place: &SweepFolder,
         resume: bool,
     ) -> Result<BTreeMap<usize, Self>, SweepError> {
         let rows = sweep.rows.iter();
@@ -131,10 +131,10 @@ impl Record {
     ///
     /// # Errors
     /// [`SweepError`] names the path.
-    pub fn write(&self, place: &Place, row: &Row) -> Result<(), SweepError> {
+    pub fn write(&self, place: &SweepFolder, row: &SweepRow) -> Result<(), SweepError> {
         let folder = place.row(row);
         std::fs::create_dir_all(&folder).map_err(|error| SweepError::folder(&folder, error))?;
-        let path = folder.join(FILE);
+        let path = folder.join(RECORD_FILE);
         write_atomically(&path, |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
             writeln!(out)
@@ -159,7 +159,7 @@ impl Record {
 /// # Errors
 /// Where it cannot be removed.
 pub fn forget(folder: &Path) -> Result<(), SweepError> {
-    match std::fs::remove_file(folder.join(FILE)) {
+    match std::fs::remove_file(folder.join(RECORD_FILE)) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
             Err(SweepError::folder(folder, error))
         }

@@ -1,8 +1,9 @@
 //! The rows of a sweep: one case each.
 
 use super::error::SweepError;
-use super::file::{self, Settings, SweepFile};
+use super::file::{self, SweepFile};
 use super::mesh_files::MeshFiles;
+use super::settings::KeyValues;
 use crate::case::{self, Case, CaseError, variant};
 use crate::ground::hash::Fnv;
 use std::path::{Path, PathBuf};
@@ -17,17 +18,17 @@ pub struct Sweep {
     pub case: PathBuf,
     /// The keys that are varied, in order.
     pub columns: Vec<String>,
-    pub rows: Vec<Row>,
+    pub rows: Vec<SweepRow>,
     pub(super) base: String,
-    pub(super) fixed: Settings,
+    pub(super) fixed: KeyValues,
 }
 
 /// One run of a sweep.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct SweepRow {
     /// Counted from 1.
     pub number: usize,
-    pub parameters: Settings,
+    pub parameters: KeyValues,
     /// The name of its folder.
     pub name: String,
     /// The case file of the row.
@@ -55,10 +56,10 @@ impl Sweep {
     pub fn of(plan: SweepFile, file: &Path, base: String) -> Self {
         let varying = varying(&plan.columns, &plan.rows);
         let mut meshes = MeshFiles::new(&plan.case);
-        let row = |(at, parameters): (usize, &Settings)| {
+        let row = |(at, parameters): (usize, &KeyValues)| {
             let text = meshes.absolute(text(&base, &[&plan.fixed, parameters]));
             let mesh = meshes.content(&text);
-            Row {
+            SweepRow {
                 number: at + 1,
                 name: name(at + 1, parameters, &varying),
                 fingerprint: format!("{:016x}", Fnv::of(format!("{text}{mesh:x}").as_bytes())),
@@ -81,7 +82,7 @@ impl Sweep {
     ///
     /// # Errors
     /// Where the case makes no sense.
-    pub fn case_of(&self, row: &Row) -> Result<Case, CaseError> {
+    pub fn case_of(&self, row: &SweepRow) -> Result<Case, CaseError> {
         case::parse(&self.case.to_string_lossy(), &row.text)
     }
 
@@ -89,7 +90,7 @@ impl Sweep {
     ///
     /// # Errors
     /// [`SweepError::NoSuchRow`].
-    pub fn row(&self, number: usize) -> Result<&Row, SweepError> {
+    pub fn row(&self, number: usize) -> Result<&SweepRow, SweepError> {
         let row = number.checked_sub(1).and_then(|at| self.rows.get(at));
         row.ok_or(SweepError::NoSuchRow {
             row: number,
@@ -98,7 +99,7 @@ impl Sweep {
     }
 }
 
-impl Row {
+impl SweepRow {
     /// Its parameters in words.
     pub fn said(&self) -> String {
         let words = self
@@ -118,14 +119,14 @@ fn plain(value: &Value) -> String {
 }
 
 /// The case `base` with these settings.
-pub fn text(base: &str, settings: &[&Settings]) -> String {
+pub fn text(base: &str, settings: &[&KeyValues]) -> String {
     let set = settings.iter().copied().flatten().cloned().collect();
     variant::changed(base, &set)
 }
 
 /// The columns whose value is not the same in all rows.
-fn varying(columns: &[String], rows: &[Settings]) -> Vec<String> {
-    let value = |row: &Settings, column: &str| {
+fn varying(columns: &[String], rows: &[KeyValues]) -> Vec<String> {
+    let value = |row: &KeyValues, column: &str| {
         let found = row.iter().find(|(key, _)| key == column);
         found.map(|(_, value)| value.clone())
     };
@@ -138,8 +139,8 @@ fn varying(columns: &[String], rows: &[Settings]) -> Vec<String> {
 }
 
 /// The name of a row's folder: its number and what makes it differ, as far as file systems like it.
-fn name(number: usize, parameters: &Settings, varying: &[String]) -> String {
-    const LONGEST: usize = 60;
+fn name(number: usize, parameters: &KeyValues, varying: &[String]) -> String {
+    const LONGEST_NAME: usize = 60;
     let values = parameters.iter().filter(|(key, _)| varying.contains(key));
     let word = |(_, value): &(String, Value)| -> String {
         let fine = |c: &char| c.is_ascii_alphanumeric() || "._+".contains(*c);
@@ -149,5 +150,5 @@ fn name(number: usize, parameters: &Settings, varying: &[String]) -> String {
     let parts: Vec<String> = std::iter::once(format!("{number:04}"))
         .chain(words)
         .collect();
-    parts.join("-").chars().take(LONGEST).collect()
+    parts.join("-").chars().take(LONGEST_NAME).collect()
 }

@@ -3,18 +3,19 @@
 use super::error::SweepError;
 use super::local::Watcher;
 use super::one;
-use super::place::Place;
+use super::place::SweepFolder;
 use super::prepare::{Need, prepare};
-use super::record::Record;
-use super::rows::{Row, Sweep};
+use super::record::RowRecord;
+use super::rows::{Sweep, SweepRow};
 use crate::ground::file::write_atomically;
 use std::path::{Path, PathBuf};
 
 /// Its name in the folder of the sweep.
 pub const SCRIPT: &str = "sweep.sbatch";
 
-/// Slurm kills what takes more than it asked for, and estimates are within a quarter.
-const MARGIN: f64 = 1.25;
+/// Memory asked for over memory estimated: Slurm kills what takes more than it asked for, and estimates are
+/// within a quarter.
+const MEMORY_MARGIN: f64 = 1.25;
 /// Unknowns for each processor: fewer keep it waiting for the others.
 const UNKNOWNS_PER_CPU: usize = 50_000;
 const MOST_CPUS: usize = 8;
@@ -27,15 +28,15 @@ const MOST_CPUS: usize = 8;
 /// [`SweepError`] where the folder cannot be used, or no row is left.
 pub fn emit(
     sweep: &Sweep,
-    place: &Place,
+    place: &SweepFolder,
     resume: bool,
     watcher: &mut dyn Watcher,
 ) -> Result<(PathBuf, Vec<usize>), SweepError> {
     let _lock = place.lock()?;
-    let ended = Record::all_final(sweep, place, resume)?;
+    let ended = RowRecord::all_final(sweep, place, resume)?;
     let mut needs: Vec<(usize, Need)> = Vec::new();
     let left = (sweep.rows.iter()).filter(|row| !ended.contains_key(&row.number));
-    let left: Vec<&Row> = left.collect();
+    let left: Vec<&SweepRow> = left.collect();
     for (at, row) in left.iter().enumerate() {
         if watcher.stopped() {
             break;
@@ -55,7 +56,11 @@ pub fn emit(
     Ok((path, needs.into_iter().map(|(row, _)| row).collect()))
 }
 
-fn script(sweep: &Sweep, place: &Place, needs: &[(usize, Need)]) -> Result<String, SweepError> {
+fn script(
+    sweep: &Sweep,
+    place: &SweepFolder,
+    needs: &[(usize, Need)],
+) -> Result<String, SweepError> {
     let absolute = |path: &Path| {
         let path = std::path::absolute(path).map_err(|error| SweepError::folder(path, error))?;
         let text = path
@@ -123,7 +128,7 @@ fn cpus(unknowns: usize) -> usize {
 }
 
 fn megabytes(memory: f64) -> u64 {
-    (MARGIN * memory / (1024.0 * 1024.0)).ceil() as u64
+    (MEMORY_MARGIN * memory / (1024.0 * 1024.0)).ceil() as u64
 }
 
 /// Which rows could do with less, where sizes differ: classes by powers of two.
@@ -158,9 +163,12 @@ pub fn ranges(numbers: &[usize]) -> String {
             _ => parts.push([*number, *number]),
         }
     }
-    let part = |[first, last]: &[usize; 2]| match first == last {
-        true => first.to_string(),
-        false => format!("{first}-{last}"),
+    let part = |[first, last]: &[usize; 2]| {
+        if first == last {
+            first.to_string()
+        } else {
+            format!("{first}-{last}")
+        }
     };
     parts.iter().map(part).collect::<Vec<_>>().join(",")
 }
@@ -172,18 +180,20 @@ fn option(path: &Path) -> Option<(&'static str, String)> {
     if text.contains(['"', '\\', '%']) {
         return None;
     }
-    Some(match quoted(text) == text {
-        true => ("", text.to_owned()),
-        false => ("\"", format!("\"{text}")),
+    Some(if quoted(text) == text {
+        ("", text.to_owned())
+    } else {
+        ("\"", format!("\"{text}"))
     })
 }
 
 /// As one word of the shell.
 fn quoted(text: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:@%".contains(c);
-    match text.chars().all(plain) && !text.is_empty() {
-        true => text.to_owned(),
-        false => format!("'{}'", text.replace('\'', r"'\''")),
+    if text.chars().all(plain) && !text.is_empty() {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::error::SweepError;
 use super::parameter;
-use super::place::Place;
-use super::record::Record;
+use super::place::SweepFolder;
+use super::record::RowRecord;
 use crate::answer::Named;
 use crate::ground::file::write_atomically;
 use crate::render::text::shown;
@@ -19,11 +19,13 @@ pub const JSON_LINES: &str = "table.jsonl";
 /// # Errors
 /// [`SweepError::Output`] names the path.
 pub fn write<'r>(
-    place: &Place,
+    place: &SweepFolder,
     columns: &[String],
-    records: impl Iterator<Item = &'r Record>,
+    records: impl Iterator<Item = &'r RowRecord>,
 ) -> Result<(), SweepError> {
-    let lines: Vec<Line> = records.map(|record| Line::new(record, columns)).collect();
+    let lines: Vec<TableLine> = records
+        .map(|record| TableLine::new(record, columns))
+        .collect();
     let heads = heads(&lines);
     write_atomically(&place.0.join(CSV), |out| as_csv(&heads, &lines, out))?;
     write_atomically(&place.0.join(JSON_LINES), |out| {
@@ -33,10 +35,10 @@ pub fn write<'r>(
 }
 
 /// Cells by column.
-struct Line(Vec<(String, Value)>);
+struct TableLine(Vec<(String, Value)>);
 
-impl Line {
-    fn new(record: &Record, columns: &[String]) -> Self {
+impl TableLine {
+    fn new(record: &RowRecord, columns: &[String]) -> Self {
         let mut cells = vec![("row".to_owned(), record.row.into())];
         for column in columns {
             let value = parameter::value(record, column).cloned();
@@ -57,7 +59,7 @@ impl Line {
 }
 
 /// All columns, in the order in which lines have them.
-fn heads(lines: &[Line]) -> Vec<&str> {
+fn heads(lines: &[TableLine]) -> Vec<&str> {
     let mut seen = HashSet::new();
     let names = lines
         .iter()
@@ -66,7 +68,7 @@ fn heads(lines: &[Line]) -> Vec<&str> {
     names.filter(|name| seen.insert(*name)).collect()
 }
 
-fn as_csv(heads: &[&str], lines: &[Line], out: &mut dyn io::Write) -> io::Result<()> {
+fn as_csv(heads: &[&str], lines: &[TableLine], out: &mut dyn io::Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(out);
     table.write_record(heads.iter().map(|head| shown(head).into_owned()))?;
     for line in lines {
@@ -80,7 +82,7 @@ fn as_csv(heads: &[&str], lines: &[Line], out: &mut dyn io::Write) -> io::Result
     table.flush()
 }
 
-fn as_json(heads: &[&str], lines: &[Line], out: &mut dyn io::Write) -> io::Result<()> {
+fn as_json(heads: &[&str], lines: &[TableLine], out: &mut dyn io::Write) -> io::Result<()> {
     for line in lines {
         let cells = heads.iter().map(|h| ((*h).to_owned(), line.cell(h)));
         serde_json::to_writer(&mut *out, &Named(cells.collect()))?;

@@ -1,8 +1,8 @@
 //! Are all rows cases? Asked before anything is run.
 
 use super::error::{RowError, SweepError};
-use super::file::Settings;
-use super::rows::{Row, Sweep, text};
+use super::rows::{Sweep, SweepRow, text};
+use super::settings::KeyValues;
 use crate::case::{self, CaseError, ErrorKind, variant};
 use toml::Value;
 
@@ -12,16 +12,17 @@ impl Sweep {
     /// # Errors
     /// [`SweepError::Rows`] with the first few rows that are wrong.
     pub fn validate(&self) -> Result<(), SweepError> {
-        const TOLD: usize = 5;
+        // The same mistake stands in many rows: the first few show it.
+        const ERRORS_TOLD: usize = 5;
         let rows = self.rows.iter();
         let wrong = rows.filter_map(|row| Some((row, self.wrong(row)?)));
-        let wrong: Vec<(&Row, CaseError)> = wrong.collect();
+        let wrong: Vec<(&SweepRow, CaseError)> = wrong.collect();
         if wrong.is_empty() {
             return Ok(());
         }
         let all = self.rows.len();
         let count = wrong.len();
-        let error = |(row, error): (&Row, CaseError)| RowError {
+        let error = |(row, error): (&SweepRow, CaseError)| RowError {
             row: row.number,
             place: self.place(row, &error),
             error,
@@ -29,12 +30,12 @@ impl Sweep {
         Err(SweepError::Rows {
             wrong: count,
             all,
-            errors: wrong.into_iter().take(TOLD).map(error).collect(),
+            errors: wrong.into_iter().take(ERRORS_TOLD).map(error).collect(),
         })
     }
 
     /// What is wrong with a row: a key has no place in the case, or the case makes no sense.
-    fn wrong(&self, row: &Row) -> Option<CaseError> {
+    fn wrong(&self, row: &SweepRow) -> Option<CaseError> {
         let set = self.fixed.iter().chain(&row.parameters);
         for (key, _) in set {
             if !variant::has_place(&self.base, key) {
@@ -49,12 +50,12 @@ impl Sweep {
 
     /// The column and value that are to blame for `error`: the one that it names, or the one that
     /// is wrong by itself; all of them where it takes several.
-    fn place(&self, row: &Row, error: &CaseError) -> String {
+    fn place(&self, row: &SweepRow, error: &CaseError) -> String {
         let message = error.to_string();
         let alone = |parameter: &&(String, Value)| {
             let one = vec![(*parameter).clone()];
             let is_wrong =
-                |settings: &[&Settings]| case::parse("", &text(&self.base, settings)).is_err();
+                |settings: &[&KeyValues]| case::parse("", &text(&self.base, settings)).is_err();
             is_wrong(&[&self.fixed, &one]) && !is_wrong(&[&self.fixed])
         };
         let parameters = || row.parameters.iter();

@@ -148,9 +148,10 @@ fn judge(levels: &[Level], target: &Target, limits: &Limits) -> Option<Verdict> 
 
 /// Unknowns of a level over those of the one before.
 fn growth(levels: &[Level]) -> f64 {
-    const USUAL: f64 = 2.8;
+    // Before two levels are known.
+    const USUAL_GROWTH: f64 = 2.8;
     match levels {
         [.., a, b] => b.unknowns as f64 / a.unknowns.max(1) as f64,
-        _ => USUAL,
+        _ => USUAL_GROWTH,
     }
 }

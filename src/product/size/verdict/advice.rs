@@ -1,6 +1,8 @@
 //! What would help where a limit is missed.
 
-use super::{Check, Kind, Placed, Standing};
+use super::check::{LimitCheck, LimitKind};
+use super::position::Placed;
+use super::standing::Standing;
 use crate::ground::units::Dimension;
 use crate::product::size::SizeError;
 use crate::product::size::proposal::Proposal;
@@ -19,20 +21,21 @@ pub struct Advice {
     pub request: Request,
 }
 
-/// Beyond what the stresses ask for, so that the next try does not miss by a hair.
-const MORE: f64 = 1.05;
+/// The margin on the load beyond what the stresses ask for, so that the next try does not miss by a hair.
+const MARGIN_ON_ADVICE: f64 = 1.05;
 
 /// By which factor the stress behind a missed limit is too high, at least.
-fn short_by(check: &Check) -> f64 {
+fn short_by(check: &LimitCheck) -> f64 {
     match check.kind {
         // How much less stress it takes not to yield is not known from the strain.
-        Kind::PlasticStrain => YIELDED,
+        LimitKind::PlasticStrain => STRESS_WHERE_YIELDED,
         _ => check.utilisation.unwrap_or(1.0),
     }
 }
 
-/// Taken for the stress of a part that has yielded a little, over yield.
-const YIELDED: f64 = 1.05;
+/// Stress over yield that is assumed of a part that has yielded a little: its strain does not tell by how much
+/// an elastic part would exceed yield.
+const STRESS_WHERE_YIELDED: f64 = 1.05;
 
 impl Advice {
     /// Contact stresses go with the root of the load: the margin on it is raised by the square of what
@@ -47,9 +50,9 @@ impl Advice {
         let before = match request.rule.value {
             Rule::Eccentric => request.margin.value,
             // Statics are to be tried before more is asked of them.
-            Rule::Printed | Rule::Exact => ECCENTRIC_MARGIN / (worst * worst * MORE),
+            Rule::Printed | Rule::Exact => ECCENTRIC_MARGIN / (worst * worst * MARGIN_ON_ADVICE),
         };
-        let margin = (100.0 * before * worst * worst * MORE).ceil() / 100.0;
+        let margin = (100.0 * before * worst * worst * MARGIN_ON_ADVICE).ceil() / 100.0;
         let next = Request {
             rule: Setting::or(Some(Rule::Eccentric), Rule::Eccentric),
             margin: Setting::or(Some(margin.max(1.0)), margin),
@@ -66,7 +69,7 @@ impl Advice {
             options += ", with --diameter and --length left open";
         }
         let within = checks().any(|c| c.standing == Standing::MissedWithinError);
-        let solution = checks().any(|c| c.kind == Kind::Solution && c.standing.is_missed());
+        let solution = checks().any(|c| c.kind == LimitKind::Solution && c.standing.is_missed());
         let mut why = match choice {
             Some(c) => format!("proposes rollers {} x {}", show(c.diameter), show(c.length)),
             None => format!("proposes none: {}", proposal.why),

@@ -1,6 +1,7 @@
 //! (2-49) on every line of contact, under the largest load per length that it carries.
 
-use super::{Check, Kind, Standing};
+use super::check::{LimitCheck, LimitKind};
+use super::standing::Standing;
 use crate::answer::LineFigures;
 use crate::product::size::Proposal;
 use crate::render::Summary;
@@ -9,12 +10,12 @@ use crate::render::summary::SizedLine;
 /// Nearer to the end of a roller than this share of its radius, a peak is made by the end.
 const AT_THE_END: f64 = 0.02;
 
-pub fn checks(proposal: &Proposal, summary: &Summary) -> Vec<Check> {
+pub fn checks(proposal: &Proposal, summary: &Summary) -> Vec<LimitCheck> {
     let lines = summary.sizing.iter().flat_map(|sizing| &sizing.lines);
     lines.map(|line| check(proposal, summary, line)).collect()
 }
 
-fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> Check {
+fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> LimitCheck {
     let request = &proposal.request;
     let limit = request.limit.value * request.yield_stress;
     let rows = summary.answer.interfaces.get(&line.interface);
@@ -31,8 +32,8 @@ fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> Check {
     if line.merged {
         remarks.push("both lines of the V in one: the mesh is too coarse to tell them apart");
     }
-    Check {
-        kind: Kind::ContactPressure,
+    LimitCheck {
+        kind: LimitKind::ContactPressure,
         place: line.interface.clone(),
         across: Some(line.across),
         line_load: Some(line.peak_line_load),

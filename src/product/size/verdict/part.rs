@@ -1,17 +1,18 @@
 //! Every part: elastic Mises stress below yield, no plastic strain.
 
-use super::{Check, Kind, Standing};
+use super::check::{LimitCheck, LimitKind};
+use super::standing::Standing;
 use crate::answer::certify::{Figure, Quantity};
-use crate::answer::results::flow::Flow;
+use crate::answer::results::flow::BodyFlow;
 use crate::product::job::Outcome;
 use crate::product::size::Proposal;
 use crate::render::Summary;
 use crate::render::text::{percent, significant};
 
-pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<Check> {
+pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<LimitCheck> {
     let summary = &outcome.summary;
     let bodies = summary.answer.bodies.0.iter();
-    let bodies: Vec<(&str, Flow)> = bodies.map(|(name, b)| (name.as_str(), b.flow)).collect();
+    let bodies: Vec<(&str, BodyFlow)> = bodies.map(|(name, b)| (name.as_str(), b.flow)).collect();
     let limit = proposal.request.yield_stress;
     let stress = (bodies.iter()).map(|(body, flow)| mises(summary, body, *flow, limit));
     let strain = bodies
@@ -26,8 +27,8 @@ fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s
     kinds.iter().find_map(of)
 }
 
-fn bare(kind: Kind, body: &str) -> Check {
-    Check {
+fn bare(kind: LimitKind, body: &str) -> LimitCheck {
+    LimitCheck {
         kind,
         place: body.to_string(),
         across: None,
@@ -44,16 +45,17 @@ fn bare(kind: Kind, body: &str) -> Check {
 }
 
 /// The peak of the elastic solution, away from loaded edges where it lies at one.
-fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
+fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitCheck {
     use Quantity::{ElasticMisesAway, ElasticPeakMises, MisesAway, PeakMises};
-    let yielded = flow != Flow::default();
-    let (peak, away) = match yielded {
-        true => (ElasticPeakMises, ElasticMisesAway),
-        false => (PeakMises, MisesAway),
+    let yielded = flow != BodyFlow::default();
+    let (peak, away) = if yielded {
+        (ElasticPeakMises, ElasticMisesAway)
+    } else {
+        (PeakMises, MisesAway)
     };
-    let mut check = Check {
+    let mut check = LimitCheck {
         limit: Some(limit),
-        ..bare(Kind::ElasticMises, body)
+        ..bare(LimitKind::ElasticMises, body)
     };
     let Some(judged) = first(summary, body, &[away, peak]) else {
         check.standing = Standing::Missed;
@@ -85,15 +87,15 @@ fn mises(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Check {
 
 /// An element flows as such, and not only at single integration points, where its mean stress is so near
 /// to yield: the elements of bearings that do yield have 0.97 and more, those that overshoot 0.7 to 0.8.
-const RESOLVED: f64 = 0.9;
+const FLOWING_MEAN_STRESS: f64 = 0.9;
 
 /// Plastic strain away from loaded edges, and what there is beside them.
-fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> {
-    let resolved = flow.mean_mises >= RESOLVED * limit;
+fn strains(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> Vec<LimitCheck> {
+    let resolved = flow.mean_mises >= FLOWING_MEAN_STRESS * limit;
     let certified = summary.answer.figure(Quantity::PeakPlasticStrain, body);
     // The certificate is about the largest of all.
     let own = certified.filter(|_| flow.away >= flow.at_edges);
-    let mut checks = vec![Check {
+    let mut checks = vec![LimitCheck {
         value: Some(flow.away),
         error: own.and_then(Figure::bar),
         limit: Some(0.0),
@@ -109,10 +111,10 @@ fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> 
                 percent(flow.mean_mises / limit)
             )
         }),
-        ..bare(Kind::PlasticStrain, body)
+        ..bare(LimitKind::PlasticStrain, body)
     }];
     if flow.at_edges > 0.0 {
-        checks.push(Check {
+        checks.push(LimitCheck {
             value: Some(flow.at_edges),
             at_edge: true,
             remark: Some(
@@ -120,7 +122,7 @@ fn strains(summary: &Summary, body: &str, flow: Flow, limit: f64) -> Vec<Check> 
                  there, so a little flow and a dent are found on any mesh that is fine enough"
                     .to_string(),
             ),
-            ..bare(Kind::EdgePlasticStrain, body)
+            ..bare(LimitKind::EdgePlasticStrain, body)
         });
     }
     checks

@@ -1,12 +1,15 @@
 //! The verdict as text.
 
-use super::{Check, Kind, Placed, Standing, Verdict};
+use super::check::{LimitCheck, LimitKind};
+use super::design::DesignVerdict;
+use super::position::Placed;
+use super::standing::Standing;
 use crate::product::size::table::wrapped;
 use crate::render::text::{Columns, percent, significant};
 use std::fmt::Write;
 
 /// Everything, every line ended.
-pub fn render(verdict: &Verdict) -> String {
+pub fn render(verdict: &DesignVerdict) -> String {
     let mut text = String::new();
     for placed in &verdict.positions {
         text += &position(verdict, placed);
@@ -16,7 +19,7 @@ pub fn render(verdict: &Verdict) -> String {
 }
 
 /// The same as a Markdown file.
-pub fn page(verdict: &Verdict) -> String {
+pub fn page(verdict: &DesignVerdict) -> String {
     let units = &verdict.units;
     let design = &verdict.design;
     let n = |value: f64| significant(value, 4);
@@ -27,10 +30,12 @@ pub fn page(verdict: &Verdict) -> String {
         match (verdict.met, verdict.open) {
             (true, 0) => "met".to_string(),
             (true, open) => format!("no limit missed, {open} open"),
-            (false, _) => match verdict.positions.iter().any(Placed::misses) {
-                true => "MISSED".to_string(),
-                false => "none, not resolved".to_string(),
-            },
+            (false, _) =>
+                if verdict.positions.iter().any(Placed::misses) {
+                    "MISSED".to_string()
+                } else {
+                    "none, not resolved".to_string()
+                },
         },
         n(verdict.load),
         units.force,
@@ -61,10 +66,10 @@ fn said(standing: Standing) -> &'static str {
     }
 }
 
-fn what(check: &Check, verdict: &Verdict) -> String {
+fn what(check: &LimitCheck, verdict: &DesignVerdict) -> String {
     let units = &verdict.units;
     match (check.kind, check.line_load) {
-        (Kind::ContactPressure, Some(q)) => {
+        (LimitKind::ContactPressure, Some(q)) => {
             format!(
                 "p0 at {} {}, {}",
                 significant(q, 4),
@@ -72,14 +77,14 @@ fn what(check: &Check, verdict: &Verdict) -> String {
                 units.stress
             )
         }
-        (Kind::ContactPressure | Kind::ElasticMises, _) => {
+        (LimitKind::ContactPressure | LimitKind::ElasticMises, _) => {
             format!("{}, {}", check.kind.name(), units.stress)
         }
         (kind, _) => kind.name().to_string(),
     }
 }
 
-fn position(verdict: &Verdict, placed: &Placed) -> String {
+fn position(verdict: &DesignVerdict, placed: &Placed) -> String {
     let units = &verdict.units;
     let dash = || "-".to_string();
     let mut table = Columns::new(&[
@@ -134,14 +139,14 @@ fn position(verdict: &Verdict, placed: &Placed) -> String {
     text
 }
 
-fn conclusion(verdict: &Verdict) -> String {
+fn conclusion(verdict: &DesignVerdict) -> String {
     let checks = || {
         verdict
             .positions
             .iter()
             .flat_map(|p| p.checks.iter().map(move |c| (p, c)))
     };
-    let named = |(placed, check): (&Placed, &Check)| {
+    let named = |(placed, check): (&Placed, &LimitCheck)| {
         let share = check
             .utilisation
             .map_or_else(String::new, |u| format!(" at {}", percent(u)));
@@ -152,7 +157,7 @@ fn conclusion(verdict: &Verdict) -> String {
             placed.position
         )
     };
-    let by_share = |a: &(&Placed, &Check), b: &(&Placed, &Check)| {
+    let by_share = |a: &(&Placed, &LimitCheck), b: &(&Placed, &LimitCheck)| {
         a.1.utilisation
             .unwrap_or(0.0)
             .total_cmp(&b.1.utilisation.unwrap_or(0.0))

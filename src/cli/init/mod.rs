@@ -1,6 +1,7 @@
 //! `brinell init`: a commented case file to begin with.
 
-use super::{CommandResult, Status, say};
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use clap::{Args, ValueEnum};
@@ -8,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// What the case describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Kind {
+pub enum Template {
     /// A roller bearing, given by its dimensions.
     Bearing,
     /// Bodies, contacts, supports and loads by name on a mesh of yours.
@@ -21,7 +22,7 @@ pub struct InitArgs {
     pub path: Option<PathBuf>,
     /// What the case describes.
     #[arg(long, value_enum, default_value = "bearing")]
-    pub kind: Kind,
+    pub kind: Template,
     /// Write over a file that is there.
     #[arg(long)]
     pub force: bool,
@@ -44,7 +45,7 @@ enum InitError {
     Output(#[from] FileError),
 }
 
-impl Kind {
+impl Template {
     fn file(self) -> &'static str {
         match self {
             Self::Bearing => "bearing.toml",
@@ -55,8 +56,8 @@ impl Kind {
     /// The case file, which says how to run it as `file`.
     fn text(self, file: &Path) -> String {
         let text = match self {
-            Self::Bearing => include_str!("init/bearing.toml"),
-            Self::General => include_str!("init/general.toml"),
+            Self::Bearing => include_str!("bearing.toml"),
+            Self::General => include_str!("general.toml"),
         };
         text.replace("{file}", &file.display().to_string())
     }
@@ -65,14 +66,16 @@ impl Kind {
 /// Carries out the command.
 pub fn run(args: &InitArgs) -> CommandResult {
     let path = args.path.clone().unwrap_or_else(|| args.kind.file().into());
-    write(args, &path).map_err(|error| (Status::BadInput, error.into()))?;
+    write(args, &path).map_err(|error| (ExitStatus::BadInput, error.into()))?;
     let path = path.display();
     say(&format!("written: {path}"));
     say(&match args.kind {
-        Kind::Bearing => format!("next: brinell run {path}"),
-        Kind::General => format!("next: put in your mesh and its names, then brinell run {path}"),
+        Template::Bearing => format!("next: brinell run {path}"),
+        Template::General => {
+            format!("next: put in your mesh and its names, then brinell run {path}")
+        }
     });
-    Ok(Status::Done)
+    Ok(ExitStatus::Done)
 }
 
 fn write(args: &InitArgs, path: &Path) -> Result<(), InitError> {
@@ -90,15 +93,21 @@ mod tests {
     use super::*;
     use crate::case::{self, Case};
 
-    fn read(kind: Kind, text: &str) -> Case {
+    fn read(kind: Template, text: &str) -> Case {
         case::parse(kind.file(), text).expect(text)
     }
 
     #[test]
     fn both_templates_are_cases() {
-        let bearing = read(Kind::Bearing, &Kind::Bearing.text(Path::new("a.toml")));
+        let bearing = read(
+            Template::Bearing,
+            &Template::Bearing.text(Path::new("a.toml")),
+        );
         assert!(matches!(bearing.kind, case::Kind::Bearing(_)));
-        let general = read(Kind::General, &Kind::General.text(Path::new("a.toml")));
+        let general = read(
+            Template::General,
+            &Template::General.text(Path::new("a.toml")),
+        );
         assert!(matches!(general.kind, case::Kind::General(_)));
     }
 
@@ -113,14 +122,14 @@ mod tests {
             "plate_size = \"8 in\"",
             "full = false",
         ];
-        let text = Kind::Bearing.text(Path::new("a.toml"));
-        let case::Kind::Bearing(plain) = read(Kind::Bearing, &text).kind else {
+        let text = Template::Bearing.text(Path::new("a.toml"));
+        let case::Kind::Bearing(plain) = read(Template::Bearing, &text).kind else {
             panic!("not a bearing")
         };
         for line in shown {
             let with = text.replace(&format!("# {line}"), line);
             assert_ne!(with, text, "{line}");
-            let case::Kind::Bearing(other) = read(Kind::Bearing, &with).kind else {
+            let case::Kind::Bearing(other) = read(Template::Bearing, &with).kind else {
                 panic!("not a bearing")
             };
             assert_eq!(other.geometry, plain.geometry, "{line}");
@@ -131,7 +140,7 @@ mod tests {
     /// What is shown as an alternative reads, too.
     #[test]
     fn shown_alternatives_read() {
-        let bearing = Kind::Bearing.text(Path::new("a.toml"));
+        let bearing = Template::Bearing.text(Path::new("a.toml"));
         let changes: [(&str, &str); 3] = [
             (
                 "tangent_modulus = \"295 ksi\"",
@@ -146,9 +155,9 @@ mod tests {
         for (from, to) in changes {
             let text = bearing.replace(from, to);
             assert_ne!(text, bearing, "{from}");
-            read(Kind::Bearing, &text);
+            read(Template::Bearing, &text);
         }
-        let general = Kind::General.text(Path::new("a.toml"));
+        let general = Template::General.text(Path::new("a.toml"));
         let changes = [
             ("# symmetry", "symmetry"),
             ("# unit", "unit"),
@@ -165,7 +174,7 @@ mod tests {
         for (from, to) in changes {
             let text = general.replace(from, to);
             assert_ne!(text, general, "{from}");
-            read(Kind::General, &text);
+            read(Template::General, &text);
         }
     }
 }

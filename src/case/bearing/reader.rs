@@ -1,25 +1,26 @@
 //! Reads the keys of `[bearing]`, noting what is taken for granted. Whether the dimensions make
 //! a bearing is for [`BearingGeometry::check`] to say.
 
-use super::assumption::Assumption;
-use super::bearing::{BearingGeometry, RollerEnd};
-use super::error::{CaseError, ErrorKind};
-use super::keys;
-use super::parse::{Field, Table};
-use super::source::Located;
+use super::end_shape::RollerEnd;
+use super::geometry::BearingGeometry;
+use crate::case::assumption::Assumption;
+use crate::case::error::{CaseError, ErrorKind};
+use crate::case::keys;
+use crate::case::parse::{Field, Table};
+use crate::case::place::Located;
 use crate::ground::units::Dimension;
 use crate::model::scene::UNLOADED_SHARE;
 
 /// Share of the load that is left after unloading, where the case does not say.
-pub(super) const UNLOAD_TO: f64 = 1e-3;
+pub(in crate::case) const UNLOAD_TO: f64 = 1e-3;
 
 /// The table `[bearing]`.
-pub(super) struct Reader<'a, 'b> {
+pub(in crate::case) struct BearingReader<'a, 'b> {
     table: Table<'a>,
     assumptions: &'b mut Vec<Assumption>,
 }
 
-impl<'a, 'b> Reader<'a, 'b> {
+impl<'a, 'b> BearingReader<'a, 'b> {
     pub fn new(root: &Table<'a>, assumptions: &'b mut Vec<Assumption>) -> Result<Self, CaseError> {
         let table = root.need("bearing")?.table()?.only(&keys::BEARING)?;
         Ok(Self { table, assumptions })
@@ -168,12 +169,13 @@ impl<'a, 'b> Reader<'a, 'b> {
             return Err(asked.place.error(ErrorKind::Conflict, why));
         }
         let full = displaced || asked.is_some_and(|asked| asked.value);
-        let (text, why) = match full {
-            true => ("the whole bearing", "no use is made of symmetry"),
-            false => (
+        let (text, why) = if full {
+            ("the whole bearing", "no use is made of symmetry")
+        } else {
+            (
                 "a quarter",
                 "a centred bearing is symmetric about x = 0 and y = 0",
-            ),
+            )
         };
         self.note("full", text, why);
         Ok(full)

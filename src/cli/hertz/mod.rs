@@ -1,49 +1,15 @@
 //! `brinell hertz`: the handbook at the command line.
 
 mod table;
+mod units;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
+
+pub use units::HandbookUnits;
 
 use crate::analytic::DomainError;
 use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
-
-/// A consistent system of units.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize)]
-pub enum Units {
-    /// inch, kip, ksi
-    #[value(name = "in-kip-ksi")]
-    #[serde(rename = "in-kip-ksi")]
-    InKipKsi,
-    /// millimetre, newton, megapascal
-    #[value(name = "mm-N-MPa")]
-    #[serde(rename = "mm-N-MPa")]
-    MmNMpa,
-    /// metre, newton, pascal
-    #[value(name = "m-N-Pa")]
-    #[serde(rename = "m-N-Pa")]
-    MNPa,
-}
-
-impl Units {
-    /// Names of length, force and stress.
-    fn names(self) -> [&'static str; 3] {
-        match self {
-            Units::InKipKsi => ["in", "kip", "ksi"],
-            Units::MmNMpa => ["mm", "N", "MPa"],
-            Units::MNPa => ["m", "N", "Pa"],
-        }
-    }
-
-    /// Young's modulus of the reference study's steel, 29500 ksi.
-    fn steel_modulus(self) -> f64 {
-        match self {
-            Units::InKipKsi => 29500.0,
-            Units::MmNMpa => 29500.0 * 6.894757293168361,
-            Units::MNPa => 29500.0 * 6.894757293168361e6,
-        }
-    }
-}
 
 /// Hertz contact of a roller on a plate, ring bending, sizing: closed forms only.
 #[derive(Debug, Clone, PartialEq, Args)]
@@ -54,7 +20,7 @@ impl Units {
 pub struct HertzArgs {
     /// Units of every number below and of the answer.
     #[arg(long, value_enum, default_value = "in-kip-ksi")]
-    pub units: Units,
+    pub units: HandbookUnits,
     /// Outer diameter D of the roller, in the length of the units.
     #[arg(long, value_name = "LENGTH")]
     pub diameter: f64,
@@ -105,7 +71,7 @@ pub struct HertzArgs {
 /// Question and answer, as JSON.
 #[derive(Serialize)]
 struct Sheet<'a> {
-    units: Units,
+    units: HandbookUnits,
     input: &'a Handbook,
     answer: &'a HandbookAnswer,
 }
@@ -161,7 +127,7 @@ pub fn answer(args: &HertzArgs) -> Result<String, DomainError> {
 /// # Errors
 /// [`DomainError`] for an argument outside its range.
 pub fn run(args: &HertzArgs) -> Result<(), DomainError> {
-    super::say(answer(args)?.trim_end());
+    crate::cli::output::say(answer(args)?.trim_end());
     Ok(())
 }
 

@@ -1,15 +1,19 @@
 //! `[bearing]`: the rolling bearing of five bodies, its load, friction and steels.
 
-use super::assumption::Assumption;
-use super::bearing::{self, BearingGeometry, GeometryError, MeshRequest, Strips};
-use super::bearing_reader::Reader;
-use super::error::{CaseError, ErrorKind};
-use super::interfaces::BODIES;
-use super::mesh_choice;
-use super::parse::Table;
-use super::source::Located;
-use super::steel::Steels;
+use super::count;
+use super::error::GeometryError;
+use super::geometry::BearingGeometry;
+use super::reader::BearingReader;
+use super::request::MeshRequest;
+use super::strips::Strips;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
+use crate::case::assumption::Assumption;
+use crate::case::error::{CaseError, ErrorKind};
+use crate::case::interfaces::BODIES;
+use crate::case::mesh_choice;
+use crate::case::parse::Table;
+use crate::case::place::Located;
+use crate::case::steel::Steels;
 use crate::ground::units::Dimension;
 
 /// A bearing, in the units of its case.
@@ -29,8 +33,11 @@ pub struct BearingCase {
 }
 
 impl BearingCase {
-    pub(super) fn read(root: &Table, assumptions: &mut Vec<Assumption>) -> Result<Self, CaseError> {
-        let mut reader = Reader::new(root, assumptions)?;
+    pub(in crate::case) fn read(
+        root: &Table,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Self, CaseError> {
+        let mut reader = BearingReader::new(root, assumptions)?;
         let load = reader.quantity("load", Dimension::FORCE)?.positive()?.value;
         let friction = reader
             .quantity("friction", Dimension::RATIO)?
@@ -70,10 +77,10 @@ impl BearingCase {
         self.mesh.full || !self.geometry.is_centred()
     }
 
-    /// About how many elements its mesh has, see [`bearing::elements`].
+    /// About how many elements its mesh has, see [`elements`](super::elements).
     pub fn elements(&self) -> f64 {
         let sizes = self.mesh.sizes(&self.geometry);
-        bearing::elements(&self.geometry, &sizes, self.is_whole())
+        count::elements(&self.geometry, &sizes, self.is_whole())
     }
 
     /// Axes of the symmetry planes.

@@ -1,8 +1,10 @@
 //! The mesh of a bearing: is it the right one, and brought to the case's units and roller ends.
 
-use super::bearing::{fingerprint, rescale, shape_roller_ends};
 use super::bearing_case::BearingCase;
-use super::error::{CaseError, ErrorKind};
+use super::fingerprint::fingerprint;
+use super::parameters::rescale;
+use super::roller_end::shape_roller_ends;
+use crate::case::error::{CaseError, ErrorKind};
 use crate::model::mesh::Mesh;
 
 impl BearingCase {
@@ -12,7 +14,7 @@ impl BearingCase {
     }
 
     /// The mesh in the units of the case, its rollers with the ends of the case.
-    pub(super) fn fit(&self, mut mesh: Mesh) -> Result<Mesh, CaseError> {
+    pub(in crate::case) fn fit(&self, mut mesh: Mesh) -> Result<Mesh, CaseError> {
         let wanted = self.fingerprint();
         let why = match mesh.fingerprint.as_deref() {
             Some(found) if found == wanted => {

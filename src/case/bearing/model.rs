@@ -1,22 +1,23 @@
 //! The bearing template made into a general model.
 
-use super::bearing::Preset;
 use super::bearing_case::BearingCase;
-use super::contact::Contact;
-use super::interfaces::{BOTTOM, INTERFACES, Interface, SYMMETRIES, TOP};
-use super::load::{Loads, modelled_share};
-use super::model::Model;
-use super::source::{Located, Place, Source};
+use super::preset::Preset;
+use crate::case::contact::Contact;
+use crate::case::interfaces::{BOTTOM, BearingInterface, INTERFACES, SYMMETRIES, TOP};
+use crate::case::load::{Loads, modelled_share};
+use crate::case::model::Model;
+use crate::case::place::{KeyPlace, Located};
+use crate::case::source::Source;
 use crate::model::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
 
 /// The name of the rigid plane that carries the load.
-const LOADED: &str = "top";
+const LOADED_PLANE: &str = "top";
 
 impl BearingCase {
     /// The model: four contact pairs, the top face a rigid plane
     /// that only moves along z under the load, the bottom face fixed.
-    pub(super) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
-        let place = Place {
+    pub(in crate::case) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
+        let place = KeyPlace {
             source: source.clone(),
             key: "bearing".to_string(),
             span: 0..0,
@@ -31,12 +32,12 @@ impl BearingCase {
         }
     }
 
-    fn contacts(&self, place: &Place) -> Vec<Contact> {
+    fn contacts(&self, place: &KeyPlace) -> Vec<Contact> {
         let located = |value| Located {
             value,
             place: place.clone(),
         };
-        let pair = |interface: &Interface| Contact {
+        let pair = |interface: &BearingInterface| Contact {
             name: Located {
                 value: interface.name.to_string(),
                 place: place.clone(),
@@ -45,9 +46,10 @@ impl BearingCase {
             lower: located(Partner::Surface(interface.lower.to_string())),
             carrier: None,
             // Both halves of the stack alike.
-            preferred: match interface.roller_above {
-                true => Side::Upper,
-                false => Side::Lower,
+            preferred: if interface.roller_above {
+                Side::Upper
+            } else {
+                Side::Lower
             },
             friction: self.friction,
             friction_is_default: false,
@@ -58,7 +60,7 @@ impl BearingCase {
         INTERFACES.iter().map(pair).collect()
     }
 
-    fn loads(&self, place: &Place) -> Loads {
+    fn loads(&self, place: &KeyPlace) -> Loads {
         let support = |name: &str, surface: &str, components| Located {
             value: Support {
                 name: name.to_string(),
@@ -76,7 +78,7 @@ impl BearingCase {
         }
         let force = -self.load * modelled_share(&self.mirrors());
         let plane = RigidPlane {
-            name: LOADED.to_string(),
+            name: LOADED_PLANE.to_string(),
             surface: TOP.to_string(),
             motion: [
                 PlaneMotion::Held(0.0),

@@ -4,7 +4,7 @@ use super::console::Console;
 use super::{CommandResult, Status, failure, say};
 use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
-use crate::product::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
+use crate::product::converge::problem_h::{self, is_problem_h};
 use crate::product::converge::{
     self, ConvergeError, Series, Study, json, page, peers, plot, table,
 };
@@ -98,9 +98,9 @@ struct Job {
 
 impl Job {
     fn new(args: &ConvergeArgs) -> Result<Self, ConvergeError> {
-        let built_in = args.case.as_os_str() == PROBLEM_H && !args.case.exists();
+        let built_in = args.case.as_os_str() == problem_h::NAME && !args.case.exists();
         let mut case = match built_in {
-            true => problem_h()?,
+            true => problem_h::case()?,
             false => case::read(&args.case)?,
         };
         if args.write && !is_problem_h(&case) {

@@ -4,6 +4,7 @@ use crate::analytic::DomainError;
 use crate::model::mesh::block::BlockError;
 use crate::model::mesh::family::FamilyError;
 use crate::model::mesh::join::JoinError;
+use crate::product::converge::Missing;
 use crate::product::job::JobError;
 use crate::solver::solve::SolveError;
 
@@ -33,4 +34,10 @@ pub enum VerifyError {
     #[error("there is no suite `{name}`")]
     #[diagnostic(code(brinell::verify::suite), help("the suites are {known}"))]
     Suite { name: String, known: String },
+}
+
+impl From<Missing> for VerifyError {
+    fn from(Missing(what): Missing) -> Self {
+        Self::Missing(what)
+    }
 }

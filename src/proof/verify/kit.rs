@@ -12,8 +12,10 @@ use crate::model::scene::{
     ContactPair, Controls, ElementKind, Partner, PlaneMotion, RigidPlane, Scene, Side, Step,
     Support, Traction, TractionValue,
 };
-use crate::model::state::{ContactField, State};
+use crate::model::state::State;
 use crate::solver::solve::{Silent, Solution, solve};
+
+pub use crate::product::converge::contact_profile::extent;
 
 /// A scene of one steel and one step without contact, loads and supports.
 pub fn scene(name: &str, mesh: Mesh, steel: Steel) -> Scene {
@@ -107,17 +109,6 @@ pub fn on_rigid_flat(surface: &str, axis: usize) -> ContactPair {
 /// The surface called `name`.
 pub fn surface<'a>(mesh: &'a Mesh, name: &str) -> Result<&'a Surface, VerifyError> {
     mesh.surface(name).ok_or(VerifyError::Missing("surface"))
-}
-
-/// Largest coordinate along `axis` less the smallest.
-pub fn extent(mesh: &Mesh, axis: usize) -> f64 {
-    let along = || mesh.points.iter().map(|p| p[axis]);
-    along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
-}
-
-/// Value of a contact field at a mesh node, zero off the field.
-pub fn at_node(field: &ContactField, values: &[f64], node: u32) -> f64 {
-    field.nodes.binary_search(&node).map_or(0.0, |i| values[i])
 }
 
 /// Mean displacement of the nodes of a surface.

@@ -6,7 +6,6 @@
 pub mod claim;
 pub mod coverage;
 mod drawn;
-pub mod energy;
 mod error;
 pub mod extreme;
 pub mod kit;

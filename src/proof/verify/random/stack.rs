@@ -8,7 +8,7 @@ use crate::ground::geometry::{Vec3, add, norm, scale, sub};
 use crate::model::material::mises;
 use crate::model::scene::{Scene, SolverKind, TractionValue};
 use crate::model::state::State;
-use crate::proof::verify::energy::strain_energy;
+use crate::product::converge::energy::strain_energy;
 use crate::solver::solve::{self, SolveError};
 use nalgebra::{Rotation3, Unit, Vector3};
 

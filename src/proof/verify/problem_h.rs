@@ -1,36 +1,15 @@
-//! Problem H: a half cylinder pressed on a block, the yardstick of error against time.
-//!
-//! Half cylinder R = 1.5 in on a block 1.5 in deep and 3 in wide, both of E = 29500 ksi and
-//! ν = 0.3, plane strain, 8.125 kip/in as uniform pressure on the cut face, frictionless. The gap
-//! is taken along the contact normal on the undeformed geometry.
-
-mod reading;
-
-pub use crate::model::mesh::family::problem_h::{
-    DEPTH, HALF_WIDTH, RADIUS, Sizes, full, full_twins, half, twins,
-};
-pub use reading::{Reading, read};
+//! The scenes of problem H and of its twins.
 
 use super::VerifyError;
 use super::kit;
 use crate::model::material::Steel;
+use crate::model::mesh::family::problem_h::{half, twins};
 use crate::model::scene::Scene;
 
-/// Load per length, kip/in.
-pub const LOAD: f64 = 8.125;
-/// Young's modulus, ksi, and Poisson's ratio.
-pub const YOUNG: f64 = 29500.0;
-pub const POISSON: f64 = 0.3;
-
-/// Limits of fine meshes, ksi: the largest pressure is Hertz's; the peaks of Mises stress are
-/// 1.8 % above and 0.4 % below Hertz's 93.20 ksi because the bodies are finite.
-///
-/// The Mises limits depend on which way the pressure leans, by up to x/R. Those of an independent
-/// solver are 94.98 and 92.69 for a vertical gap, 94.80 and 92.90 along the cylinder's normal.
-/// Brinell takes the normal of the block, which is flat.
-pub const PRESSURE: f64 = 167.17;
-pub const MISES_BLOCK: f64 = 94.98;
-pub const MISES_CYLINDER: f64 = 92.69;
+pub use crate::model::mesh::family::problem_h::{DEPTH, RADIUS, Sizes, full_twins};
+pub use crate::product::converge::problem_h::{
+    HALF_WIDTH, LOAD, MISES_BLOCK, MISES_CYLINDER, POISSON, PRESSURE, Reading, YOUNG, read,
+};
 
 /// The half model, ready to be solved.
 pub fn scene(sizes: &Sizes) -> Result<Scene, VerifyError> {

@@ -1,13 +1,14 @@
 //! What is read from a solution of problem H.
 
-use super::{HALF_WIDTH, LOAD, PRESSURE};
-use crate::answer::results::peaks::{BodyPeaks, peaks};
+use super::limits::{HALF_WIDTH, LOAD, PRESSURE};
+use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
 use crate::answer::results::recovery::recover;
 use crate::answer::results::strip::{Strip, half_width};
 use crate::model::scene::Scene;
 use crate::model::state::State;
-use crate::proof::verify::profile::{misfit, spots};
-use crate::proof::verify::{VerifyError, energy, kit};
+use crate::product::converge::contact_profile::{extent, misfit, spots};
+use crate::product::converge::energy;
+use crate::product::converge::error::Missing;
 
 /// The three Mises peaks of a body, ksi.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -38,13 +39,19 @@ pub struct Reading {
 }
 
 /// Reads `state` of problem H, or of its twins.
-pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
-    let thickness = kit::extent(&scene.mesh, 2);
+///
+/// # Errors
+/// [`Missing`] where there is no contact pressure.
+pub fn read(scene: &Scene, state: &State) -> Result<Reading, Missing> {
+    let thickness = extent(&scene.mesh, 2);
     let field = &state.contacts[0];
-    let surface = kit::surface(&scene.mesh, "cylinder_contact")?;
+    let surface = scene
+        .mesh
+        .surface("cylinder_contact")
+        .ok_or(Missing("surface"))?;
     let top =
         (0..field.nodes.len()).max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]));
-    let top = top.ok_or(VerifyError::Missing("contact pressure"))?;
+    let top = top.ok_or(Missing("contact pressure"))?;
     let pressure = field.pressure[top];
     let strip = Strip {
         middle: Some(0.0),
@@ -55,7 +62,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
     let profile = misfit(
         &spots(scene, state)?,
         |s| s.pressure,
-        |s| Ok(hertz(s.at[0])),
+        |s| Ok::<_, Missing>(hertz(s.at[0])),
     )?;
     let recovered = recover(scene, state);
     let bodies = peaks(scene, state, &recovered);
@@ -72,8 +79,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
     Ok(Reading {
         pressure,
         pressure_at: scene.mesh.points[field.nodes[top] as usize][0].abs(),
-        half_width: half_width(&scene.mesh, surface, field, &strip)
-            .ok_or(VerifyError::Missing("half-width"))?,
+        half_width: half_width(&scene.mesh, surface, field, &strip).ok_or(Missing("half-width"))?,
         block: of("block"),
         cylinder: of("cylinder"),
         balance: -force / (0.5 * LOAD * thickness) - 1.0,
@@ -84,8 +90,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, VerifyError> {
 }
 
 fn mises(peaks: &BodyPeaks) -> Mises {
-    let value =
-        |peak: &Option<crate::answer::results::peaks::Peak>| peak.as_ref().map_or(0.0, |p| p.value);
+    let value = |peak: &Option<Peak>| peak.as_ref().map_or(0.0, |p| p.value);
     Mises {
         centroid: value(&peaks.centroid),
         nodal: value(&peaks.nodal),

@@ -4,9 +4,9 @@ use super::console::Console;
 use super::run::set_threads;
 use super::{CommandResult, Status, say};
 use crate::ground::file::write_atomically;
-use crate::proof::verify::coverage::{self, Answer, Keep, Set};
+use crate::proof::verify::coverage::{self, CoverageAnswer, Keep, Set};
 use crate::proof::verify::{
-    Claim, Extent, VerifyError, extreme, matrix, random, stability, suites,
+    Claim, Extent, VerifyError, extreme, families, matrix, random, stability,
 };
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -86,12 +86,12 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     }
     let bad = |report: miette::Report| (Status::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
-    let suites = suites(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
+    let families = families(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
     say(&matrix::head());
     let mut claims: Vec<Claim> = Vec::new();
     let mut unsolved: Vec<(&str, VerifyError)> = Vec::new();
-    for suite in suites {
-        match suite.measure(extent) {
+    for family in families {
+        match family.measure(extent) {
             Ok(measured) => {
                 for claim in measured {
                     say(&matrix::line(&claim));
@@ -99,8 +99,8 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
                 }
             }
             Err(error) => {
-                say(&format!("FAILS {:12} {error}", suite.name));
-                unsolved.push((suite.name, error));
+                say(&format!("FAILS {:12} {error}", family.name));
+                unsolved.push((family.name, error));
             }
         }
     }
@@ -169,7 +169,9 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
         };
         let numbers: Vec<usize> = (0..count).filter(wanted).collect();
         for number in &numbers {
-            if let (Some(out), Some(text)) = (&args.out, kind.text(args.seed, *number)) {
+            if let (Some(out), Some(text)) =
+                (&args.out, random::case_text(kind, args.seed, *number))
+            {
                 let path = out.join(format!("{}.toml", kind.name(args.seed, *number)));
                 let written = write_atomically(&path, |file| file.write_all(text.as_bytes()));
                 written.map_err(|error| cannot(&path, error))?;
@@ -191,7 +193,10 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
             .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
         say(&format!("written to {STABILITY_PAGE}"));
     }
-    let holds = sets.iter().flat_map(|(_, o)| o).all(random::Outcome::holds);
+    let holds = sets
+        .iter()
+        .flat_map(|(_, o)| o)
+        .all(random::RandomOutcome::holds);
     Ok(if holds { Status::Done } else { Status::Failed })
 }
 
@@ -217,7 +222,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     let bad = |report: miette::Report| (Status::BadInput, report);
     set_threads(all.threads);
     let mut console = Console::new(true);
-    let mut suite = coverage::Suite {
+    let mut suite = coverage::CoverageRun {
         sets: vec![Set::Named, Set::Drawn(all.seed)],
         only: all.only.clone(),
         presets: match args.mesh.is_empty() {
@@ -276,7 +281,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     ))
 }
 
-fn status(answer: &Answer, sound: bool) -> Status {
+fn status(answer: &CoverageAnswer, sound: bool) -> Status {
     if answer.interrupted {
         Status::Interrupted
     } else if sound && answer.unsolved.is_empty() {

@@ -1,13 +1,13 @@
 //! Families of the ladder at the extent that ends in seconds: every claim holds.
 
-use brinell::proof::verify::{Claim, Extent, matrix, suites};
+use brinell::proof::verify::{Claim, Extent, families, matrix};
 
 /// Solves the fast part of `suite`; fails where a claim does not hold.
 #[track_caller]
 fn holds(suite: &str) -> Vec<Claim> {
     let mut claims = Vec::new();
-    for suite in suites(Some(suite)).expect("exists") {
-        claims.extend(suite.measure(Extent::Fast).expect("solves"));
+    for family in families(Some(suite)).expect("exists") {
+        claims.extend(family.measure(Extent::Fast).expect("solves"));
     }
     for claim in &claims {
         println!("{}", matrix::line(claim));

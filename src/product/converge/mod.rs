@@ -16,8 +16,6 @@ pub mod problem_h;
 mod quantity;
 pub mod rates;
 mod read;
-#[cfg(test)]
-mod sample;
 pub mod series;
 pub mod study;
 pub mod table;
@@ -81,3 +79,6 @@ pub fn run(
     };
     Ok(Some((level, quantities)))
 }
+
+#[cfg(test)]
+mod sample;

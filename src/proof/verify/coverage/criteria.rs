@@ -1,7 +1,8 @@
 //! What is asked of the claims.
 
 use super::measure::Record;
-use super::tally::{Tally, quantile};
+use super::quantile::quantile;
+use super::tally::Tally;
 
 /// A demand, what was found, and whether that will do.
 #[derive(Debug, Clone, PartialEq)]

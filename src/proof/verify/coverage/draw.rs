@@ -2,9 +2,9 @@
 //!
 //! A bearing is drawn as the text of its case file, so that whoever wants can run it again.
 
-use super::Bearing;
+use super::bearing::Bearing;
 use crate::analytic::sizing::PRESSURE_LIMIT;
-use crate::proof::verify::drawn::{Drawn, End, INCH, METRIC, digits};
+use crate::proof::verify::drawn::{DrawnBearing, End, INCH, METRIC, digits};
 use crate::proof::verify::stream::Stream;
 use libm::{sin, tan};
 use std::f64::consts::{PI, SQRT_2};
@@ -118,7 +118,7 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     } else {
         ""
     };
-    let drawn = Drawn {
+    let drawn = DrawnBearing {
         name: name.to_owned(),
         units,
         load,

@@ -1,8 +1,8 @@
 //! The page `docs/coverage.md`, and the lines of the terminal.
 
-use super::bearing::Set;
 use super::criteria::{Criterion, criteria, groups};
 use super::measure::{Record, Verdict};
+use super::set::Set;
 use super::tally::Tally;
 use crate::render::text::significant;
 use std::fmt::Write;

@@ -1,7 +1,9 @@
 //! True values, from two fine meshes, and how far they may be off themselves.
 
-use super::bearing::{Bearing, Set};
+use super::bearing::Bearing;
 use super::fine;
+use super::quantile::quantile;
+use super::set::Set;
 use super::solution::{self, Keep, Solved};
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
@@ -153,7 +155,7 @@ impl References {
             });
             all.entry(what.clone()).or_default().extend(differences);
         }
-        let middle = |list: Vec<f64>| super::tally::quantile(list, 0.5).unwrap_or(0.0);
+        let middle = |list: Vec<f64>| quantile(list, 0.5).unwrap_or(0.0);
         all.into_iter()
             .map(|(what, list)| (what, middle(list)))
             .collect()

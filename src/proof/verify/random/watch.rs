@@ -9,7 +9,7 @@ const LONGEST: Duration = Duration::from_secs(120);
 
 /// Counts iterations.
 #[derive(Debug)]
-pub struct Watch {
+pub struct RandomWatch {
     start: Instant,
     pub iterations: usize,
     /// Of the increment that is under way, cut-backs included.
@@ -20,7 +20,7 @@ pub struct Watch {
     pub times: Vec<f64>,
 }
 
-impl Watch {
+impl RandomWatch {
     pub fn start() -> Self {
         Self {
             start: Instant::now(),
@@ -36,7 +36,7 @@ impl Watch {
     }
 }
 
-impl Observer for Watch {
+impl Observer for RandomWatch {
     fn iteration(&mut self, _: &Iteration) {
         self.iterations += 1;
         self.now += 1;

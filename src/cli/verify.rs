@@ -104,10 +104,9 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
             }
         }
     }
-    let failed = claims.iter().filter(|c| !c.holds()).count();
     say(&format!(
-        "\n{} claims, {failed} outside their tolerance, {} families not solved",
-        claims.len(),
+        "\n{}; {} families not solved",
+        matrix::tally(&claims),
         unsolved.len()
     ));
     if args.write {
@@ -115,7 +114,7 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
             .map_err(|error| cannot(Path::new(PAGE), error))?;
         say(&format!("written to {PAGE}"));
     }
-    let sound = failed == 0 && unsolved.is_empty();
+    let sound = claims.iter().all(Claim::holds) && unsolved.is_empty();
     Ok(if sound { Status::Done } else { Status::Failed })
 }
 

@@ -27,8 +27,11 @@ fn explains(claims: &[Claim]) {
     assert!(!claims.is_empty());
     for claim in claims {
         assert!(!claim.source.is_empty(), "{}: no source", claim.claim);
-        let shown = claim.tolerance.is_infinite();
-        assert!(shown || !claim.why.is_empty(), "{}: no reason", claim.claim);
+        assert!(
+            claim.is_shown() || !claim.why.is_empty(),
+            "{}: no reason",
+            claim.claim
+        );
     }
 }
 

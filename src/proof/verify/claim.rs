@@ -71,6 +71,11 @@ impl Claim {
         self
     }
 
+    /// Is it only shown beside the claims, without a tolerance?
+    pub fn is_shown(&self) -> bool {
+        self.tolerance.is_infinite()
+    }
+
     /// Is the error within the tolerance? A value that is no number never is.
     pub fn holds(&self) -> bool {
         self.error <= self.tolerance

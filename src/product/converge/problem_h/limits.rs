@@ -12,6 +12,10 @@ pub const POISSON: f64 = 0.3;
 /// Largest pressure on fine meshes, ksi, which is Hertz's.
 pub const PRESSURE: f64 = 167.17;
 
+/// Where the limits of the Mises stress are from: another program, of which neither a version nor a deck was published.
+pub const MISES_SOURCE: &str = "8-node plane-strain elements with a linear complementarity solver, \
+     h/a to 1/32, gap vertical (own program, no version, no deck)";
+
 /// Largest Mises stress in the block on fine meshes, ksi: 1.8 % above Hertz's 93.20 ksi, because the bodies are finite.
 ///
 /// The limits of both bodies depend on which way the pressure leans, by up to x/R. Those of an independent

@@ -9,7 +9,9 @@ mod quantities;
 mod reading;
 mod shipped;
 
-pub use limits::{HALF_WIDTH, LOAD, MISES_BLOCK, MISES_CYLINDER, POISSON, PRESSURE, YOUNG};
+pub use limits::{
+    HALF_WIDTH, LOAD, MISES_BLOCK, MISES_CYLINDER, MISES_SOURCE, POISSON, PRESSURE, YOUNG,
+};
 pub use quantities::quantities;
 pub use reading::{Mises, Reading, read};
 pub use shipped::{NAME, case, is_problem_h};

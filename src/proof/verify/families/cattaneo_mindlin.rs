@@ -9,7 +9,7 @@
 //! through its exact values miss it by 8.9, 5.4 and 2.2 % in L2 at h/a = 1/8, 1/16 and 1/32, the
 //! best linear pieces by 6.2, 3.9 and 1.5 %.
 
-use crate::analytic::friction::CattaneoMindlin;
+use crate::proof::closed_forms::friction::CattaneoMindlin;
 use crate::proof::verify::kit;
 use crate::proof::verify::scenes::problem_h::Sizes;
 use crate::proof::verify::scenes::profile::{Spot, integral, misfit, spots};

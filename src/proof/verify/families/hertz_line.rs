@@ -18,7 +18,7 @@ use crate::proof::verify::scenes::problem_h::{
 use crate::proof::verify::{Claim, Extent, VerifyError};
 
 const HERTZ: &str = "Hertz; Johnson 4.43 to 4.45";
-const LIMITS: &str = "fine meshes of an independent solver";
+const LIMITS: &str = problem_h::MISES_SOURCE;
 const BAR: &str = "B-bar";
 
 /// What is allowed on a mesh.

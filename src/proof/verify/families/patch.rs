@@ -1,11 +1,11 @@
 //! Patch tests: what a linear displacement or a uniform pressure must give exactly.
 
-use crate::analytic::patch::STRAIN;
-use crate::analytic::patch::{INNER_NODES, POISSONS_RATIO, YOUNGS_MODULUS, stress};
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::{Body, Mesh};
 use crate::model::scene::{ElementKind, Support};
+use crate::proof::closed_forms::patch::STRAIN;
+use crate::proof::closed_forms::patch::{INNER_NODES, POISSONS_RATIO, YOUNGS_MODULUS, stress};
 use crate::proof::verify::kit::{self, Run};
 use crate::proof::verify::{Claim, Extent, VerifyError};
 

@@ -12,10 +12,10 @@
 //!
 //! The punch is moved until the force stays; the force is its reaction.
 
-use crate::analytic::limit::{Criterion, punch_pressure};
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::scene::{ElementKind, PlaneMotion, RigidPlane};
+use crate::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
 use crate::proof::verify::kit::{self, Run};
 use crate::proof::verify::{Claim, Extent, VerifyError};
 
@@ -40,7 +40,7 @@ pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
 
 /// Punches with these numbers of elements along the half width, and the limit of the last two.
 fn series(meshes: &[usize], kind: (ElementKind, &str)) -> Result<Vec<Claim>, VerifyError> {
-    let exact = punch_pressure(YIELD, Criterion::Mises)?;
+    let exact = punch_pressure(YIELD, YieldCriterion::Mises)?;
     let mut claims = Vec::new();
     let mut before: Option<(f64, f64)> = None;
     for cells in meshes {

@@ -4,11 +4,11 @@
 //! The half plane is a block twenty times as wide and as deep as the punch.
 
 use super::certificate::{certified, judged};
-use crate::analytic::rounded_punch::RoundedPunch;
 use crate::answer::certify::{Quantity, claim};
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::Block;
+use crate::proof::closed_forms::rounded_punch::RoundedPunch;
 use crate::proof::verify::kit::{self, Run};
 use crate::proof::verify::{Claim, Extent, VerifyError};
 

@@ -12,14 +12,16 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use crate::analytic::flattening::{Critical, exact_critical, jackson_green, kogut_etsion};
-use crate::analytic::hertz::PointContact;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::family::grading::Grading;
 use crate::model::scene::{PlaneMotion, RigidPlane};
 use crate::model::state::State;
+use crate::proof::closed_forms::flattening::{
+    Critical, exact_critical, jackson_green, kogut_etsion,
+};
+use crate::proof::closed_forms::hertz::PointContact;
 use crate::proof::verify::kit::{self, Run};
 use crate::proof::verify::scenes::bumps::Round;
 use crate::proof::verify::{Claim, Extent, VerifyError};

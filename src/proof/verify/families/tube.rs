@@ -11,12 +11,12 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::analytic::steel::BilinearSteel;
-use crate::analytic::tube::Tube;
-use crate::analytic::tube_mises;
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::scene::{ElementKind, Scene, Support};
+use crate::proof::closed_forms::steel::BilinearSteel;
+use crate::proof::closed_forms::tube::Tube;
+use crate::proof::closed_forms::tube_mises;
 use crate::proof::verify::kit::{self, NamedElement, Run};
 use crate::proof::verify::{Claim, Extent, VerifyError};
 
@@ -111,7 +111,7 @@ fn against_mises(
             let claim = format!("{what}, p = {p:.4} GPa, {name}: displacement of the {wall}");
             claims.push(
                 run.claim(Claim::relative(claim, value, exact, *tolerance))
-                    .from("radial equation with Mises' criterion, 100 quadratic elements")
+                    .from("radial equation with Mises' criterion, 100 quadratic elements: `src/proof/closed_forms/tube_mises` of this version")
                     .because(why),
             );
         }

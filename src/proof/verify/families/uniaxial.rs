@@ -1,8 +1,8 @@
 //! The uniaxial curve of the reference study's steel, with unloading.
 
-use crate::analytic::steel::BilinearSteel;
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
+use crate::proof::closed_forms::steel::BilinearSteel;
 use crate::proof::verify::kit;
 use crate::proof::verify::{Claim, Extent, VerifyError};
 

@@ -48,7 +48,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
         .from("statics, w / 2 cos θ")
         .because("pressure acts along the normal of the slope; the roller's facets are chords"),
         Claim::relative("p0 of each line, ksi", pressure, PEAK, 0.01)
-            .from("boundary elements on half planes")
+            .from("boundary elements on half planes (own program, no version, no deck)")
             .because("0.15 % each for h and for finite bodies, and the node next to the peak"),
         Claim::relative(
             "centre of pressure from the middle, in",
@@ -56,7 +56,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
             OFFSET,
             0.02,
         )
-        .from("boundary elements on half planes")
+        .from("boundary elements on half planes (own program, no version, no deck)")
         .because("finite bodies may turn the surfaces by as much as the other line: 1.3 %"),
     ]
     .map(|claim| run.claim(claim))

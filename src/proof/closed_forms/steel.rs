@@ -1,6 +1,6 @@
 //! Steel with a straight hardening line: the curve in a tension test.
 
-use super::error::{self, DomainError};
+use crate::analytic::error::{self, DomainError};
 
 /// What the strain of the second point of a stress-strain curve means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,10 +8,10 @@ mod banded;
 mod law;
 
 use banded::Banded;
-use law::{Law, Plastic, Response};
+use law::{LawResponse, MisesLaw, PlasticState};
 
 use crate::analytic::error::{self, DomainError};
-use crate::analytic::tube::Tube;
+use crate::proof::closed_forms::tube::Tube;
 
 /// Elements across the wall.
 const ELEMENTS: usize = 100;
@@ -58,7 +58,7 @@ pub fn expand(
     )?;
     error::require("number of steps", steps as f64, steps > 0, "at least one")?;
     let e = steel.youngs_modulus();
-    let law = Law {
+    let law = MisesLaw {
         bulk: e / (3.0 - 6.0 * nu),
         shear: 0.5 * e / (1.0 + nu),
         yield_stress: steel.yield_stress(),
@@ -66,7 +66,7 @@ pub fn expand(
     };
     let wall = Wall::new(tube);
     let mut displacement = vec![0.0; NODES];
-    let mut plastic = vec![[Plastic::default(); 2]; ELEMENTS];
+    let mut plastic = vec![[PlasticState::default(); 2]; ELEMENTS];
     for step in 1..=steps {
         wall.advance(
             &law,
@@ -120,10 +120,10 @@ impl Wall {
     /// Newton's method for one step: changes the displacements and the plastic strains.
     fn advance(
         &self,
-        law: &Law,
+        law: &MisesLaw,
         pressure: f64,
         displacement: &mut [f64],
-        plastic: &mut [[Plastic; 2]],
+        plastic: &mut [[PlasticState; 2]],
     ) -> Result<(), DomainError> {
         let scale = pressure * self.inner;
         for _ in 0..ITERATIONS {
@@ -153,10 +153,10 @@ impl Wall {
     /// state and receives the new one.
     fn add_element(
         &self,
-        law: &Law,
+        law: &MisesLaw,
         i: usize,
         displacement: &[f64],
-        points: &mut [Plastic; 2],
+        points: &mut [PlasticState; 2],
         system: &mut Banded,
     ) {
         for (point, xi) in points.iter_mut().zip(GAUSS) {
@@ -168,7 +168,7 @@ impl Wall {
             for (row, u) in rows.iter().zip(&displacement[2 * i..]) {
                 strain = [strain[0] + row[0] * u, strain[1] + row[1] * u];
             }
-            let Response {
+            let LawResponse {
                 stress,
                 tangent,
                 plastic,

@@ -1,9 +1,9 @@
 //! A thick tube under internal pressure in plane strain: elastic (Lamé) and yielding (Hill).
 
-use super::error::{self, DomainError};
-use super::ring::PolarStress;
-use super::search::bisect;
 use super::steel::BilinearSteel;
+use crate::analytic::error::{self, DomainError};
+use crate::analytic::ring::PolarStress;
+use crate::analytic::search::bisect;
 
 /// Tube of inner radius a and outer radius b.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,10 @@
 //! Point contact of spheres: the stresses on the axis.
 
-use super::Peak;
 use crate::analytic::error::{self, DomainError};
-use crate::analytic::hertz::PointContact;
 use crate::analytic::search::maximum;
 use crate::analytic::stress::Stress;
+use crate::analytic::subsurface::PeakStress;
+use crate::proof::closed_forms::hertz::PointContact;
 
 /// Half space under the pressure p0 √(1 - r²/a²) on a circle, without traction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,9 +66,9 @@ impl SphereField {
 
     /// The largest Mises stress on the axis (twice the shear stress there), which is the largest
     /// in the body for the ratios of metals: 0.6200 p0 at 0.4809 a for ν = 0.3.
-    pub fn peak_mises_on_axis(&self) -> Peak {
+    pub fn peak_mises_on_axis(&self) -> PeakStress {
         let (zeta, value) = maximum(|zeta| self.scaled(zeta).mises(), 0.0, 2.0, 100);
-        Peak {
+        PeakStress {
             value,
             x: 0.0,
             depth: zeta * self.contact_radius,

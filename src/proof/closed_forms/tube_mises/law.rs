@@ -1,7 +1,7 @@
 //! Mises plasticity with linear isotropic hardening where the axial strain is zero.
 
 /// Isotropic elasticity and hardening, in the form the return map uses.
-pub(super) struct Law {
+pub(super) struct MisesLaw {
     pub bulk: f64,
     pub shear: f64,
     pub yield_stress: f64,
@@ -10,21 +10,21 @@ pub(super) struct Law {
 
 /// Plastic strain (radial, hoop, axial) and its accumulated size at an integration point.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Plastic {
+pub(super) struct PlasticState {
     pub strain: [f64; 3],
     pub size: f64,
 }
 
 /// Radial and hoop stress, their derivatives with the radial and hoop strain, new state.
-pub(super) struct Response {
+pub(super) struct LawResponse {
     pub stress: [f64; 2],
     pub tangent: [[f64; 2]; 2],
-    pub plastic: Plastic,
+    pub plastic: PlasticState,
 }
 
-impl Law {
+impl MisesLaw {
     /// Radial return from the plastic strain `old` at the strain (radial, hoop), axial strain zero.
-    pub fn respond(&self, strain: [f64; 2], old: &Plastic) -> Response {
+    pub fn respond(&self, strain: [f64; 2], old: &PlasticState) -> LawResponse {
         let volume = strain[0] + strain[1];
         let elastic = [
             strain[0] - old.strain[0],
@@ -41,7 +41,7 @@ impl Law {
         let growth = excess / (3.0 * self.shear + self.hardening);
         let direction = trial.map(|s| s / norm);
         let grow = |i: usize| old.strain[i] + 1.5f64.sqrt() * growth * direction[i];
-        let plastic = Plastic {
+        let plastic = PlasticState {
             strain: [grow(0), grow(1), grow(2)],
             size: old.size + growth,
         };
@@ -64,8 +64,8 @@ impl Law {
         trial: [f64; 3],
         scale: f64,
         flow: Option<([f64; 3], f64)>,
-        plastic: Plastic,
-    ) -> Response {
+        plastic: PlasticState,
+    ) -> LawResponse {
         let stress = [0, 1].map(|i| self.bulk * volume + scale * trial[i]);
         let tangent = [0, 1].map(|i| {
             [0, 1].map(|j| {
@@ -74,7 +74,7 @@ impl Law {
                 self.bulk + 2.0 * self.shear * (scale * unit - along)
             })
         });
-        Response {
+        LawResponse {
             stress,
             tangent,
             plastic,

@@ -1,12 +1,13 @@
 //! Stick and slip of Hertz contacts under a constant normal and a growing tangential load.
 //!
 //! Both bodies of one material (Dundurs' β = 0, see
-//! [`dundurs_beta`](super::elastic::dundurs_beta)), Coulomb's coefficient μ. The stresses under
-//! full sliding are in [`LineField::sliding`](super::subsurface::LineField::sliding).
+//! [`dundurs_beta`](crate::analytic::elastic::dundurs_beta)), Coulomb's coefficient μ. The stresses under
+//! full sliding are in [`LineField::sliding`](crate::analytic::subsurface::LineField::sliding).
 
-use super::elastic::Elastic;
-use super::error::{self, DomainError};
-use super::hertz::{LineContact, PointContact};
+use super::hertz::PointContact;
+use crate::analytic::elastic::Elastic;
+use crate::analytic::error::{self, DomainError};
+use crate::analytic::hertz::LineContact;
 
 /// Share Q/μP of the sliding load, in [0, 1].
 fn sliding_share(tangential: f64, friction: f64, normal: f64) -> Result<f64, DomainError> {

@@ -34,11 +34,11 @@ pub fn displacement(point: [f64; 3]) -> [f64; 3] {
 }
 
 /// Stress everywhere in the patch: normal components 2000, shear components 400.
-pub fn stress() -> super::Stress {
+pub fn stress() -> crate::analytic::Stress {
     let (lame, shear) = (4e5, 4e5);
     let normal = 3.0 * lame * STRAIN + 2.0 * shear * STRAIN;
     let tangential = shear * STRAIN;
-    super::Stress {
+    crate::analytic::Stress {
         xx: normal,
         yy: normal,
         zz: normal,

@@ -5,9 +5,9 @@
 
 use std::f64::consts::PI;
 
-use super::elastic::Elastic;
-use super::error::{self, DomainError};
-use super::hertz::LineContact;
+use crate::analytic::elastic::Elastic;
+use crate::analytic::error::{self, DomainError};
+use crate::analytic::hertz::LineContact;
 
 /// Compression of half a solid cylinder, from the contact to the mid-plane.
 ///
@@ -17,7 +17,7 @@ use super::hertz::LineContact;
 /// Johnson (5.57): a cylinder of radius R squeezed by two opposed Hertz pressures of half width
 /// a, in plane strain. The mid-plane is the plane of symmetry (u = 0, no shear). 0.04 % (a/R =
 /// 0.01) to 0.7 % (0.2) below the exact series of the disc,
-/// [`Ring::solid`](super::ring::Ring::solid).
+/// [`Ring::solid`](crate::analytic::ring::Ring::solid).
 ///
 /// `radius` is that of the cylinder itself, not the effective one.
 ///

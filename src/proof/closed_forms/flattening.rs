@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use super::error::{self, DomainError};
+use crate::analytic::error::{self, DomainError};
 
 /// Load and area beyond yield, over those at first yield.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,8 +5,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::error::{self, DomainError};
-use super::search::{bisect, maximum};
+use crate::analytic::error::{self, DomainError};
+use crate::analytic::search::{bisect, maximum};
 
 /// The contact of a punch that is flat for -b < x < b and rounded with the radius R beyond.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +20,7 @@ pub struct RoundedPunch {
 }
 
 impl RoundedPunch {
-    /// `compliance` is 1/E* as in [`contact_compliance`](super::contact_compliance).
+    /// `compliance` is 1/E* as in [`contact_compliance`](crate::analytic::contact_compliance).
     ///
     /// ```text
     /// 2 P R / (b² E*) = (π - 2 φ0) / (2 sin² φ0) - cot φ0

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::semi_elliptic;
 use crate::analytic::error::{self, DomainError};
+use crate::analytic::hertz::semi_elliptic;
 
 /// A sphere pressed on a flat or another sphere: contact over a circle.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::error::{self, DomainError};
+use crate::analytic::error::{self, DomainError};
 
 /// Drop of the profile at the distance y from mid-length.
 ///

@@ -6,18 +6,18 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::error::{self, DomainError};
+use crate::analytic::error::{self, DomainError};
 
 /// Smallest complementary modulus taken.
 pub const SMALLEST_MODULUS: f64 = 1e-12;
 
 /// Carlson's R_F(x, y, z); infinite where it diverges.
-pub(super) fn rf(x: f64, y: f64, z: f64) -> f64 {
+pub(crate) fn rf(x: f64, y: f64, z: f64) -> f64 {
     ellip::elliprf(x, y, z).unwrap_or(f64::INFINITY)
 }
 
 /// Carlson's R_D(x, y, z), z the argument that is not symmetric; infinite where it diverges.
-pub(super) fn rd(x: f64, y: f64, z: f64) -> f64 {
+pub(crate) fn rd(x: f64, y: f64, z: f64) -> f64 {
     ellip::elliprd(x, y, z).unwrap_or(f64::INFINITY)
 }
 

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use super::error::{self, DomainError};
+use crate::analytic::error::{self, DomainError};
 
 /// Yield criterion that fixes the shear yield stress k.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Criterion {
+pub enum YieldCriterion {
     /// k = Y/√3.
     Mises,
     /// k = Y/2.
@@ -23,11 +23,11 @@ pub enum Criterion {
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for Y not positive.
-pub fn punch_pressure(yield_stress: f64, criterion: Criterion) -> Result<f64, DomainError> {
+pub fn punch_pressure(yield_stress: f64, criterion: YieldCriterion) -> Result<f64, DomainError> {
     let y = error::positive("yield stress", yield_stress)?;
     let k = match criterion {
-        Criterion::Mises => y / 3f64.sqrt(),
-        Criterion::Tresca => 0.5 * y,
+        YieldCriterion::Mises => y / 3f64.sqrt(),
+        YieldCriterion::Tresca => 0.5 * y,
     };
     error::representable("limit pressure", (2.0 + PI) * k)
 }

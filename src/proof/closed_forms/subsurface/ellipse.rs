@@ -1,11 +1,11 @@
 //! Elliptic contact: the stresses on the axis.
 
-use super::Peak;
-use crate::analytic::elliptic::rd;
 use crate::analytic::error::{self, DomainError};
-use crate::analytic::hertz::EllipticContact;
 use crate::analytic::search::maximum;
 use crate::analytic::stress::Stress;
+use crate::analytic::subsurface::PeakStress;
+use crate::proof::closed_forms::elliptic_integrals::rd;
+use crate::proof::closed_forms::hertz::EllipticContact;
 
 /// Half space under the pressure p0 √(1 - x²/a² - y²/b²) on an ellipse, without traction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,10 +94,10 @@ impl EllipseField {
     }
 
     /// The largest Mises stress on the axis; at 0.48 b (circle) to 0.72 b depth for ν = 0.3.
-    pub fn peak_mises_on_axis(&self) -> Peak {
+    pub fn peak_mises_on_axis(&self) -> PeakStress {
         let k = self.semi_axes[1] / self.semi_axes[0];
         let (in_short_axes, value) = maximum(|z| self.scaled(z * k).mises(), 0.0, 2.0, 100);
-        Peak {
+        PeakStress {
             value,
             x: 0.0,
             depth: in_short_axes * self.semi_axes[1],

@@ -6,7 +6,7 @@ use super::{CommandResult, Status, say};
 use crate::ground::file::write_atomically;
 use crate::proof::verify::coverage::{self, CoverageAnswer, Keep, Set};
 use crate::proof::verify::{
-    Claim, Extent, VerifyError, extreme, families, matrix, random, stability,
+    Extent, LadderClaim, VerifyError, extreme, families, matrix, random, stability,
 };
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -88,7 +88,7 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     let extent = if args.all { Extent::All } else { Extent::Fast };
     let families = families(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
     say(&matrix::head());
-    let mut claims: Vec<Claim> = Vec::new();
+    let mut claims: Vec<LadderClaim> = Vec::new();
     let mut unsolved: Vec<(&str, VerifyError)> = Vec::new();
     for family in families {
         match family.measure(extent) {
@@ -114,7 +114,7 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
             .map_err(|error| cannot(Path::new(PAGE), error))?;
         say(&format!("written to {PAGE}"));
     }
-    let sound = claims.iter().all(Claim::holds) && unsolved.is_empty();
+    let sound = claims.iter().all(LadderClaim::holds) && unsolved.is_empty();
     Ok(if sound { Status::Done } else { Status::Failed })
 }
 
@@ -139,7 +139,7 @@ fn run_extreme(write: bool) -> CommandResult {
         let section = extreme::section(&outcomes);
         stability::write(
             Path::new(STABILITY_PAGE),
-            stability::Part::Extreme,
+            stability::StabilitySection::Extreme,
             &section,
         )
         .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
@@ -188,8 +188,12 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
     }
     if args.write {
         let section = random::section(&drawn_by(args), &sets);
-        stability::write(Path::new(STABILITY_PAGE), stability::Part::Random, &section)
-            .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
+        stability::write(
+            Path::new(STABILITY_PAGE),
+            stability::StabilitySection::Random,
+            &section,
+        )
+        .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
         say(&format!("written to {STABILITY_PAGE}"));
     }
     let holds = sets
@@ -290,7 +294,11 @@ fn status(answer: &CoverageAnswer, sound: bool) -> Status {
     }
 }
 
-fn write(path: &Path, claims: &[Claim], unsolved: &[(&str, VerifyError)]) -> std::io::Result<()> {
+fn write(
+    path: &Path,
+    claims: &[LadderClaim],
+    unsolved: &[(&str, VerifyError)],
+) -> std::io::Result<()> {
     let mut text = matrix::page(claims);
     for (name, error) in unsolved {
         text.push_str(&format!("\nFamily `{name}` was not solved: {error}.\n"));

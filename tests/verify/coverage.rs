@@ -1,7 +1,7 @@
 //! Do the bars hold? A sample of the bearings that `brinell verify --suite coverage` solves.
 
 use brinell::proof::verify::coverage::{
-    Bearing, CoverageRun, Keep, References, Set, Tally, Verdict,
+    BarVerdict, Bearing, CoverageRun, Keep, References, Set, Tally,
 };
 use brinell::solver::solve::Silent;
 
@@ -34,7 +34,7 @@ fn bars_hold_on_a_sample() {
     let missed = answer
         .records
         .iter()
-        .filter(|r| r.verdict == Verdict::Missed);
+        .filter(|r| r.verdict == BarVerdict::Missed);
     let missed: Vec<String> = missed
         .map(|r| format!("{} {:?} {:?}", r.bearing, r.reading, r.truth))
         .collect();

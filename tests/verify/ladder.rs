@@ -1,10 +1,10 @@
 //! Families of the ladder at the extent that ends in seconds: every claim holds.
 
-use brinell::proof::verify::{Claim, Extent, families, matrix};
+use brinell::proof::verify::{Extent, LadderClaim, families, matrix};
 
 /// Solves the fast part of `suite`; fails where a claim does not hold.
 #[track_caller]
-fn holds(suite: &str) -> Vec<Claim> {
+fn holds(suite: &str) -> Vec<LadderClaim> {
     let mut claims = Vec::new();
     for family in families(Some(suite)).expect("exists") {
         claims.extend(family.measure(Extent::Fast).expect("solves"));
@@ -23,7 +23,7 @@ fn holds(suite: &str) -> Vec<Claim> {
 
 /// Says of every claim with a tolerance where its reference comes from and why it is so wide.
 #[track_caller]
-fn explains(claims: &[Claim]) {
+fn explains(claims: &[LadderClaim]) {
     assert!(!claims.is_empty());
     for claim in claims {
         assert!(!claim.source.is_empty(), "{}: no source", claim.claim);

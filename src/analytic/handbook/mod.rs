@@ -22,7 +22,7 @@ use crate::analytic::vgroove::VGroove;
 pub const HALF_SPACE_SHARE: f64 = 0.1;
 
 /// Smallest half angle of a contact that the ring's series is summed for.
-const NARROWEST: f64 = 1e-3;
+const SMALLEST_HALF_ANGLE: f64 = 1e-3;
 
 /// One body's steel.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -250,7 +250,7 @@ fn bore(
         return Ok(None);
     }
     // Narrower pressures are the same to the bore.
-    let half_angle = share.asin().max(NARROWEST);
+    let half_angle = share.asin().max(SMALLEST_HALF_ANGLE);
     let (w, load) = (contact.line_load, Load::SemiElliptic { half_angle });
     let ring = Ring::new(inner, outer, w, roller, Plane::Strain, load)?;
     let beam = CurvedBeam::new(inner, outer, w, roller, Plane::Strain)?;
@@ -267,7 +267,7 @@ fn bore(
         hoop_under_load: under.hoop,
         mises_under_load: under.mises(),
         hoop_at_side: ring.bore_stress(std::f64::consts::FRAC_PI_2)?.hoop,
-        outer_diameter_change: (half_angle > NARROWEST).then_some(outer_change),
+        outer_diameter_change: (half_angle > SMALLEST_HALF_ANGLE).then_some(outer_change),
         inner_diameter_change: ring.diameter_change(inner, 0.0)?,
         curved_beam_hoop: beam.inner_under_load,
         curved_beam_error: beam.inner_under_load / under.hoop - 1.0,

@@ -8,7 +8,7 @@ use crate::model::state::{ContactField, State};
 
 /// What a quadrature point of a contact surface sees.
 #[derive(Debug, Clone, Copy)]
-pub struct Spot {
+pub struct ContactPoint {
     /// Undeformed position, on the facet.
     pub at: [f64; 3],
     pub pressure: f64,
@@ -21,7 +21,7 @@ pub struct Spot {
 ///
 /// # Errors
 /// [`Missing`] where there is no pair, or no such surface.
-pub fn spots(scene: &Scene, state: &State) -> Result<Vec<Spot>, Missing> {
+pub fn spots(scene: &Scene, state: &State) -> Result<Vec<ContactPoint>, Missing> {
     let field = field(state)?;
     let at_node =
         |values: &[f64], node: u32| field.nodes.binary_search(&node).map_or(0.0, |i| values[i]);
@@ -33,7 +33,7 @@ pub fn spots(scene: &Scene, state: &State) -> Result<Vec<Spot>, Missing> {
         let (pressure, traction) = (nodal(&field.pressure), nodal(&along_x));
         integrate(&corners, |shape, area| {
             let sum = |v: &[f64; 4]| shape.iter().zip(v).map(|(n, v)| n * v).sum::<f64>();
-            spots.push(Spot {
+            spots.push(ContactPoint {
                 at: [0, 1, 2].map(|i| sum(&corners.map(|c| c[i]))),
                 pressure: sum(&pressure),
                 traction: sum(&traction),
@@ -65,7 +65,7 @@ pub fn carrier(scene: &Scene) -> Result<&Surface, Missing> {
 }
 
 /// Integral of `f` over the spots.
-pub fn integral(spots: &[Spot], f: impl Fn(&Spot) -> f64) -> f64 {
+pub fn integral(spots: &[ContactPoint], f: impl Fn(&ContactPoint) -> f64) -> f64 {
     spots.iter().map(|s| f(s) * s.area).sum()
 }
 
@@ -74,9 +74,9 @@ pub fn integral(spots: &[Spot], f: impl Fn(&Spot) -> f64) -> f64 {
 /// # Errors
 /// Those of `exact`.
 pub fn misfit<E>(
-    spots: &[Spot],
-    value: impl Fn(&Spot) -> f64,
-    exact: impl Fn(&Spot) -> Result<f64, E>,
+    spots: &[ContactPoint],
+    value: impl Fn(&ContactPoint) -> f64,
+    exact: impl Fn(&ContactPoint) -> Result<f64, E>,
 ) -> Result<f64, E> {
     let (mut miss, mut norm) = (0.0, 0.0);
     for spot in spots {

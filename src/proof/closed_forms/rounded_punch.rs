@@ -73,10 +73,10 @@ impl RoundedPunch {
 
     fn at_angle(&self, angle: f64) -> f64 {
         /// Both logarithms are infinite where the flat part ends; their sum is not.
-        const BESIDE: f64 = 1e-9;
+        const OFF_THE_CORNER: f64 = 1e-9;
         let flat = self.flat;
-        let angle = if (angle - flat).abs() < BESIDE {
-            flat + BESIDE
+        let angle = if (angle - flat).abs() < OFF_THE_CORNER {
+            flat + OFF_THE_CORNER
         } else {
             angle
         };

@@ -2,7 +2,7 @@
 
 /// One claim.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Claim {
+pub struct LadderClaim {
     pub family: &'static str,
     pub claim: String,
     /// Where the reference comes from.
@@ -21,7 +21,7 @@ pub struct Claim {
     pub seconds: f64,
 }
 
-impl Claim {
+impl LadderClaim {
     /// `value` differs from `reference` by no more than the share `tolerance` of it.
     pub fn relative(claim: impl Into<String>, value: f64, reference: f64, tolerance: f64) -> Self {
         Self::scaled(claim, value, reference, reference.abs(), tolerance)

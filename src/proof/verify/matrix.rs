@@ -1,6 +1,6 @@
 //! The matrix of claims, for the terminal and for the documentation.
 
-use super::Claim;
+use super::LadderClaim;
 
 /// A number with five digits, as short as it goes.
 fn number(x: f64) -> String {
@@ -27,7 +27,7 @@ fn share(x: f64) -> String {
     }
 }
 
-fn verdict(claim: &Claim) -> &'static str {
+fn verdict(claim: &LadderClaim) -> &'static str {
     match (claim.holds(), claim.is_shown()) {
         (false, _) => "FAILS",
         (true, true) => "shown",
@@ -36,7 +36,7 @@ fn verdict(claim: &Claim) -> &'static str {
 }
 
 /// How many claims have a tolerance, how many of them fail, and how many values are only shown, in words.
-pub fn tally(claims: &[Claim]) -> String {
+pub fn tally(claims: &[LadderClaim]) -> String {
     let shown = claims.iter().filter(|c| c.is_shown()).count();
     let failed = claims.iter().filter(|c| !c.holds()).count();
     format!(
@@ -46,7 +46,7 @@ pub fn tally(claims: &[Claim]) -> String {
 }
 
 /// A line for the terminal.
-pub fn line(c: &Claim) -> String {
+pub fn line(c: &LadderClaim) -> String {
     format!(
         "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>12} {:>8} {:>7.2}",
         verdict(c),
@@ -70,7 +70,7 @@ pub fn head() -> String {
 }
 
 /// The page `docs/verification.md`.
-pub fn page(claims: &[Claim]) -> String {
+pub fn page(claims: &[LadderClaim]) -> String {
     let mut text = format!(
         "# Verification\n\n\
          Written by `brinell verify --all --write`; do not edit. Each claim is solved afresh.\n\
@@ -112,19 +112,19 @@ mod tests {
 
     #[test]
     fn a_claim_that_fails_says_so() {
-        let mut claim = Claim::relative("p0", 103.0, 100.0, 0.01);
+        let mut claim = LadderClaim::relative("p0", 103.0, 100.0, 0.01);
         assert!(line(&claim).starts_with("FAILS") && page(&[claim.clone()]).contains("| FAILS |"));
         claim.tolerance = 0.05;
         assert!(line(&claim).starts_with("ok"));
-        let nan = Claim::relative("p0", f64::NAN, 100.0, 0.01);
+        let nan = LadderClaim::relative("p0", f64::NAN, 100.0, 0.01);
         assert!(line(&nan).starts_with("FAILS"));
     }
 
     #[test]
     fn what_is_shown_is_no_claim() {
         let claims = [
-            Claim::relative("p0", 100.0, 100.0, 0.01),
-            Claim::shown("p0, nodal", 150.0, 100.0),
+            LadderClaim::relative("p0", 100.0, 100.0, 0.01),
+            LadderClaim::shown("p0, nodal", 150.0, 100.0),
         ];
         assert!(line(&claims[1]).starts_with("shown"));
         assert!(tally(&claims).starts_with("1 claims, 0 outside their tolerance; 1 values more"));

@@ -17,7 +17,7 @@ mod scenes;
 pub mod stability;
 mod stream;
 
-pub use claim::Claim;
+pub use claim::LadderClaim;
 pub use error::VerifyError;
 pub use extent::Extent;
 pub use families::{FAMILIES, Family, families};

@@ -13,5 +13,5 @@ pub use limits::{
     HALF_WIDTH, LOAD, MISES_BLOCK, MISES_CYLINDER, MISES_SOURCE, POISSON, PRESSURE, YOUNG,
 };
 pub use quantities::quantities;
-pub use reading::{Mises, Reading, read};
+pub use reading::{Mises, ProblemHReading, read};
 pub use shipped::{NAME, case, is_problem_h};

@@ -1,11 +1,11 @@
 //! Problem H as quantities with known limits.
 
 use super::limits::{HALF_WIDTH, MISES_BLOCK, MISES_CYLINDER, PRESSURE};
-use super::reading::Reading;
+use super::reading::ProblemHReading;
 use crate::product::converge::quantity::{Known, Quantity};
 
 /// The quantities of a reading, each with its limit where that is known.
-pub fn quantities(reading: &Reading) -> Vec<Quantity> {
+pub fn quantities(reading: &ProblemHReading) -> Vec<Quantity> {
     const HERTZ: &str = "Hertz's line contact (Johnson, Contact Mechanics, 4.43 and 4.45)";
     const SERIES: &str = "a series of meshes with an independent solver of the finite bodies";
     const NORM: &str = "distance from Hertz's half ellipse in L2, over the norm of the ellipse";

@@ -20,7 +20,7 @@ pub struct Mises {
 
 /// Scalars of a solution of problem H.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Reading {
+pub struct ProblemHReading {
     /// Largest nodal pressure, ksi, and the |x| where it is, in.
     pub pressure: f64,
     pub pressure_at: f64,
@@ -42,7 +42,7 @@ pub struct Reading {
 ///
 /// # Errors
 /// [`Missing`] where there is no contact pressure.
-pub fn read(scene: &Scene, state: &State) -> Result<Reading, Missing> {
+pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
     let thickness = extent(&scene.mesh, 2);
     let field = &state.contacts[0];
     let surface = scene
@@ -76,7 +76,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<Reading, Missing> {
         .traction
         .iter()
         .map(|t| t.iter().map(|c| c * c).sum::<f64>().sqrt());
-    Ok(Reading {
+    Ok(ProblemHReading {
         pressure,
         pressure_at: scene.mesh.points[field.nodes[top] as usize][0].abs(),
         half_width: half_width(&scene.mesh, surface, field, &strip).ok_or(Missing("half-width"))?,

@@ -19,11 +19,11 @@ mod solution;
 mod tally;
 
 pub use bearing::Bearing;
-pub use criteria::{Criterion, criteria};
-pub use measure::{Record, Verdict, judge};
+pub use criteria::{CoverageCriterion, criteria};
+pub use measure::{BarVerdict, ClaimRecord, judge};
 pub use page::{criterion, line, page};
 pub use reference::{References, Truth};
 pub use run::{CoverageAnswer, CoverageRun, presets};
 pub use set::Set;
-pub use solution::{Keep, Reading};
+pub use solution::{ClaimReading, Keep};
 pub use tally::Tally;

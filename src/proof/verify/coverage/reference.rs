@@ -4,7 +4,7 @@ use super::bearing::Bearing;
 use super::fine;
 use super::quantile::quantile;
 use super::set::Set;
-use super::solution::{self, Keep, Solved};
+use super::solution::{self, Keep, SolvedBearing};
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use crate::ground::hash::Fnv;
@@ -18,19 +18,19 @@ use std::path::{Path, PathBuf};
 const FOLDER: &str = "cases/coverage";
 
 /// Figures of the far field: no contact strip has to be resolved for them.
-const SMOOTH: [&str; 2] = ["descent", "bore_mises"];
+const FAR_FIELD: [&str; 2] = ["descent", "bore_mises"];
 
 /// Figures by what they are and where, each on the coarser and on the finer mesh; none where that
 /// mesh does not have it.
-pub type Figures = BTreeMap<String, BTreeMap<String, [Option<f64>; 2]>>;
+pub type FigurePairs = BTreeMap<String, BTreeMap<String, [Option<f64>; 2]>>;
 
 /// A bearing on its two meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Pair {
+pub struct MeshPair {
     pub version: String,
     pub unknowns: [usize; 2],
     pub cpu_s: [f64; 2],
-    pub figures: Figures,
+    pub figures: FigurePairs,
 }
 
 /// What is stored of a bearing.
@@ -40,9 +40,9 @@ pub struct Stored {
     /// Hash of the text of its case: another one of the same name is another bearing.
     pub case: String,
     /// All steel elastic.
-    pub elastic: Option<Pair>,
+    pub elastic: Option<MeshPair>,
     /// As drawn, where that is not elastic.
-    pub own: Option<Pair>,
+    pub own: Option<MeshPair>,
 }
 
 impl Stored {
@@ -135,7 +135,7 @@ impl References {
     }
 
     /// Keeps a pair.
-    pub fn keep(&mut self, bearing: &Bearing, elastic: bool, pair: Pair) {
+    pub fn keep(&mut self, bearing: &Bearing, elastic: bool, pair: MeshPair) {
         let stored = self.entry(bearing);
         match elastic {
             true => stored.elastic = Some(pair),
@@ -162,7 +162,7 @@ impl References {
     }
 }
 
-impl Pair {
+impl MeshPair {
     /// The true value of a figure.
     ///
     /// Errors of order 2, as those of the descent and of the stress of the bore are, extrapolate by the
@@ -173,8 +173,8 @@ impl Pair {
         let [coarse, fine] = *self.figures.get(what)?.get(place)?;
         let (coarse, fine) = (coarse?, fine?);
         let step = fine - coarse;
-        const HALF: f64 = 0.55;
-        let smooth = SMOOTH.contains(&what);
+        const EXTRAPOLATED_SHARE: f64 = 0.55;
+        let smooth = FAR_FIELD.contains(&what);
         let floor = match smooth {
             true => 0.0,
             // A line that touches over all of its length does so on any mesh.
@@ -182,13 +182,18 @@ impl Pair {
             false => scatter.get(what).copied().unwrap_or(0.0) * fine.abs(),
         };
         Some(Truth {
-            value: fine + if smooth { step } else { HALF * step },
-            uncertainty: HALF * step.abs().max(floor),
+            value: fine
+                + if smooth {
+                    step
+                } else {
+                    EXTRAPOLATED_SHARE * step
+                },
+            uncertainty: EXTRAPOLATED_SHARE * step.abs().max(floor),
         })
     }
 
-    fn new(solved: &[Solved; 2]) -> Self {
-        let mut figures = Figures::new();
+    fn new(solved: &[SolvedBearing; 2]) -> Self {
+        let mut figures = FigurePairs::new();
         for (mesh, solved) in solved.iter().enumerate() {
             for reading in &solved.readings {
                 let places = figures.entry(reading.what.clone()).or_default();
@@ -224,7 +229,7 @@ pub fn make(
     elastic: bool,
     keep: &Keep,
     observer: &mut dyn Observer,
-) -> Result<Pair, JobError> {
+) -> Result<MeshPair, JobError> {
     let twin = bearing.twin()?;
     let own = bearing.case()?;
     let name = |mesh: &str, elastic: bool| {
@@ -240,8 +245,8 @@ pub fn make(
         let name = name(&format!("fine-{scale}"), elastic);
         solved.push(solution::solve(&case, (keep, &name), false, observer)?);
     }
-    match <[Solved; 2]>::try_from(solved) {
-        Ok(pair) => Ok(Pair::new(&pair)),
+    match <[SolvedBearing; 2]>::try_from(solved) {
+        Ok(pair) => Ok(MeshPair::new(&pair)),
         Err(_) => Err(JobError::Interrupted),
     }
 }
@@ -250,9 +255,9 @@ pub fn make(
 mod tests {
     use super::*;
 
-    fn pair(what: &str, two: [f64; 2]) -> Pair {
+    fn pair(what: &str, two: [f64; 2]) -> MeshPair {
         let places = BTreeMap::from([("overall".to_owned(), two.map(Some))]);
-        Pair {
+        MeshPair {
             version: String::new(),
             unknowns: [0; 2],
             cpu_s: [0.0; 2],

@@ -1,7 +1,7 @@
 //! Making the true values that are missing, and judging claims by them.
 
 use super::bearing::Bearing;
-use super::measure::{self, Record};
+use super::measure::{self, ClaimRecord};
 use super::page::line;
 use super::reference::{self, References};
 use super::set::Set;
@@ -37,7 +37,7 @@ pub struct CoverageRun<'a> {
 /// What came of it.
 #[derive(Debug, Default)]
 pub struct CoverageAnswer {
-    pub records: Vec<Record>,
+    pub records: Vec<ClaimRecord>,
     /// Runs that failed, and why.
     pub unsolved: Vec<String>,
     /// Bearings without stored true values.

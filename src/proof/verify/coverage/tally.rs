@@ -1,6 +1,6 @@
 //! Shares and middles over many claims.
 
-use super::measure::{Record, Verdict};
+use super::measure::{BarVerdict, ClaimRecord};
 use super::quantile::quantile;
 
 /// What came of a group of claims.
@@ -18,16 +18,16 @@ pub struct Tally {
 }
 
 impl Tally {
-    pub fn of<'r>(records: impl IntoIterator<Item = &'r Record>) -> Self {
+    pub fn of<'r>(records: impl IntoIterator<Item = &'r ClaimRecord>) -> Self {
         let mut tally = Self::default();
         let (mut errors, mut bars) = (Vec::new(), Vec::new());
         for record in records {
             tally.claims += 1;
             match record.verdict {
-                Verdict::Holds => tally.holds += 1,
-                Verdict::Missed => tally.missed += 1,
-                Verdict::Undecidable => tally.undecidable += 1,
-                Verdict::Unresolved => tally.unresolved += 1,
+                BarVerdict::Holds => tally.holds += 1,
+                BarVerdict::Missed => tally.missed += 1,
+                BarVerdict::Undecidable => tally.undecidable += 1,
+                BarVerdict::Unresolved => tally.unresolved += 1,
             }
             if let (Some(error), Some(bar)) = (record.error(), record.bar()) {
                 errors.push(error);

@@ -11,21 +11,21 @@ use crate::model::mesh::block::{Block, uniform};
 use crate::model::scene::{ElementKind, Traction, TractionValue};
 use crate::proof::closed_forms::patch::{CANTILEVER, COOK_MIDDLE};
 use crate::proof::verify::kit::{self, NamedElement};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// Length, depth (y) and thickness (z) of the cantilever.
 const BEAM: [f64; 3] = [6.0, 0.2, 0.1];
 
 /// Which way the cross-sections between the elements lean.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Shape {
+enum BeamCells {
     Regular,
     Trapezoidal,
     Parallelogram,
 }
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
-    use Shape::{Parallelogram, Regular, Trapezoidal};
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
+    use BeamCells::{Parallelogram, Regular, Trapezoidal};
     const BBAR: &str =
         "MacNeal and Harder 1985; B-bar hexahedra (own program, no version, no deck)";
     const MODES: &str = "MacNeal and Harder 1985; HEX8 of Altair OptiStruct, verification problem OS-V:0720 (version not stated)";
@@ -77,15 +77,15 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     Ok(claims)
 }
 
-fn beam(cells: [usize; 3], shape: Shape) -> Result<Mesh, VerifyError> {
+fn beam(cells: [usize; 3], shape: BeamCells) -> Result<Mesh, VerifyError> {
     let [x, y, z] = [0, 1, 2].map(|i| uniform(0.0, BEAM[i], cells[i]));
     // 45° at the cross-sections within.
     let lean = |[x, y, z]: [f64; 3]| {
         let offset = y - 0.5 * BEAM[1];
         let inside = x > 0.5 && x < BEAM[0] - 0.5;
         let shift = match shape {
-            Shape::Parallelogram if inside => offset,
-            Shape::Trapezoidal if inside => offset * (-1f64).powi(1 + x.round() as i32),
+            BeamCells::Parallelogram if inside => offset,
+            BeamCells::Trapezoidal if inside => offset * (-1f64).powi(1 + x.round() as i32),
             _ => 0.0,
         };
         [x + shift, y, z]
@@ -97,9 +97,9 @@ fn beam(cells: [usize; 3], shape: Shape) -> Result<Mesh, VerifyError> {
 fn cantilever(
     (kind, name): NamedElement,
     cells: [usize; 3],
-    shape: Shape,
+    shape: BeamCells,
     expected: [f64; 3],
-) -> Result<Vec<Claim>, VerifyError> {
+) -> Result<Vec<LadderClaim>, VerifyError> {
     let names = ["extension", "in plane", "out of plane"];
     let theory = [
         CANTILEVER.extension,
@@ -108,9 +108,9 @@ fn cantilever(
     ];
     let [n, m, l] = cells;
     let form = match shape {
-        Shape::Regular => "",
-        Shape::Trapezoidal => " trapezoids",
-        Shape::Parallelogram => " parallelograms",
+        BeamCells::Regular => "",
+        BeamCells::Trapezoidal => " trapezoids",
+        BeamCells::Parallelogram => " parallelograms",
     };
     let mut claims = Vec::new();
     for axis in 0..3 {
@@ -128,7 +128,7 @@ fn cantilever(
         }];
         let run = kit::run(scene)?;
         let tip = kit::mean_displacement(&run.scene.mesh, run.state(), "x_max")?[axis];
-        claims.push(run.claim(Claim::relative(
+        claims.push(run.claim(LadderClaim::relative(
             format!("cantilever {n}x{m}x{l}{form}, {name}, {}", names[axis]),
             tip / theory[axis],
             expected[axis],
@@ -166,19 +166,19 @@ fn membrane(
 }
 
 /// In plane stress, as one thin layer free to contract.
-fn plane_stress((kind, name): NamedElement) -> Result<Claim, VerifyError> {
+fn plane_stress((kind, name): NamedElement) -> Result<LadderClaim, VerifyError> {
     let run = kit::run(membrane(kind, 0.5, 1.0)?)?;
     let tip = kit::displacement_at(&run.scene.mesh, run.state(), [48.0, 52.0, 0.0])?[1];
     let claim = format!("Cook's membrane, {CELLS} x {CELLS}, {name}: middle of the edge");
     Ok(run.claim(
-        Claim::relative(claim, tip, COOK_MIDDLE, 0.01)
+        LadderClaim::relative(claim, tip, COOK_MIDDLE, 0.01)
             .from("Cook 1974; biquadratic elements, 64 x 64 (own program, no version, no deck)")
             .because("the bending error of B-bar falls with h²: 32 elements leave under 1 %"),
     ))
 }
 
 /// In plane strain, hardly compressible.
-fn plane_strain((kind, name): NamedElement) -> Result<Claim, VerifyError> {
+fn plane_strain((kind, name): NamedElement) -> Result<LadderClaim, VerifyError> {
     let mut scene = membrane(kind, 1.0, 100.0)?;
     scene.materials = vec![Steel::elastic(240.565, 0.4999)];
     scene.supports.push(kit::held("z_max", 2));
@@ -186,7 +186,7 @@ fn plane_strain((kind, name): NamedElement) -> Result<Claim, VerifyError> {
     let tip = kit::displacement_at(&run.scene.mesh, run.state(), [48.0, 52.0, 0.0])?[1];
     let claim = format!("the same, plane strain, ν = 0.4999, {name}");
     Ok(run.claim(
-        Claim::relative(claim, tip, 7.69, 0.015)
+        LadderClaim::relative(claim, tip, 7.69, 0.015)
             .from("biquadratic elements, extrapolated (own program, no version, no deck)")
             .because("the reference is good to 1 %, 32 elements to 0.5 %"),
     ))

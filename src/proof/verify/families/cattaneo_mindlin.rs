@@ -12,13 +12,13 @@
 use crate::proof::closed_forms::friction::CattaneoMindlin;
 use crate::proof::verify::kit;
 use crate::proof::verify::scenes::problem_h::Sizes;
-use crate::proof::verify::scenes::profile::{Spot, integral, misfit, spots};
+use crate::proof::verify::scenes::profile::{ContactPoint, integral, misfit, spots};
 use crate::proof::verify::scenes::rubbing::{self, NORMAL, Push};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const FRICTION: f64 = 0.3;
 
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = at(16, 0.02, 0.08)?;
     if extent == Extent::All {
         claims.extend(at(8, 0.04, 0.13)?);
@@ -28,7 +28,7 @@ pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// With `across` elements across the half-width, and the tolerances of c/a and q(x).
-fn at(across: usize, stick: f64, profile: f64) -> Result<Vec<Claim>, VerifyError> {
+fn at(across: usize, stick: f64, profile: f64) -> Result<Vec<LadderClaim>, VerifyError> {
     let hertz = rubbing::hertz()?;
     let push = 0.5 * FRICTION * NORMAL;
     let exact = CattaneoMindlin::new(hertz, push, FRICTION)?;
@@ -41,16 +41,16 @@ fn at(across: usize, stick: f64, profile: f64) -> Result<Vec<Claim>, VerifyError
     let thickness = kit::extent(&run.scene.mesh, 2);
     let total = integral(&spots, |s| s.traction) / thickness;
     // What a sliding strip would carry beyond this traction: half an ellipse of half-width c.
-    let spare = |s: &Spot| FRICTION * s.pressure - s.traction;
+    let spare = |s: &ContactPoint| FRICTION * s.pressure - s.traction;
     let second = integral(&spots, |s| spare(s) * s.at[0] * s.at[0]);
     let half_width = 2.0 * (second / integral(&spots, spare)).sqrt();
     let traction = misfit(&spots, |s| s.traction, |s| exact.traction(s.at[0]))?;
     let of = |what: &str| format!("Q/μP = 0.5, h/a = 1/{across}: {what}");
     let claims = [
-        Claim::relative(of("∫ q, kip/in"), total, push, 1e-4)
+        LadderClaim::relative(of("∫ q, kip/in"), total, push, 1e-4)
             .from("equilibrium")
             .because("the residual, and tractions on chords of the round face, (h/R)²"),
-        Claim::relative(
+        LadderClaim::relative(
             of("c/a of the sticking strip"),
             half_width / hertz.half_width,
             exact.stick_half_width / hertz.half_width,
@@ -58,7 +58,7 @@ fn at(across: usize, stick: f64, profile: f64) -> Result<Vec<Claim>, VerifyError
         )
         .from("Cattaneo, Mindlin; Johnson 7.2(d)")
         .because("a quarter of h/c: the strip ends between two nodes"),
-        Claim::small(of("q(x) in L2, relative"), traction, profile)
+        LadderClaim::small(of("q(x) in L2, relative"), traction, profile)
             .from("Cattaneo, Mindlin; Johnson 7.2(d)")
             .because("up to twice what linear pieces through the exact values miss"),
     ];

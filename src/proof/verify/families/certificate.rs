@@ -10,22 +10,22 @@ use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::interfaces;
 use crate::answer::results::peaks::peaks;
 use crate::answer::results::recovery::recover;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{self, Sizes};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 use std::f64::consts::PI;
 
 /// A figure of which the truth is known: what, where, and the truth.
-type Known<'a> = (Quantity, &'a str, f64);
+type KnownTruth<'a> = (Quantity, &'a str, f64);
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = plane()?;
     claims.extend(sphere()?);
     Ok(claims)
 }
 
 /// Problem H on nested meshes.
-fn plane() -> Result<Vec<Claim>, VerifyError> {
+fn plane() -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = Vec::new();
     for (kind, name) in kit::ELEMENTS {
         let mut levels = Vec::new();
@@ -66,7 +66,7 @@ fn plane() -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// A sphere on a rigid flat.
-fn sphere() -> Result<Vec<Claim>, VerifyError> {
+fn sphere() -> Result<Vec<LadderClaim>, VerifyError> {
     let hertz = hertz_sphere::hertz()?;
     let area = PI * hertz.contact_radius.powi(2);
     let known = [
@@ -89,7 +89,7 @@ fn sphere() -> Result<Vec<Claim>, VerifyError> {
     Ok(claims)
 }
 
-pub(super) fn certified(run: &Run) -> Vec<certify::Claim> {
+pub(super) fn certified(run: &SolvedScene) -> Vec<certify::Claim> {
     let (scene, state) = (&run.scene, run.state());
     let recovered = recover(scene, state);
     let edges = LoadedEdges::find(scene, state);
@@ -115,11 +115,11 @@ pub(super) fn certified(run: &Run) -> Vec<certify::Claim> {
 /// How far off the estimates of a certificate are.
 pub(super) fn judged(
     problem: &str,
-    run: &Run,
+    run: &SolvedScene,
     certificate: &[certify::Claim],
-    known: &[Known],
-) -> Vec<Claim> {
-    let judge = |(what, place, truth): &Known| {
+    known: &[KnownTruth],
+) -> Vec<LadderClaim> {
+    let judge = |(what, place, truth): &KnownTruth| {
         let claim = certify::claim(certificate, *what, place)?;
         let error = (claim.value - truth).abs();
         let estimate = claim.error.total()?;
@@ -130,7 +130,7 @@ pub(super) fn judged(
             100.0 * error / truth.abs(),
             100.0 * estimate / truth.abs(),
         );
-        let claim = Claim::small(text, short, 1.0)
+        let claim = LadderClaim::small(text, short, 1.0)
             .from("closed forms; limits of problem H; the series in h")
             .because("a bar holds");
         Some(run.claim(claim))

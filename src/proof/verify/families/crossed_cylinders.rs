@@ -8,17 +8,17 @@ use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::proof::closed_forms::hertz::EllipticContact;
 use crate::proof::closed_forms::subsurface::EllipseField;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::{Round, bump, upside_down};
 use crate::proof::verify::scenes::profile::{balance, peak_pressure, semi_axis};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const RADII: [f64; 2] = [20.0, 50.0];
 const YOUNG: f64 = 210e3;
 const POISSON: f64 = 0.3;
 const LOAD: f64 = 10e3;
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let compliance = 2.0 * (1.0 - POISSON * POISSON) / YOUNG;
     let hertz = EllipticContact::crossed_cylinders(LOAD, RADII, compliance)?;
     let run = pressed(&hertz, 6.0)?;
@@ -26,7 +26,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     let recovered = recover(&run.scene, run.state());
     let mises = recovered.mises_nodal.iter().copied().fold(0.0, f64::max);
     let deep = EllipseField::below(&hertz, POISSON)?.peak_mises_on_axis();
-    let p0 = Claim::relative(
+    let p0 = LadderClaim::relative(
         "cylinders R = 20 and 50 mm, h = a/6, b/6: p0, MPa",
         pressure,
         hertz.peak_pressure,
@@ -38,7 +38,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
                 "as for the sphere, and half of (b/R)² of 0.2 % for surfaces no paraboloids",
             )),
             run.claim(
-                Claim::small(
+                LadderClaim::small(
                     "distance of p0 from the centre / b",
                     at[0].hypot(at[1]) / hertz.semi_axes[1],
                     1e-9,
@@ -48,7 +48,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
             ),
         ];
     for (axis, name) in [(0, "long"), (1, "short")] {
-        let claim = Claim::relative(
+        let claim = LadderClaim::relative(
             format!("{name} semi-axis by the second moment of p, mm"),
             semi_axis(&run, axis)?,
             hertz.semi_axes[axis],
@@ -62,7 +62,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
             ),
         );
     }
-    let mises = Claim::relative(
+    let mises = LadderClaim::relative(
         "peak nodal Mises below the surface, MPa",
         mises,
         deep.value,
@@ -80,7 +80,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// The quarter model with `across` elements across each semi-axis.
-fn pressed(hertz: &EllipticContact, across: f64) -> Result<Run, VerifyError> {
+fn pressed(hertz: &EllipticContact, across: f64) -> Result<SolvedScene, VerifyError> {
     let [a, b] = hertz.semi_axes;
     let side = |name: &str, radius, curved| -> Result<Mesh, VerifyError> {
         let size = [a, b, b].map(|s| s / across);

@@ -13,9 +13,9 @@ use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::scene::{ElementKind, Scene};
 use crate::model::state::State;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{self, Sizes};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 use crate::solver::solve::spring_back;
 
 const YOUNG: f64 = 29500.0;
@@ -34,7 +34,7 @@ const LINE: [(&str, f64); 2] = [("block", 4.50e-5), ("cylinder", 3.405e-5)];
 /// surface at 20 Young's moduli an edge), in.
 const CALCULIX: [f64; 2] = [4.558e-5, 3.524e-5];
 
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = Vec::new();
     for (kind, name) in kit::ELEMENTS {
         claims.push(column(kind, name)?);
@@ -50,7 +50,7 @@ pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Two columns of one element each, 2 in long, the lower one pressed to 110 ksi.
-fn column(element: ElementKind, name: &str) -> Result<Claim, VerifyError> {
+fn column(element: ElementKind, name: &str) -> Result<LadderClaim, VerifyError> {
     const PRESSURE: f64 = 110.0;
     const YIELD: f64 = 100.0;
     let column = |name: &str, from: f64| {
@@ -69,7 +69,7 @@ fn column(element: ElementKind, name: &str) -> Result<Claim, VerifyError> {
     scene.steps = vec![kit::step("load", 1.0), kit::step("unload", REMAINING_LOAD)];
     let run = kit::run(scene)?;
     let stays = spring_back(&run.scene, run.state())?;
-    let claim = Claim::relative(
+    let claim = LadderClaim::relative(
         format!("column of one element, {name}: dent, in"),
         depth(&run.scene, &stays, "lower_column", "lower_z_max")?,
         (PRESSURE - YIELD) / HARDENING,
@@ -82,7 +82,7 @@ fn column(element: ElementKind, name: &str) -> Result<Claim, VerifyError> {
 }
 
 /// Problem H without yield, all of it said to have yielded.
-fn elastic() -> Result<Vec<Claim>, VerifyError> {
+fn elastic() -> Result<Vec<LadderClaim>, VerifyError> {
     let run = pressed(2, f64::INFINITY)?;
     let mut claims = Vec::new();
     for (name, state) in [("loaded", 0), ("unloaded", 1)] {
@@ -91,7 +91,7 @@ fn elastic() -> Result<Vec<Claim>, VerifyError> {
         state.peeq = vec![[1.0; 8]; run.scene.mesh.hexes.len()];
         let [block, cylinder] = line_dents(&run.scene, &state)?;
         let most = block.abs().max(cylinder.abs());
-        let claim = Claim::small(
+        let claim = LadderClaim::small(
             format!("elastic line contact, {name}: dent / descent"),
             most / travel.abs(),
             1e-6,
@@ -106,20 +106,20 @@ fn elastic() -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Problem H beyond yield: the dents, and the same from the state at full load.
-fn line(level: u32, size: &str, tolerance: f64) -> Result<Vec<Claim>, VerifyError> {
+fn line(level: u32, size: &str, tolerance: f64) -> Result<Vec<LadderClaim>, VerifyError> {
     let run = pressed(level, problem_h::PRESSURE / 2.5)?;
     let loaded = line_dents(&run.scene, &run.solution.states[0])?;
     let found = line_dents(&run.scene, run.state())?;
     let mut claims = Vec::new();
     for (i, (body, limit)) in LINE.into_iter().enumerate() {
         let at = format!("line contact, h/a = {size}, {body}: dent");
-        let claim = Claim::relative(format!("{at}, in"), found[i], limit, tolerance);
+        let claim = LadderClaim::relative(format!("{at}, in"), found[i], limit, tolerance);
         claims.push(
             run.claim(claim)
                 .from("nested meshes to h/a = 1/16")
                 .because("the plastic zone grows element by element: 0.5 % either way from 1/8 on"),
         );
-        let claim = Claim::relative(
+        let claim = LadderClaim::relative(
             format!("{at}, seen at full load"),
             loaded[i],
             found[i],
@@ -135,7 +135,7 @@ fn line(level: u32, size: &str, tolerance: f64) -> Result<Vec<Claim>, VerifyErro
             let raw = depth(&run.scene, &run.state().displacement, body, &surface)?;
             let claim = format!("{at} with the load left, in");
             claims.push(
-                run.claim(Claim::relative(claim, raw, CALCULIX[i], 0.015))
+                run.claim(LadderClaim::relative(claim, raw, CALCULIX[i], 0.015))
                     .from("CalculiX 2.20, C3D8, surface to surface, mesh `Sizes::nested(2)` (deck not kept)")
                     .because("another element and softer contact"),
             );
@@ -145,7 +145,7 @@ fn line(level: u32, size: &str, tolerance: f64) -> Result<Vec<Claim>, VerifyErro
 }
 
 /// Problem H, yielding at `yield_stress`, loaded and unloaded.
-fn pressed(level: u32, yield_stress: f64) -> Result<Run, VerifyError> {
+fn pressed(level: u32, yield_stress: f64) -> Result<SolvedScene, VerifyError> {
     let mut scene = problem_h::scene(&Sizes::nested(level))?;
     scene.materials.fill(steel(yield_stress));
     scene.steps = vec![kit::step("load", 1.0), kit::step("unload", REMAINING_LOAD)];

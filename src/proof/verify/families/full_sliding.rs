@@ -11,17 +11,17 @@ use crate::analytic::hertz::LineContact;
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hex::centre;
 use crate::answer::results::tensor::{mean, mises};
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{POISSON, RADIUS, Sizes};
 use crate::proof::verify::scenes::profile::{field, misfit, peak_pressure, spots};
 use crate::proof::verify::scenes::rubbing::{self, NORMAL, Push};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const FRICTION: f64 = 0.3;
 /// Sideways travel of the cut face, in: more than the bodies shear before they slide.
 const TRAVEL: f64 = 4e-3;
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let hertz = rubbing::hertz()?;
     let run = kit::run(rubbing::scene(
         &Sizes::with(16),
@@ -33,10 +33,10 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     let [stress, mises] = below(&run, &hertz)?;
     let pressure = misfit(&spots, |s| s.pressure, |s| hertz.pressure(s.at[0]))?;
     let claims = [
-        Claim::small("largest |q − μp| / μp0", off_limit(&run, peak)?, 1e-6)
+        LadderClaim::small("largest |q − μp| / μp0", off_limit(&run, peak)?, 1e-6)
             .from("Coulomb")
             .because("the bound is settled to the tolerance of the increment"),
-        Claim::relative(
+        LadderClaim::relative(
             "tangential force / μP",
             run_force(&run)? / (NORMAL * kit::extent(&run.scene.mesh, 2)),
             FRICTION,
@@ -44,16 +44,16 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
         )
         .from("Coulomb")
         .because("tractions lean by x/R about the mean normal"),
-        Claim::relative("p0 while sliding, ksi", peak, hertz.peak_pressure, 0.003)
+        LadderClaim::relative("p0 while sliding, ksi", peak, hertz.peak_pressure, 0.003)
             .from("Hertz; Dundurs' β = 0")
             .because("as in problem H without friction"),
-        Claim::small("p(x) in L2, relative", pressure, 0.03)
+        LadderClaim::small("p(x) in L2, relative", pressure, 0.03)
             .from("Hertz; Johnson 4.44")
             .because("first order in h from the root at the edge: 2 % at h/a = 1/16"),
-        Claim::small("stress 0.25 to 1.5 a deep, rms error / rms", stress, 0.02)
+        LadderClaim::small("stress 0.25 to 1.5 a deep, rms error / rms", stress, 0.02)
             .from("McEwen; Johnson 4.49 and 7.8")
             .because("finite bodies beyond w/πR, and element means near the edges of the contact"),
-        Claim::small("Mises there, largest error / p0", mises, 0.02)
+        LadderClaim::small("Mises there, largest error / p0", mises, 0.02)
             .from("McEwen; Johnson 4.49 and 7.8")
             .because("finite bodies beyond w/πR, and element means near the edges of the contact"),
     ];
@@ -61,7 +61,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Largest distance of the traction in +x from μ p at a node, over μ p0.
-fn off_limit(run: &Run, peak: f64) -> Result<f64, VerifyError> {
+fn off_limit(run: &SolvedScene, peak: f64) -> Result<f64, VerifyError> {
     let field = field(run.state())?;
     let nodes = field.traction.iter().zip(&field.pressure);
     let off = nodes.map(|(q, p)| {
@@ -72,14 +72,14 @@ fn off_limit(run: &Run, peak: f64) -> Result<f64, VerifyError> {
 }
 
 /// Force on the lower body along +x.
-fn run_force(run: &Run) -> Result<f64, VerifyError> {
+fn run_force(run: &SolvedScene) -> Result<f64, VerifyError> {
     Ok(field(run.state())?.force.iter().map(|f| f[0]).sum())
 }
 
 /// Stress in the elements of the lower body next to the contact, against the field at their
 /// centres: root mean square distance over root mean square, and the largest distance of the
 /// Mises stresses over p0.
-fn below(run: &Run, hertz: &LineContact) -> Result<[f64; 2], VerifyError> {
+fn below(run: &SolvedScene, hertz: &LineContact) -> Result<[f64; 2], VerifyError> {
     let exact = LineField::below(hertz, POISSON)?.sliding(FRICTION)?;
     let mesh = &run.scene.mesh;
     let body = mesh.body("lower").ok_or(VerifyError::Missing("body"))?;

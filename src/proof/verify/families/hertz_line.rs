@@ -11,11 +11,11 @@ use crate::analytic::subsurface::LineField;
 use crate::answer::results::hex::centre;
 use crate::answer::results::tensor::{mean, mises};
 use crate::model::scene::ElementKind;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{
-    self, HALF_WIDTH, MISES_BLOCK, MISES_CYLINDER, PRESSURE, Reading, Sizes, read,
+    self, HALF_WIDTH, MISES_BLOCK, MISES_CYLINDER, PRESSURE, ProblemHReading, Sizes, read,
 };
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const HERTZ: &str = "Hertz; Johnson 4.43 to 4.45";
 const LIMITS: &str = problem_h::MISES_SOURCE;
@@ -33,7 +33,7 @@ struct Rung {
     point: f64,
 }
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let rung = |level, name, [pressure, half_width, centroid, nodal, point]: [f64; 5]| Rung {
         level,
         element: ElementKind::Bbar,
@@ -63,7 +63,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     Ok(claims)
 }
 
-fn solved(rung: &Rung) -> Result<(Run, Reading), VerifyError> {
+fn solved(rung: &Rung) -> Result<(SolvedScene, ProblemHReading), VerifyError> {
     let mut scene = problem_h::scene(&Sizes::nested(rung.level))?;
     scene.controls.element = rung.element;
     let run = kit::run(scene)?;
@@ -71,14 +71,14 @@ fn solved(rung: &Rung) -> Result<(Run, Reading), VerifyError> {
     Ok((run, reading))
 }
 
-fn figures(run: &Run, rung: &Rung, reading: &Reading) -> Vec<Claim> {
+fn figures(run: &SolvedScene, rung: &Rung, reading: &ProblemHReading) -> Vec<LadderClaim> {
     let cells = 2 << rung.level;
     let of = |what: &str| format!("h/a = 1/{cells}, {}: {what}", rung.name);
     let mut claims = vec![
-        Claim::relative(of("p0, ksi"), reading.pressure, PRESSURE, rung.pressure)
+        LadderClaim::relative(of("p0, ksi"), reading.pressure, PRESSURE, rung.pressure)
             .from(HERTZ)
             .because("second order in h, and 0.15 % for finite bodies"),
-        Claim::relative(
+        LadderClaim::relative(
             of("half-width, in"),
             reading.half_width,
             HALF_WIDTH,
@@ -99,7 +99,7 @@ fn figures(run: &Run, rung: &Rung, reading: &Reading) -> Vec<Claim> {
         ];
         for (place, value, tolerance) in readings {
             let what = of(&format!("Mises, {body}, {place}, ksi"));
-            let claim = Claim::relative(what, value, limit, tolerance).from(LIMITS);
+            let claim = LadderClaim::relative(what, value, limit, tolerance).from(LIMITS);
             claims.push(claim.because("what mortar methods reach at this h; see the family"));
         }
     }
@@ -107,27 +107,27 @@ fn figures(run: &Run, rung: &Rung, reading: &Reading) -> Vec<Claim> {
 }
 
 /// Where the peak is, the pressure profile, and Mises along the axis.
-fn fields(run: &Run, reading: &Reading) -> Result<Vec<Claim>, VerifyError> {
+fn fields(run: &SolvedScene, reading: &ProblemHReading) -> Result<Vec<LadderClaim>, VerifyError> {
     let hertz = LineContact::at_peak_pressure(
         PRESSURE,
         problem_h::RADIUS,
         2.0 * (1.0 - problem_h::POISSON.powi(2)) / problem_h::YOUNG,
     )?;
     let mut claims = vec![
-        Claim::small("|x| of p0 / a", reading.pressure_at / HALF_WIDTH, 1e-9)
+        LadderClaim::small("|x| of p0 / a", reading.pressure_at / HALF_WIDTH, 1e-9)
             .from("symmetry")
             .because("a node lies there"),
-        Claim::small("p(x) in L2, relative, h/a = 1/16", reading.profile, 0.03)
+        LadderClaim::small("p(x) in L2, relative, h/a = 1/16", reading.profile, 0.03)
             .from(HERTZ)
             .because("first order in h, from the root at the edge: some h/3a"),
-        Claim::small("contact force / load − 1", reading.balance.abs(), 1e-6)
+        LadderClaim::small("contact force / load − 1", reading.balance.abs(), 1e-6)
             .from("equilibrium")
             .because("the residual is 1e-8 of the load"),
     ];
     for (body, tolerance) in [("block", 0.025), ("cylinder", 0.01)] {
         let what = format!("Mises on the axis, {body}, 0.2 to 2 a: rms error / peak");
         claims.push(
-            Claim::small(what, along_axis(run, body, &hertz)?, tolerance)
+            LadderClaim::small(what, along_axis(run, body, &hertz)?, tolerance)
                 .from("McEwen; Johnson 4.49")
                 .because("finite bodies: 2 % in the block, 0.4 % in the cylinder; h/a = 1/16"),
         );
@@ -136,7 +136,7 @@ fn fields(run: &Run, reading: &Reading) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Mises stress of the element means next to the axis against McEwen's field at their centres.
-fn along_axis(run: &Run, body: &str, hertz: &LineContact) -> Result<f64, VerifyError> {
+fn along_axis(run: &SolvedScene, body: &str, hertz: &LineContact) -> Result<f64, VerifyError> {
     let exact = LineField::below(hertz, problem_h::POISSON)?;
     let mesh = &run.scene.mesh;
     let body = mesh.body(body).ok_or(VerifyError::Missing("body"))?;

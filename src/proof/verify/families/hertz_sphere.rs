@@ -7,36 +7,36 @@ use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
 use crate::proof::closed_forms::hertz::PointContact;
 use crate::proof::closed_forms::subsurface::SphereField;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::{Round, bump};
 use crate::proof::verify::scenes::profile::{balance, peak_pressure, semi_axis};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const RADIUS: f64 = 50.0;
 const YOUNG: f64 = 210e3;
 const POISSON: f64 = 0.3;
 const LOAD: f64 = 1000.0;
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let hertz = hertz()?;
     let run = pressed(&hertz, 6.0)?;
     let (pressure, _) = peak_pressure(&run)?;
     let deep = peak_mises(&hertz)?;
     let recovered = recover(&run.scene, run.state());
     let nodal = recovered.mises_nodal.iter().copied().fold(0.0, f64::max);
-    let p0 = Claim::relative(
+    let p0 = LadderClaim::relative(
         "sphere on a rigid flat, h/a = 1/6: p0, MPa",
         pressure,
         hertz.peak_pressure,
         0.01,
     );
-    let radius = Claim::relative(
+    let radius = LadderClaim::relative(
         "contact radius by the second moment of p, mm",
         semi_axis(&run, 0)?,
         hertz.contact_radius,
         0.01,
     );
-    let mises = Claim::relative("peak nodal Mises below the surface, MPa", nodal, deep, 0.03);
+    let mises = LadderClaim::relative("peak nodal Mises below the surface, MPa", nodal, deep, 0.03);
     Ok(vec![
         run.claim(
             p0.from("Hertz; Johnson 3.42")
@@ -70,7 +70,7 @@ pub(super) fn peak_mises(hertz: &PointContact) -> Result<f64, VerifyError> {
 }
 
 /// The quarter model with `across` elements across the contact radius.
-pub(super) fn pressed(hertz: &PointContact, across: f64) -> Result<Run, VerifyError> {
+pub(super) fn pressed(hertz: &PointContact, across: f64) -> Result<SolvedScene, VerifyError> {
     let a = hertz.contact_radius;
     let fine = [1.15 * a, 1.15 * a, 0.8 * a];
     let size = [a / across; 3];

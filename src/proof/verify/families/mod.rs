@@ -22,13 +22,13 @@ mod tube;
 mod uniaxial;
 mod v_groove;
 
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// A family of claims.
 #[derive(Debug, Clone, Copy)]
 pub struct Family {
     pub name: &'static str,
-    measure: fn(Extent) -> Result<Vec<Claim>, VerifyError>,
+    measure: fn(Extent) -> Result<Vec<LadderClaim>, VerifyError>,
 }
 
 /// All families, simple ones first.
@@ -56,7 +56,7 @@ pub const FAMILIES: [Family; 19] = [
 
 const fn family(
     name: &'static str,
-    measure: fn(Extent) -> Result<Vec<Claim>, VerifyError>,
+    measure: fn(Extent) -> Result<Vec<LadderClaim>, VerifyError>,
 ) -> Family {
     Family { name, measure }
 }
@@ -66,7 +66,7 @@ impl Family {
     ///
     /// # Errors
     /// [`VerifyError`] where a problem could not be solved or read.
-    pub fn measure(&self, extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+    pub fn measure(&self, extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
         let mut claims = (self.measure)(extent)?;
         for claim in &mut claims {
             claim.family = self.name;

@@ -6,10 +6,10 @@ use crate::model::mesh::{Body, Mesh};
 use crate::model::scene::{ElementKind, Support};
 use crate::proof::closed_forms::patch::STRAIN;
 use crate::proof::closed_forms::patch::{INNER_NODES, POISSONS_RATIO, YOUNGS_MODULUS, stress};
-use crate::proof::verify::kit::{self, Run};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::kit::{self, SolvedScene};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let (equal, unequal) = (uniform(0.0, 1.0, 2), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
     let [bbar, enhanced] = kit::ELEMENTS;
     Ok(vec![
@@ -29,7 +29,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Seven distorted hexahedra in the unit cube, displacement prescribed on its faces.
-fn solid((kind, name): (ElementKind, &str)) -> Result<Claim, VerifyError> {
+fn solid((kind, name): (ElementKind, &str)) -> Result<LadderClaim, VerifyError> {
     let mut points: Vec<[f64; 3]> = [0.0, 1.0]
         .iter()
         .flat_map(|z| [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| [x, y, *z]))
@@ -68,7 +68,7 @@ fn solid((kind, name): (ElementKind, &str)) -> Result<Claim, VerifyError> {
     let run = kit::run(scene)?;
     let exact = stress();
     let exact = [exact.xx, exact.yy, exact.zz, exact.xy, exact.yz, exact.zx];
-    let claim = Claim::small(
+    let claim = LadderClaim::small(
         format!("solid patch, {name}: largest error of a stress / 2000"),
         worst(&run, |_, i| exact[i]) / exact[0],
         1e-9,
@@ -81,7 +81,7 @@ fn solid((kind, name): (ElementKind, &str)) -> Result<Claim, VerifyError> {
 }
 
 /// Two blocks, uniform pressure on all that is open above.
-fn contact(name: &str, upper: Vec<f64>, lower: Vec<f64>) -> Result<Claim, VerifyError> {
+fn contact(name: &str, upper: Vec<f64>, lower: Vec<f64>) -> Result<LadderClaim, VerifyError> {
     const PRESSURE: f64 = 2.0;
     let wide = lower.last().is_some_and(|x| *x > 1.5);
     let lower = Block::new("lower", lower, uniform(0.0, 1.0, 3), uniform(0.0, 1.0, 2)).build()?;
@@ -104,7 +104,7 @@ fn contact(name: &str, upper: Vec<f64>, lower: Vec<f64>) -> Result<Claim, Verify
     let pressures = run.state().contacts[0].pressure.iter();
     let pressure = pressures.map(|p| (p - PRESSURE).abs()).fold(0.0, f64::max);
     let stress = worst(&run, |_, i| if i == 2 { -PRESSURE } else { 0.0 });
-    let claim = Claim::small(
+    let claim = LadderClaim::small(
         format!("contact patch, {name}: largest error / p"),
         pressure.max(stress) / PRESSURE,
         1e-8,
@@ -117,7 +117,7 @@ fn contact(name: &str, upper: Vec<f64>, lower: Vec<f64>) -> Result<Claim, Verify
 }
 
 /// Largest distance of a stress component from `exact(element, component)`.
-fn worst(run: &Run, exact: impl Fn(usize, usize) -> f64) -> f64 {
+fn worst(run: &SolvedScene, exact: impl Fn(usize, usize) -> f64) -> f64 {
     let mut worst = 0.0f64;
     for (e, points) in run.state().stress.iter().enumerate() {
         for stress in points {

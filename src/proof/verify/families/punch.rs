@@ -16,8 +16,8 @@ use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::scene::{ElementKind, PlaneMotion, RigidPlane};
 use crate::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
-use crate::proof::verify::kit::{self, Run};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::kit::{self, SolvedScene};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// Half width of the punch, half width and depth of the block.
 const HALF: f64 = 1.0;
@@ -28,7 +28,7 @@ const YOUNG: f64 = 1000.0;
 /// How far the punch sinks: ten times as far again changes the force by 1e-3.
 const SINK: f64 = 0.04;
 
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let [bbar, enhanced] = kit::ELEMENTS;
     let mut claims = series(&[8, 16], bbar)?;
     if extent == Extent::All {
@@ -39,7 +39,7 @@ pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Punches with these numbers of elements along the half width, and the limit of the last two.
-fn series(meshes: &[usize], kind: (ElementKind, &str)) -> Result<Vec<Claim>, VerifyError> {
+fn series(meshes: &[usize], kind: (ElementKind, &str)) -> Result<Vec<LadderClaim>, VerifyError> {
     let exact = punch_pressure(YIELD, YieldCriterion::Mises)?;
     let mut claims = Vec::new();
     let mut before: Option<(f64, f64)> = None;
@@ -48,7 +48,7 @@ fn series(meshes: &[usize], kind: (ElementKind, &str)) -> Result<Vec<Claim>, Ver
         let size = HALF / *cells as f64;
         let name = format!("b/h = {cells}, {}: force", kind.1);
         let (plain, wide) = (force / HALF, force / (HALF + 0.5 * size));
-        let claim = Claim::relative(
+        let claim = LadderClaim::relative(
             format!("{name} / (b + h/2) / Y"),
             wide,
             exact,
@@ -57,10 +57,10 @@ fn series(meshes: &[usize], kind: (ElementKind, &str)) -> Result<Vec<Claim>, Ver
         )
         .because("the half width carried is within h/2 of b: 3 % at b/h = 16, halved by the rule");
         claims.push(run.claim(claim));
-        claims.push(run.claim(Claim::shown(format!("{name} / b / Y"), plain, exact)));
+        claims.push(run.claim(LadderClaim::shown(format!("{name} / b / Y"), plain, exact)));
         if let Some((coarse, old)) = before {
             let value = plain + (plain - old) * size / (coarse - size);
-            let claim = Claim::relative(
+            let claim = LadderClaim::relative(
                 format!("{}, force / b / Y extrapolated to h = 0", kind.1),
                 value,
                 exact,
@@ -79,7 +79,7 @@ fn series(meshes: &[usize], kind: (ElementKind, &str)) -> Result<Vec<Claim>, Ver
 }
 
 /// The force per length on half a punch with `cells` elements along its half width.
-fn punch(cells: usize, kind: ElementKind) -> Result<(Run, f64), VerifyError> {
+fn punch(cells: usize, kind: ElementKind) -> Result<(SolvedScene, f64), VerifyError> {
     let size = HALF / cells as f64;
     let count = |length: f64| (length / size).round() as usize;
     let mut mesh = Block::new(

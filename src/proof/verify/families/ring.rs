@@ -19,8 +19,8 @@ use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::scene::ElementKind;
-use crate::proof::verify::kit::{self, Run};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::kit::{self, SolvedScene};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const RADIUS: f64 = 1.5;
 const YOUNG: f64 = 29500.0;
@@ -31,17 +31,17 @@ const LOAD: f64 = 8.125;
 const SPREAD: f64 = 0.02;
 const LAYER: f64 = 0.1;
 
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = Vec::new();
     for wall in [0.25, 0.167, 0.1, 0.05] {
         for kind in kit::ELEMENTS {
-            claims.extend(Case::new(wall, 16, kind)?.claims()?);
+            claims.extend(SolvedRing::new(wall, 16, kind)?.claims()?);
         }
     }
     if extent == Extent::All {
         for layers in [4, 8, 32] {
             for kind in kit::ELEMENTS {
-                claims.extend(Case::new(0.25, layers, kind)?.series()?);
+                claims.extend(SolvedRing::new(0.25, layers, kind)?.series()?);
             }
         }
     }
@@ -49,14 +49,14 @@ pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// A solved ring beside its exact solution.
-struct Case {
+struct SolvedRing {
     name: String,
     inner: f64,
     exact: Ring,
-    run: Run,
+    run: SolvedScene,
 }
 
-impl Case {
+impl SolvedRing {
     fn new(
         wall: f64,
         layers: usize,
@@ -90,8 +90,8 @@ impl Case {
         })
     }
 
-    fn claim(&self, what: &str, value: f64, reference: f64, tolerance: f64) -> Claim {
-        let claim = Claim::relative(
+    fn claim(&self, what: &str, value: f64, reference: f64, tolerance: f64) -> LadderClaim {
+        let claim = LadderClaim::relative(
             format!("{}: {what}", self.name),
             value,
             reference,
@@ -102,7 +102,7 @@ impl Case {
             .from("Michell 1899; Timoshenko and Goodier, art. 43 to 46")
     }
 
-    fn claims(&self) -> Result<Vec<Claim>, VerifyError> {
+    fn claims(&self) -> Result<Vec<LadderClaim>, VerifyError> {
         const STRESS: &str = "strain of the bore's edges, h² with 16 layers";
         const DIAMETER: &str = "16 layers: B-bar is too stiff in bending by some (h/t)²";
         let [mises, nodal] = self.under_load()?;
@@ -133,7 +133,7 @@ impl Case {
     }
 
     /// The bore under the load on another mesh, shown.
-    fn series(&self) -> Result<[Claim; 2], VerifyError> {
+    fn series(&self) -> Result<[LadderClaim; 2], VerifyError> {
         let [mises, nodal] = self.under_load()?;
         let top = self.exact.bore_stress(0.0)?.mises();
         let shown = f64::INFINITY;

@@ -5,12 +5,13 @@
 
 use super::certificate::{certified, judged};
 use crate::answer::certify::{Quantity, claim};
+use crate::case::bearing::RollerEnd;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::Block;
 use crate::proof::closed_forms::rounded_punch::RoundedPunch;
-use crate::proof::verify::kit::{self, Run};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::kit::{self, SolvedScene};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// Half-width of the flat part and radius of the edges, in inches.
 const FLAT: f64 = 0.9;
@@ -19,8 +20,8 @@ const WIDTH: f64 = 20.0;
 /// In ksi.
 const YOUNG: f64 = 29_500.0;
 const POISSON: f64 = 0.3;
-/// Of the punch, over that of the block.
-const STIFFER: f64 = 1e5;
+/// Stiffness of the punch over that of the block: rigid to 1e-5.
+const PUNCH_STIFFNESS: f64 = 1e5;
 /// Mean pressure over E*.
 const STRAIN: f64 = 0.006;
 
@@ -28,7 +29,7 @@ const STRAIN: f64 = 0.006;
 /// resolved by them.
 const MESHES: [(f64, bool); 4] = [(0.02, false), (0.01, false), (0.005, false), (0.0025, true)];
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let compliance = (1.0 - POISSON.powi(2)) / YOUNG;
     let load = 2.0 * (FLAT + RADIUS) * STRAIN / compliance;
     let (_, peak) = RoundedPunch::new(load, FLAT, RADIUS, compliance)?.peak_pressure();
@@ -43,7 +44,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
         let says = if expected { "resolved" } else { "not resolved" };
         let wrong = f64::from(u8::from(read.is_resolved() != expected));
         let text = format!("{problem}: peak pressure, {off:.1} % off, is called {says}");
-        let claim = Claim::small(text, wrong, 0.5)
+        let claim = LadderClaim::small(text, wrong, 0.5)
             .from("Ciavarella, Hills and Monno 1998")
             .because("facets show what is wider than they are");
         claims.push(run.claim(claim));
@@ -54,7 +55,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// Half of the punch under half of the load.
-fn pressed(load: f64, facet: f64) -> Result<Run, VerifyError> {
+fn pressed(load: f64, facet: f64) -> Result<SolvedScene, VerifyError> {
     const STEP: f64 = 0.08;
     let flat = spaced(facet, FLAT, STEP)
         .into_iter()
@@ -76,7 +77,8 @@ fn pressed(load: f64, facet: f64) -> Result<Run, VerifyError> {
         .collect();
     let thick = vec![0.0, facet];
 
-    let raised = |x: f64| RADIUS - (RADIUS.powi(2) - (x - FLAT).clamp(0.0, RADIUS).powi(2)).sqrt();
+    let edges = RollerEnd::Radius(RADIUS);
+    let raised = |x: f64| edges.drop_at(x, 2.0 * half, WIDTH);
     let punch = Block::new("punch", across, spaced(facet, half, STEP), thick.clone())
         .mapped(|[x, y, z]| [x, y + raised(x) * (1.0 - y / half), z])
         .build()?;
@@ -84,7 +86,7 @@ fn pressed(load: f64, facet: f64) -> Result<Run, VerifyError> {
     let mesh = Mesh::join([punch.prefixed("punch_"), block.prefixed("block_")])?;
 
     let mut scene = kit::scene("rounded punch", mesh, Steel::elastic(YOUNG, POISSON));
-    scene.materials[0] = Steel::elastic(STIFFER * YOUNG, POISSON);
+    scene.materials[0] = Steel::elastic(PUNCH_STIFFNESS * YOUNG, POISSON);
     scene.mirrors = vec![0];
     let faces = ["x_min", "z_min", "z_max"].into_iter().zip([0, 2, 2]);
     let held = faces.flat_map(|(face, axis)| {

@@ -22,9 +22,9 @@ use crate::proof::closed_forms::flattening::{
     Critical, exact_critical, jackson_green, kogut_etsion,
 };
 use crate::proof::closed_forms::hertz::PointContact;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::Round;
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const RADIUS: f64 = 1.5;
 const YOUNG: f64 = 29500.0;
@@ -34,7 +34,7 @@ const COMPLIANCE: f64 = (1.0 - POISSON * POISSON) / YOUNG;
 /// Approach over that at first yield, before the correction.
 const APPROACHES: [f64; 4] = [2.0, 5.0, 10.0, 20.0];
 
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     if extent == Extent::Fast {
         return Ok(Vec::new());
     }
@@ -59,13 +59,18 @@ pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
             let at = format!("ω/ω_c = {omega:.2}, {source}");
             let claim = format!("P/P_c at {at}");
             claims.push(
-                run.claim(Claim::relative(claim, load / first.load, fit.load, 0.05))
-                    .from(source)
-                    .because("the scatter of the published fits, 3 to 5 %"),
+                run.claim(LadderClaim::relative(
+                    claim,
+                    load / first.load,
+                    fit.load,
+                    0.05,
+                ))
+                .from(source)
+                .because("the scatter of the published fits, 3 to 5 %"),
             );
             let claim = format!("A/A_c at {at}");
             claims.push(
-                run.claim(Claim::shown(claim, area / first_area, fit.area))
+                run.claim(LadderClaim::shown(claim, area / first_area, fit.area))
                     .from(source),
             );
         }
@@ -88,7 +93,7 @@ fn press(
     first: &Critical,
     plasticity: bool,
     approaches: &[f64],
-) -> Result<Run, VerifyError> {
+) -> Result<SolvedScene, VerifyError> {
     let steel = Steel {
         youngs_modulus: YOUNG,
         poissons_ratio: POISSON,

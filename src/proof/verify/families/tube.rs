@@ -17,8 +17,8 @@ use crate::model::scene::{ElementKind, Scene, Support};
 use crate::proof::closed_forms::steel::BilinearSteel;
 use crate::proof::closed_forms::tube::Tube;
 use crate::proof::closed_forms::tube_mises;
-use crate::proof::verify::kit::{self, NamedElement, Run};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::kit::{self, NamedElement, SolvedScene};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 const INNER: f64 = 100.0;
 const OUTER: f64 = 200.0;
@@ -33,7 +33,7 @@ const STEPS: usize = 400;
 
 const FINE: &str = "24 layers: (h/a)² / 2 is 1e-3; the reference is good to 4e-5";
 
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = Vec::new();
     let cells: &[usize] = match extent {
         Extent::Fast => &[24],
@@ -78,7 +78,10 @@ fn scene(tube: &Tube, poisson: f64, cells: usize, kind: ElementKind) -> Result<S
 }
 
 /// Outward displacement of the bore and of the outer wall at each of `pressures`.
-fn expand(mut scene: Scene, pressures: &[f64]) -> Result<(Run, Vec<[f64; 2]>), VerifyError> {
+fn expand(
+    mut scene: Scene,
+    pressures: &[f64],
+) -> Result<(SolvedScene, Vec<[f64; 2]>), VerifyError> {
     scene.tractions = vec![kit::pressure("x_min", 1.0)];
     scene.steps = pressures.iter().map(|p| kit::step("expand", *p)).collect();
     let run = kit::run(scene)?;
@@ -97,7 +100,7 @@ fn against_mises(
     points: &[(f64, f64, &'static str)],
     what: &str,
     (kind, name): NamedElement,
-) -> Result<Vec<Claim>, VerifyError> {
+) -> Result<Vec<LadderClaim>, VerifyError> {
     let pressures: Vec<f64> = points.iter().map(|p| p.0).collect();
     let (run, walls) = expand(scene(tube, POISSON, 24, kind)?, &pressures)?;
     let mut claims = Vec::new();
@@ -110,7 +113,7 @@ fn against_mises(
         for (wall, value, exact) in pairs {
             let claim = format!("{what}, p = {p:.4} GPa, {name}: displacement of the {wall}");
             claims.push(
-                run.claim(Claim::relative(claim, value, exact, *tolerance))
+                run.claim(LadderClaim::relative(claim, value, exact, *tolerance))
                     .from("radial equation with Mises' criterion, 100 quadratic elements: `src/proof/closed_forms/tube_mises` of this version")
                     .because(why),
             );
@@ -119,7 +122,7 @@ fn against_mises(
             let hill = tube.displacement_compressible(tube.front(*p)?, POISSON, INNER)?;
             let claim = format!("the same bore beside Hill's formula, {name}");
             claims.push(
-                run.claim(Claim::shown(claim, inner, hill))
+                run.claim(LadderClaim::shown(claim, inner, hill))
                     .from("Hill 1950, ch. V; exact for a Tresca-type criterion"),
             );
         }
@@ -127,13 +130,13 @@ fn against_mises(
     Ok(claims)
 }
 
-fn perfect(kind: NamedElement) -> Result<Vec<Claim>, VerifyError> {
+fn perfect(kind: NamedElement) -> Result<Vec<LadderClaim>, VerifyError> {
     let tube = tube(0.0)?;
     let points = [0.14, 0.18, 0.95 * tube.limit_pressure()].map(|p| (p, 0.002, FINE));
     against_mises(&tube, &points, "no hardening", kind)
 }
 
-fn hardening(kind: NamedElement) -> Result<Vec<Claim>, VerifyError> {
+fn hardening(kind: NamedElement) -> Result<Vec<LadderClaim>, VerifyError> {
     let tube = tube(TANGENT)?;
     const FLOWING: &str = "the wall flows: d ln u / d ln p is 9, twice that at 95 % of the limit";
     let points = [
@@ -144,12 +147,12 @@ fn hardening(kind: NamedElement) -> Result<Vec<Claim>, VerifyError> {
 }
 
 /// With hardening and hardly compressible: Hill's closed form, front at 1.6 a.
-fn incompressible((kind, name): NamedElement) -> Result<Claim, VerifyError> {
+fn incompressible((kind, name): NamedElement) -> Result<LadderClaim, VerifyError> {
     const FRONT: f64 = 160.0;
     let tube = tube(TANGENT)?;
     let pressure = tube.pressure_at_front(FRONT)?;
     let (run, walls) = expand(scene(&tube, 0.4999, 24, kind)?, &[pressure])?;
-    let claim = Claim::relative(
+    let claim = LadderClaim::relative(
         format!("E_t = 5 GPa, ν = 0.4999, p = {pressure:.4} GPa, {name}: bore"),
         walls[0][0],
         tube.displacement_incompressible(FRONT, INNER)?,
@@ -163,7 +166,7 @@ fn incompressible((kind, name): NamedElement) -> Result<Claim, VerifyError> {
 }
 
 /// The pressure on the bore when it has moved twenty times as far as at first yield.
-fn limit(cells: usize, (kind, name): NamedElement) -> Result<Claim, VerifyError> {
+fn limit(cells: usize, (kind, name): NamedElement) -> Result<LadderClaim, VerifyError> {
     let tube = tube(0.0)?;
     let mut scene = scene(&tube, POISSON, cells, kind)?;
     let first = tube.first_yield_pressure_mises(POISSON)?;
@@ -179,7 +182,7 @@ fn limit(cells: usize, (kind, name): NamedElement) -> Result<Claim, VerifyError>
     let part = FRAC_PI_2 / cells as f64;
     let bore = 0.5 * INNER * INNER * part.sin() * cells as f64 * LAYER;
     let pressure = (stress[0] + stress[1]) / (2.0 * bore);
-    let claim = Claim::relative(
+    let claim = LadderClaim::relative(
         format!("limit pressure, {cells} layers, {name}, GPa"),
         pressure,
         tube.limit_pressure(),

@@ -4,14 +4,14 @@ use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
 use crate::proof::closed_forms::steel::BilinearSteel;
 use crate::proof::verify::kit;
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// The steel: E, ν, Y and E_t in ksi.
 const YOUNG: f64 = 29500.0;
 const YIELD: f64 = 100.0;
 const TANGENT: f64 = 247.379;
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     const STRAIN: f64 = 0.05;
     let curve = BilinearSteel::new(YOUNG, YIELD, TANGENT)?;
     let steel = Steel {
@@ -38,7 +38,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     for (strain, state) in shares.into_iter().zip(&run.solution.states) {
         let stress = state.stress[0][0][2];
         let claim = if strain == residual {
-            Claim::scaled(
+            LadderClaim::scaled(
                 "stress, unloaded to the residual strain, ksi",
                 stress,
                 0.0,
@@ -46,7 +46,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
                 1e-8,
             )
         } else {
-            Claim::relative(
+            LadderClaim::relative(
                 format!("stress at strain {strain}, ksi"),
                 stress,
                 curve.stress(strain)?,

@@ -14,10 +14,10 @@ use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::family::disc::{ARC, QuarterDisc, TO_CORE};
 use crate::model::mesh::family::grading::Grading;
-use crate::proof::verify::kit::{self, Run};
+use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{DEPTH, LOAD, POISSON, RADIUS, YOUNG};
-use crate::proof::verify::scenes::profile::{Spot, integral, peak_pressure, spots};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::scenes::profile::{ContactPoint, integral, peak_pressure, spots};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// Elements across the half-width of a line, and their growth away from it.
 const ACROSS: f64 = 8.0;
@@ -27,19 +27,19 @@ const GROWTH: f64 = 1.25;
 const PEAK: f64 = 118.67;
 const OFFSET: f64 = 0.106_03;
 
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let slope = 4f64.to_radians();
     let compliance = 2.0 * (1.0 - POISSON * POISSON) / YOUNG;
     let groove = VGroove::new(LOAD, RADIUS, slope, compliance)?;
     let run = pressed(&groove.contact()?, slope)?;
     let spots = spots(&run.scene, run.state())?;
     let thickness = kit::extent(&run.scene.mesh, 2);
-    let mean = |f: fn(&Spot) -> f64| integral(&spots, f) / thickness;
+    let mean = |f: fn(&ContactPoint) -> f64| integral(&spots, f) / thickness;
     let normal = mean(|s| s.pressure);
     let offset = mean(|s| s.pressure * s.at[0]) / normal;
     let (pressure, _) = peak_pressure(&run)?;
     Ok([
-        Claim::relative(
+        LadderClaim::relative(
             "roller in a V of 4°, h/a = 1/8: ∫ p on one line, kip/in",
             normal,
             groove.normal_load(),
@@ -47,10 +47,10 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
         )
         .from("statics, w / 2 cos θ")
         .because("pressure acts along the normal of the slope; the roller's facets are chords"),
-        Claim::relative("p0 of each line, ksi", pressure, PEAK, 0.01)
+        LadderClaim::relative("p0 of each line, ksi", pressure, PEAK, 0.01)
             .from("boundary elements on half planes (own program, no version, no deck)")
             .because("0.15 % each for h and for finite bodies, and the node next to the peak"),
-        Claim::relative(
+        LadderClaim::relative(
             "centre of pressure from the middle, in",
             offset,
             OFFSET,
@@ -72,7 +72,7 @@ fn about(middle: f64, total: f64, size: f64, a: f64) -> Vec<f64> {
     nodes
 }
 
-fn pressed(line: &LineContact, slope: f64) -> Result<Run, VerifyError> {
+fn pressed(line: &LineContact, slope: f64) -> Result<SolvedScene, VerifyError> {
     let mut mesh = Mesh::join([block(line, slope)?, roller(line, slope)?])?;
     mark_cuts(&mut mesh);
     let mut scene = kit::scene("V groove", mesh, Steel::elastic(YOUNG, POISSON));

@@ -7,7 +7,7 @@ mod scene;
 
 pub use element::{ELEMENTS, NamedElement};
 pub use measure::{displacement_at, extent, mean_displacement, stress_integral, surface};
-pub use run::{Run, run};
+pub use run::{SolvedScene, run};
 pub use scene::{
     driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, scene, stack_supports,
     step, support,

@@ -5,7 +5,7 @@ use super::watch::RandomWatch;
 use miette::Diagnostic;
 
 /// Of a case that took longer than it may.
-pub const LATE: &str = "not finished in 120 s";
+pub const NOT_FINISHED: &str = "not finished in 120 s";
 
 /// How a case ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,7 +104,9 @@ pub fn refused(known: &KnownOfCase, error: &dyn Diagnostic) -> RandomVerdict {
 
 /// Of a case that was not finished in time.
 pub fn late() -> RandomVerdict {
-    RandomVerdict::Unexplained { why: LATE.into() }
+    RandomVerdict::Unexplained {
+        why: NOT_FINISHED.into(),
+    }
 }
 
 fn first_line(error: &dyn Diagnostic) -> String {

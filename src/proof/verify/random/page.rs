@@ -4,7 +4,7 @@ use super::{RandomOutcome, RandomVerdict};
 use crate::render::text::percent;
 
 /// Iterations that most accepted increments take less than.
-const FEW: usize = 60;
+const FEW_ITERATIONS: usize = 60;
 
 fn words(outcome: &RandomOutcome) -> &str {
     match &outcome.verdict {
@@ -54,7 +54,7 @@ pub fn tally(outcomes: &[RandomOutcome]) -> String {
     let count = |what: &dyn Fn(&RandomOutcome) -> bool| outcomes.iter().filter(|o| what(o)).count();
     let marked = |name: &'static str| count(&|o| mark(o) == name);
     let solved = count(&RandomOutcome::is_solved);
-    let few = count(&|o| o.is_solved() && o.most < FEW);
+    let few = count(&|o| o.is_solved() && o.most < FEW_ITERATIONS);
     let share = |part: usize, of: usize| percent(part as f64 / of.max(1) as f64);
     let mut times: Vec<f64> = outcomes.iter().map(|o| o.seconds).collect();
     times.sort_by(f64::total_cmp);
@@ -67,7 +67,7 @@ pub fn tally(outcomes: &[RandomOutcome]) -> String {
     };
     format!(
         "{} cases: {solved} solved (of {} Brinell says that the mesh is too coarse), {} refused for a reason that is confirmed, {} unexplained ({}), {} wrong, \
-         {} panicked. {} of the solved take fewer than {FEW} iterations in any increment. Seconds: median \
+         {} panicked. {} of the solved take fewer than {FEW_ITERATIONS} iterations in any increment. Seconds: median \
          {:.1}, nine of ten {:.1}, longest {:.1}.",
         outcomes.len(),
         marked("doubted"),

@@ -5,7 +5,7 @@ use crate::solver::solve::{Iteration, Observer};
 use std::time::{Duration, Instant};
 
 /// Longer than this no case may take.
-const LONGEST: Duration = Duration::from_secs(120);
+const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Counts iterations.
 #[derive(Debug)]
@@ -50,6 +50,6 @@ impl Observer for RandomWatch {
     }
 
     fn cancelled(&self) -> bool {
-        self.start.elapsed() > LONGEST
+        self.start.elapsed() > LONGEST_RUN
     }
 }

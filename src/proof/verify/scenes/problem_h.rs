@@ -8,8 +8,8 @@ use crate::proof::verify::kit;
 
 pub use crate::model::mesh::family::problem_h::{DEPTH, RADIUS, Sizes, full_twins};
 pub use crate::product::converge::problem_h::{
-    HALF_WIDTH, LOAD, MISES_BLOCK, MISES_CYLINDER, MISES_SOURCE, POISSON, PRESSURE, Reading, YOUNG,
-    read,
+    HALF_WIDTH, LOAD, MISES_BLOCK, MISES_CYLINDER, MISES_SOURCE, POISSON, PRESSURE,
+    ProblemHReading, YOUNG, read,
 };
 
 /// The half model, ready to be solved.

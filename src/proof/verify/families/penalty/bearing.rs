@@ -1,6 +1,6 @@
 //! The bearing of section 2.6.2: friction and plasticity.
 
-use super::problem::{Figures, Problem};
+use super::problem::{NamedFigures, Problem};
 use crate::answer::results::edges::carrier;
 use crate::answer::results::interface::interfaces;
 use crate::answer::results::line_load::{Slices, line_load};
@@ -11,11 +11,11 @@ use crate::answer::results::strip::{Strip, half_width};
 use crate::case;
 use crate::model::scene::Scene;
 use crate::product::job::{self, JobError};
-use crate::proof::verify::kit::Run;
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::kit::SolvedScene;
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// A bearing with friction that yields; nothing where only the fast part of the ladder is wanted.
-pub fn claims(extent: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(extent: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     const PROBLEM: Problem = Problem {
         name: "centre case, h025",
         scene,
@@ -44,7 +44,7 @@ fn centre_case() -> Result<Scene, JobError> {
 }
 
 /// The largest over bodies or interfaces, and the line load in its slices.
-fn figures(run: &Run) -> Result<Figures, VerifyError> {
+fn figures(run: &SolvedScene) -> Result<NamedFigures, VerifyError> {
     let (scene, state) = (&run.scene, run.state());
     let bodies = peaks(scene, state, &recover(scene, state));
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);

@@ -1,12 +1,12 @@
 //! Problem H: a line contact without friction.
 
-use super::problem::{Figures, Problem};
-use crate::proof::verify::kit::Run;
+use super::problem::{NamedFigures, Problem};
+use crate::proof::verify::kit::SolvedScene;
 use crate::proof::verify::scenes::problem_h::{self, Sizes};
-use crate::proof::verify::{Claim, Extent, VerifyError};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// A line contact without friction.
-pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     const PROBLEM: Problem = Problem {
         name: "problem H",
         scene: || problem_h::scene(&Sizes::with(8)),
@@ -15,7 +15,7 @@ pub fn claims(_: Extent) -> Result<Vec<Claim>, VerifyError> {
     PROBLEM.with_penalties(&[0.01, 100.0])
 }
 
-fn of_problem_h(run: &Run) -> Result<Figures, VerifyError> {
+fn of_problem_h(run: &SolvedScene) -> Result<NamedFigures, VerifyError> {
     let read = problem_h::read(&run.scene, run.state())?;
     Ok(vec![
         ("p0, ksi", read.pressure),

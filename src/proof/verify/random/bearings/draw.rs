@@ -10,11 +10,11 @@ use std::f64::consts::PI;
 
 /// Loads, over that at which the pressure of the study's rule (2-49) is reached, p0 = 1.65 Y.
 const LOADS: [f64; 2] = [0.1, 4.0];
-const RULE: f64 = 1.65;
+const RULE_PRESSURE: f64 = 1.65;
 
 /// Plastic strain up to which steel is taken to harden where a load is told to be beyond its limit: small strains
 /// mean nothing beyond.
-const STRAIN: f64 = 0.02;
+const SMALL_STRAIN: f64 = 0.02;
 
 /// The part that is not of steel, where one is not: half as strong.
 const PARTS: [&str; 5] = [
@@ -48,7 +48,7 @@ pub fn draw(seed: u64, number: usize) -> (DrawnBearing, KnownOfCase) {
     let strength = stream.of(strengths);
     let poisson = stream.of([0.28, 0.3, 0.33]);
     let soft = (stream.share() < 0.3).then_some(stream.of(PARTS));
-    let pressure = RULE * strength;
+    let pressure = RULE_PRESSURE * strength;
     let rule = PI * diameter * (1.0 - poisson * poisson) * pressure * pressure / modulus;
     let loaded = stream.of([length, length - 2.0 * offset]);
     let load = stream.scale(LOADS) * rule * loaded * units.forces;
@@ -107,7 +107,7 @@ pub fn draw(seed: u64, number: usize) -> (DrawnBearing, KnownOfCase) {
     };
     let of = |weak| if weak { 0.5 * strength } else { strength };
     let rollers = of(soft.is_some_and(|part| part.ends_with("roller")));
-    let plastic = statics::ring_limit(&bearing, rollers + STRAIN * hardening);
+    let plastic = statics::ring_limit(&bearing, rollers + SMALL_STRAIN * hardening);
     let load = load / units.forces;
     let known = KnownOfCase {
         limits: statics::limits(&bearing),

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 /// Corners of a roller on the mesh of the report, which rolls on them, and the length of an element along it over its
 /// diameter.
 const CORNERS: f64 = 24.0;
-const ALONG: f64 = 1.0 / 6.0;
+const ELEMENT_LENGTH: f64 = 1.0 / 6.0;
 
 /// What a displaced bearing needs to stand.
 ///
@@ -50,7 +50,7 @@ pub fn limits(bearing: &DrawnBearing) -> Vec<BalanceLimit> {
         friction.needs[0] = 0.0;
     }
     // The middle of a force is known to an element of the mesh.
-    let element = ALONG * bearing.diameter;
+    let element = ELEMENT_LENGTH * bearing.diameter;
     let half = bearing.half();
     let mut length = between("half of the length of the rollers", half, length, element);
     if let End::Radius(_) = bearing.end {
@@ -93,7 +93,7 @@ pub fn turn(bearing: &DrawnBearing, load: f64, ring: f64, strength: f64) -> f64 
     }
     let lean = tan(0.5 * bearing.degrees.to_radians());
     let left = bearing.half() - bearing.offset - lean * bearing.height();
-    let bears = 3.0 * left.max(ALONG * bearing.diameter / 3.0);
+    let bears = 3.0 * left.max(ELEMENT_LENGTH * bearing.diameter / 3.0);
     if load > ring * bears {
         return f64::INFINITY;
     }

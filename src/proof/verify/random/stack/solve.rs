@@ -74,7 +74,7 @@ fn compare(stack: &Stack, answer: &StackAnswer) -> (Vec<String>, Vec<String>) {
                     differ.push(format!("{what}: the answer differs by {off:.1e}"));
                 }
             }
-            Ok(None) => unsolved.push(format!("{what}: {}", outcome::LATE)),
+            Ok(None) => unsolved.push(format!("{what}: {}", outcome::NOT_FINISHED)),
             Err(error) => unsolved.push(format!("{what}: {error}")),
         }
     }

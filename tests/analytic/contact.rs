@@ -1,7 +1,7 @@
 //! Approach, crown, stick and slip, punches and sphere beyond yield.
 
 use brinell::analytic::hertz::LineContact;
-use brinell::analytic::ring::{Load, Plane, Ring};
+use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
 use brinell::analytic::{Elastic, contact_compliance};
 use brinell::proof::closed_forms::approach;
 use brinell::proof::closed_forms::crown::lundberg_drop;
@@ -16,10 +16,10 @@ use crate::{close, steel};
 
 /// Compression of half a solid cylinder by the exact series.
 fn series(contact: &LineContact, radius: f64, body: Elastic) -> f64 {
-    let load = Load::SemiElliptic {
+    let load = RingLoad::SemiElliptic {
         half_angle: (contact.half_width / radius).asin(),
     };
-    let disc = Ring::solid(radius, contact.line_load, body, Plane::Strain, load).unwrap();
+    let disc = Ring::solid(radius, contact.line_load, body, PlaneState::Strain, load).unwrap();
     -disc.displacement(radius, 0.0).unwrap()[0]
 }
 

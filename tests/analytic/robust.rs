@@ -4,7 +4,7 @@ use brinell::analytic::Elastic;
 use brinell::analytic::curved_beam::CurvedBeam;
 use brinell::analytic::displaced::DisplacedRoller;
 use brinell::analytic::hertz::LineContact;
-use brinell::analytic::ring::{Load, Plane, Ring};
+use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
 use brinell::analytic::subsurface::LineField;
 use brinell::analytic::vgroove::VGroove;
 use brinell::proof::closed_forms::hertz::{EllipticContact, PointContact};
@@ -110,9 +110,9 @@ proptest! {
     fn rings(ri in number(), ro in number(), p in number(), e in number(), r in number(),
              theta in number(), angle in number()) {
         let Ok(body) = Elastic::new(e, 0.3) else { return Ok(()) };
-        finite(CurvedBeam::new(ri, ro, p, body, Plane::Strain))?;
-        for load in [Load::Point, Load::SemiElliptic { half_angle: angle }] {
-            let Ok(ring) = Ring::new(ri, ro, p, body, Plane::Strain, load) else { continue };
+        finite(CurvedBeam::new(ri, ro, p, body, PlaneState::Strain))?;
+        for load in [RingLoad::Point, RingLoad::SemiElliptic { half_angle: angle }] {
+            let Ok(ring) = Ring::new(ri, ro, p, body, PlaneState::Strain, load) else { continue };
             finite(ring.bore_stress(theta))?;
             for r in [r, ri, 0.5 * (ri + ro)] {
                 finite(ring.stress(r, theta).map(|s| (s, s.mises())))?;

@@ -20,5 +20,5 @@ mod stream;
 pub use claim::LadderClaim;
 pub use error::VerifyError;
 pub use extent::Extent;
-pub use families::{FAMILIES, Family, families};
+pub use families::{ClaimFamily, FAMILIES, families};
 pub use scenes::problem_h;

@@ -26,13 +26,13 @@ use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 
 /// A family of claims.
 #[derive(Debug, Clone, Copy)]
-pub struct Family {
+pub struct ClaimFamily {
     pub name: &'static str,
     measure: fn(Extent) -> Result<Vec<LadderClaim>, VerifyError>,
 }
 
 /// All families, simple ones first.
-pub const FAMILIES: [Family; 19] = [
+pub const FAMILIES: [ClaimFamily; 19] = [
     family("patch", patch::claims),
     family("uniaxial", uniaxial::claims),
     family("bending", bending::claims),
@@ -57,11 +57,11 @@ pub const FAMILIES: [Family; 19] = [
 const fn family(
     name: &'static str,
     measure: fn(Extent) -> Result<Vec<LadderClaim>, VerifyError>,
-) -> Family {
-    Family { name, measure }
+) -> ClaimFamily {
+    ClaimFamily { name, measure }
 }
 
-impl Family {
+impl ClaimFamily {
     /// Solves the problems of the family.
     ///
     /// # Errors
@@ -79,11 +79,11 @@ impl Family {
 ///
 /// # Errors
 /// [`VerifyError::Suite`] with the names that exist.
-pub fn families(name: Option<&str>) -> Result<Vec<Family>, VerifyError> {
+pub fn families(name: Option<&str>) -> Result<Vec<ClaimFamily>, VerifyError> {
     let Some(name) = name else {
         return Ok(FAMILIES.to_vec());
     };
-    let found: Vec<Family> = FAMILIES.into_iter().filter(|s| s.name == name).collect();
+    let found: Vec<ClaimFamily> = FAMILIES.into_iter().filter(|s| s.name == name).collect();
     if found.is_empty() {
         return Err(VerifyError::Suite {
             name: name.into(),

@@ -12,7 +12,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::analytic::Elastic;
-use crate::analytic::ring::{Load, Plane, Ring};
+use crate::analytic::ring::{PlaneState, Ring, RingLoad};
 use crate::answer::results::bore::{Bore, bore_stress};
 use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
@@ -83,8 +83,8 @@ impl SolvedRing {
                 RADIUS,
                 LOAD,
                 Elastic::new(YOUNG, POISSON)?,
-                Plane::Strain,
-                Load::SemiElliptic { half_angle: SPREAD },
+                PlaneState::Strain,
+                RingLoad::SemiElliptic { half_angle: SPREAD },
             )?,
             run: kit::run(scene)?,
         })

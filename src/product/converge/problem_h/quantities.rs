@@ -1,15 +1,14 @@
 //! Problem H as quantities with known limits.
 
-use super::limits::{HALF_WIDTH, MISES_BLOCK, MISES_CYLINDER, PRESSURE};
+use super::limits::{HALF_WIDTH, MISES_BLOCK, MISES_CYLINDER, MISES_SOURCE, PRESSURE};
 use super::reading::ProblemHReading;
 use crate::product::converge::quantity::{Known, Quantity};
 
 /// The quantities of a reading, each with its limit where that is known.
 pub fn quantities(reading: &ProblemHReading) -> Vec<Quantity> {
     const HERTZ: &str = "Hertz's line contact (Johnson, Contact Mechanics, 4.43 and 4.45)";
-    const SERIES: &str = "a series of meshes with an independent solver of the finite bodies";
     const NORM: &str = "distance from Hertz's half ellipse in L2, over the norm of the ellipse";
-    // From the series of the independent solver: its meshes, and its two ways to take the gap.
+    // From the series of that program: its meshes, and its two ways to take the gap.
     let (contact, stress) = (0.0015, 0.002);
     let quantity = |name: &str, unit: &str, value: f64, known: Option<(f64, f64, &'static str)>| {
         let known = known.map(|(value, within, origin)| Known {
@@ -53,7 +52,12 @@ pub fn quantities(reading: &ProblemHReading) -> Vec<Quantity> {
         ];
         for (place, value) in readings {
             let name = format!("Mises {body}, {place}");
-            list.push(quantity(&name, "ksi", value, Some((limit, stress, SERIES))));
+            list.push(quantity(
+                &name,
+                "ksi",
+                value,
+                Some((limit, stress, MISES_SOURCE)),
+            ));
         }
     }
     list

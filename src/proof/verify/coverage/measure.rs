@@ -1,7 +1,8 @@
 //! Claims of ordinary runs beside true values.
 
 use super::bearing::Bearing;
-use super::reference::{Stored, Truth};
+use super::pair::Truth;
+use super::reference::Stored;
 use super::solution::{self, ClaimReading, Keep, SolvedBearing, StripMesh};
 use crate::product::job::JobError;
 use crate::solver::solve::Observer;

@@ -1,7 +1,7 @@
 //! Do the bars hold? Claims of ordinary runs of many bearings beside values of much finer meshes.
 //!
 //! Ten bearings have names, thirty are drawn by a seed (`draw`). The true values of a set are in a
-//! file below `cases/coverage`, from two fine meshes each (`reference`); `measure` solves a bearing
+//! file below `cases/coverage`, from two fine meshes each (`make`, `pair`, `reference`); `measure` solves a bearing
 //! on the presets and judges every claim of its certificate, whatever it is about; `page` and
 //! `criteria` say what came of it.
 
@@ -9,8 +9,10 @@ mod bearing;
 mod criteria;
 pub mod draw;
 mod fine;
+mod make;
 mod measure;
 mod page;
+mod pair;
 mod quantile;
 pub mod reference;
 mod run;
@@ -22,7 +24,8 @@ pub use bearing::Bearing;
 pub use criteria::{CoverageCriterion, criteria};
 pub use measure::{BarVerdict, ClaimRecord, judge};
 pub use page::{criterion, line, page};
-pub use reference::{References, Truth};
+pub use pair::Truth;
+pub use reference::References;
 pub use run::{CoverageAnswer, CoverageRun, presets};
 pub use set::Set;
 pub use solution::{ClaimReading, Keep};

@@ -1,9 +1,10 @@
 //! Making the true values that are missing, and judging claims by them.
 
 use super::bearing::Bearing;
+use super::make::make;
 use super::measure::{self, ClaimRecord};
 use super::page::line;
-use super::reference::{self, References};
+use super::reference::References;
 use super::set::Set;
 use super::solution::Keep;
 use crate::case::bearing::Preset;
@@ -77,7 +78,7 @@ impl CoverageRun<'_> {
                 continue;
             }
             let name = format!("{}, {}", bearing.name, steel(!plastic));
-            match reference::make(&bearing, !plastic, &self.keep, self.observer) {
+            match make(&bearing, !plastic, &self.keep, self.observer) {
                 Ok(pair) => {
                     let [coarse, fine] = pair.cpu_s;
                     let unknowns = pair.unknowns;

@@ -1,6 +1,7 @@
 //! Random bearings, sensible or not.
 
 use super::statics;
+use crate::analytic::sizing::PRESSURE_LIMIT;
 use crate::proof::verify::drawn::{DrawnBearing, End, INCH, METRIC, digits};
 use crate::proof::verify::random::kind::RandomKind;
 use crate::proof::verify::random::known::KnownOfCase;
@@ -10,7 +11,6 @@ use std::f64::consts::PI;
 
 /// Loads, over that at which the pressure of the study's rule (2-49) is reached, p0 = 1.65 Y.
 const LOADS: [f64; 2] = [0.1, 4.0];
-const RULE_PRESSURE: f64 = 1.65;
 
 /// Plastic strain up to which steel is taken to harden where a load is told to be beyond its limit: small strains
 /// mean nothing beyond.
@@ -48,7 +48,7 @@ pub fn draw(seed: u64, number: usize) -> (DrawnBearing, KnownOfCase) {
     let strength = stream.of(strengths);
     let poisson = stream.of([0.28, 0.3, 0.33]);
     let soft = (stream.share() < 0.3).then_some(stream.of(PARTS));
-    let pressure = RULE_PRESSURE * strength;
+    let pressure = PRESSURE_LIMIT * strength;
     let rule = PI * diameter * (1.0 - poisson * poisson) * pressure * pressure / modulus;
     let loaded = stream.of([length, length - 2.0 * offset]);
     let load = stream.scale(LOADS) * rule * loaded * units.forces;

@@ -1,11 +1,11 @@
 //! Cases that nobody has chosen: a sample of what `brinell verify --suite random` draws.
 
-use brinell::proof::verify::random::{Kind, Outcome, run};
+use brinell::proof::verify::random::{RandomKind, RandomOutcome, run};
 
 #[track_caller]
-fn check(kind: Kind, seed: u64, numbers: &[usize]) -> Vec<Outcome> {
-    let outcomes: Vec<Outcome> = numbers.iter().map(|n| run(kind, seed, *n)).collect();
-    let failed: Vec<&Outcome> = outcomes.iter().filter(|o| !o.holds()).collect();
+fn check(kind: RandomKind, seed: u64, numbers: &[usize]) -> Vec<RandomOutcome> {
+    let outcomes: Vec<RandomOutcome> = numbers.iter().map(|n| run(kind, seed, *n)).collect();
+    let failed: Vec<&RandomOutcome> = outcomes.iter().filter(|o| !o.holds()).collect();
     assert!(failed.is_empty(), "{failed:#?}");
     outcomes
 }
@@ -15,9 +15,9 @@ fn check(kind: Kind, seed: u64, numbers: &[usize]) -> Vec<Outcome> {
 #[test]
 fn stacks_of_blocks_are_solved_or_refused_as_statics_says() {
     let numbers: Vec<usize> = (0..40).collect();
-    let outcomes = check(Kind::Stack, 1, &numbers);
-    assert!(!outcomes.iter().all(Outcome::is_solved));
-    let solved: Vec<&Outcome> = outcomes.iter().filter(|o| o.is_solved()).collect();
+    let outcomes = check(RandomKind::Stack, 1, &numbers);
+    assert!(!outcomes.iter().all(RandomOutcome::is_solved));
+    let solved: Vec<&RandomOutcome> = outcomes.iter().filter(|o| o.is_solved()).collect();
     let quick = solved.iter().filter(|o| o.most < 60).count();
     assert!(
         10 * quick >= 9 * solved.len() && solved.len() > 10,
@@ -27,9 +27,9 @@ fn stacks_of_blocks_are_solved_or_refused_as_statics_says() {
 
 #[test]
 fn bearings_are_solved_or_refused_as_statics_says() {
-    let outcomes = check(Kind::Bearing, 1, &BEARINGS);
-    assert!(outcomes.iter().any(Outcome::is_solved));
-    assert!(!outcomes.iter().all(Outcome::is_solved));
+    let outcomes = check(RandomKind::Bearing, 1, &BEARINGS);
+    assert!(outcomes.iter().any(RandomOutcome::is_solved));
+    assert!(!outcomes.iter().all(RandomOutcome::is_solved));
 }
 
 /// Of a few seconds each: centred ones, a displaced one, and one that slides.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::elastic::Elastic;
 use super::error::{self, DomainError};
-use super::ring::{Load, Plane, Ring};
+use super::ring::{PlaneState, Ring, RingLoad};
 
 /// What the handbook formula gives for a ring of rectangular cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +36,7 @@ impl CurvedBeam {
     /// ```
     /// Roark, *Formulas for Stress and Strain*, 7th ed., table 9.2 case 1, thick ring (shear
     /// factor 1.2). For t/D = 0.25 it is 10 % high in the stress under the load and 11 % high in
-    /// the deflection along it; the error falls with the wall, see [`Comparison`].
+    /// the deflection along it; the error falls with the wall, see [`BeamAgainstRing`].
     ///
     /// # Errors
     /// [`DomainError::OutOfRange`] for P or r_i not positive, or r_o not above r_i.
@@ -45,7 +45,7 @@ impl CurvedBeam {
         outer_radius: f64,
         load_per_length: f64,
         body: Elastic,
-        plane: Plane,
+        plane: PlaneState,
     ) -> Result<Self, DomainError> {
         let ri = error::positive("inner radius", inner_radius)?;
         let ro = error::positive("outer radius", outer_radius)?;
@@ -53,8 +53,8 @@ impl CurvedBeam {
         let p = error::positive("load per length", load_per_length)?;
         let nu = body.poissons_ratio();
         let (modulus, nu) = match plane {
-            Plane::Strain => (body.plane_strain_compliance().recip(), nu / (1.0 - nu)),
-            Plane::Stress => (body.youngs_modulus(), nu),
+            PlaneState::Strain => (body.plane_strain_compliance().recip(), nu / (1.0 - nu)),
+            PlaneState::Stress => (body.youngs_modulus(), nu),
         };
         let (t, mean) = (ro - ri, 0.5 * (ri + ro));
         let e = eccentricity(ri, ro);
@@ -88,13 +88,13 @@ fn eccentricity(ri: f64, ro: f64) -> f64 {
 
 /// A quantity of the ring: exact, by the curved beam, and the relative error of the latter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Comparison {
+pub struct BeamAgainstRing {
     pub exact: f64,
     pub curved_beam: f64,
     pub error: f64,
 }
 
-impl Comparison {
+impl BeamAgainstRing {
     fn new(exact: f64, curved_beam: f64) -> Self {
         Self {
             exact,
@@ -108,11 +108,11 @@ impl Comparison {
 /// (the diameters at mid-wall).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparisons {
-    pub inner_under_load: Comparison,
-    pub inner_at_side: Comparison,
-    pub outer_at_side: Comparison,
-    pub diameter_along: Comparison,
-    pub diameter_across: Comparison,
+    pub inner_under_load: BeamAgainstRing,
+    pub inner_at_side: BeamAgainstRing,
+    pub outer_at_side: BeamAgainstRing,
+    pub diameter_along: BeamAgainstRing,
+    pub diameter_across: BeamAgainstRing,
 }
 
 impl Comparisons {
@@ -125,7 +125,7 @@ impl Comparisons {
         outer_radius: f64,
         load_per_length: f64,
         body: Elastic,
-        plane: Plane,
+        plane: PlaneState,
     ) -> Result<Self, DomainError> {
         let beam = CurvedBeam::new(inner_radius, outer_radius, load_per_length, body, plane)?;
         let exact = Ring::new(
@@ -134,22 +134,22 @@ impl Comparisons {
             load_per_length,
             body,
             plane,
-            Load::Point,
+            RingLoad::Point,
         )?;
         let middle = 0.5 * (inner_radius + outer_radius);
         let bore = |theta| exact.bore_stress(theta).map(|s| s.hoop);
         Ok(Self {
-            inner_under_load: Comparison::new(bore(0.0)?, beam.inner_under_load),
-            inner_at_side: Comparison::new(bore(FRAC_PI_2)?, beam.inner_at_side),
-            outer_at_side: Comparison::new(
+            inner_under_load: BeamAgainstRing::new(bore(0.0)?, beam.inner_under_load),
+            inner_at_side: BeamAgainstRing::new(bore(FRAC_PI_2)?, beam.inner_at_side),
+            outer_at_side: BeamAgainstRing::new(
                 exact.stress(outer_radius, FRAC_PI_2)?.hoop,
                 beam.outer_at_side,
             ),
-            diameter_along: Comparison::new(
+            diameter_along: BeamAgainstRing::new(
                 exact.diameter_change(middle, 0.0)?,
                 beam.diameter_along,
             ),
-            diameter_across: Comparison::new(
+            diameter_across: BeamAgainstRing::new(
                 exact.diameter_change(middle, FRAC_PI_2)?,
                 beam.diameter_across,
             ),

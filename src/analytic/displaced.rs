@@ -12,7 +12,7 @@ pub struct DisplacedRoller {
 
 /// A picture of the line load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LineLoad {
+pub struct SpreadLoad {
     /// Largest load per length.
     pub largest: f64,
     /// Length that carries load, from the end next to the resultant.
@@ -44,9 +44,9 @@ impl DisplacedRoller {
     ///
     /// What (2-51) of the reference study assumes. It balances the load, but needs surfaces that
     /// turn until all of that length bears alike.
-    pub fn block(&self) -> LineLoad {
+    pub fn block(&self) -> SpreadLoad {
         let bearing_length = self.length - 2.0 * self.offset;
-        LineLoad {
+        SpreadLoad {
             largest: self.load / bearing_length,
             bearing_length,
         }
@@ -57,7 +57,7 @@ impl DisplacedRoller {
     /// ```text
     /// e ≤ L/6:  w = (P/L)(1 + 6e/L) over L         else:  w = 2P / 3(L/2 - e) over 3(L/2 - e)
     /// ```
-    pub fn linear(&self) -> LineLoad {
+    pub fn linear(&self) -> SpreadLoad {
         let Self {
             load,
             length,
@@ -65,13 +65,13 @@ impl DisplacedRoller {
         } = *self;
         if 6.0 * offset <= length {
             let largest = load / length * (1.0 + 6.0 * offset / length);
-            return LineLoad {
+            return SpreadLoad {
                 largest,
                 bearing_length: length,
             };
         }
         let bearing_length = 3.0 * (0.5 * length - offset);
-        LineLoad {
+        SpreadLoad {
             largest: 2.0 * load / bearing_length,
             bearing_length,
         }
@@ -109,7 +109,7 @@ impl DisplacedRoller {
         if error::finite("distance from mid-length", y)?.abs() > half {
             return Ok(0.0);
         }
-        let LineLoad {
+        let SpreadLoad {
             largest,
             bearing_length,
         } = self.linear();

@@ -55,7 +55,7 @@ pub(crate) fn require(
 
 /// Magnitudes beyond this, or below its inverse, are refused: their powers would leave the
 /// floating-point range inside the formulas.
-const LARGEST: f64 = 1e100;
+const LARGEST_NUMBER: f64 = 1e100;
 
 /// `value`, where it is above zero and of a magnitude that the formulas can hold.
 pub(crate) fn positive(argument: &'static str, value: f64) -> Result<f64, DomainError> {
@@ -65,13 +65,13 @@ pub(crate) fn positive(argument: &'static str, value: f64) -> Result<f64, Domain
         value.is_finite() && value > 0.0,
         "positive and finite",
     )?;
-    let held = (LARGEST.recip()..=LARGEST).contains(&value);
+    let held = (LARGEST_NUMBER.recip()..=LARGEST_NUMBER).contains(&value);
     require(argument, value, held, "between 1e-100 and 1e100")
 }
 
 /// `value`, where it is finite and not below zero.
 pub(crate) fn non_negative(argument: &'static str, value: f64) -> Result<f64, DomainError> {
-    let allowed = (0.0..=LARGEST).contains(&value);
+    let allowed = (0.0..=LARGEST_NUMBER).contains(&value);
     require(
         argument,
         value,
@@ -85,7 +85,7 @@ pub(crate) fn finite(argument: &'static str, value: f64) -> Result<f64, DomainEr
     require(
         argument,
         value,
-        value.abs() <= LARGEST,
+        value.abs() <= LARGEST_NUMBER,
         "finite, and within 1e100",
     )
 }

@@ -1,7 +1,7 @@
 //! Roots and maxima of smooth functions of one or two variables.
 
 /// The root of `f` between `low` and `high`, at which `f` must differ in sign, to the last bits.
-pub(super) fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let rises = f(low) < f(high);
     // 200 halvings exhaust the digits of any bracket used here.
     for _ in 0..200 {
@@ -20,7 +20,7 @@ pub(super) fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64
 
 /// Place and value of the largest `f` in `[low, high]`: the best of `samples` equal steps,
 /// sharpened by golden sections around it. The place is good to about 1e-8 of the range.
-pub(super) fn maximum(f: impl Fn(f64) -> f64, low: f64, high: f64, samples: usize) -> (f64, f64) {
+pub(crate) fn maximum(f: impl Fn(f64) -> f64, low: f64, high: f64, samples: usize) -> (f64, f64) {
     let step = (high - low) / samples as f64;
     let mut best = (low, f(low));
     for i in 1..=samples {
@@ -58,7 +58,7 @@ fn golden(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
 
 /// Place and value of a maximum of `f` next to `start`, by a compass search whose first step is
 /// `step` long. `f` may give negative infinity outside its domain.
-pub(super) fn climb(f: impl Fn([f64; 2]) -> f64, start: [f64; 2], step: f64) -> ([f64; 2], f64) {
+pub(crate) fn climb(f: impl Fn([f64; 2]) -> f64, start: [f64; 2], step: f64) -> ([f64; 2], f64) {
     let mut best = (start, f(start));
     let mut step = step;
     while step > 1e-10 {

@@ -6,7 +6,7 @@ use super::output::say;
 use super::status::{CommandResult, ExitStatus};
 use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
-use crate::product::converge::quantity::{PROBLEM_H, is_problem_h, problem_h};
+use crate::product::converge::problem_h::{self, is_problem_h};
 use crate::product::converge::{
     self, ConvergeError, Series, Study, json, page, peers, plot, table,
 };
@@ -100,9 +100,9 @@ struct Job {
 
 impl Job {
     fn new(args: &ConvergeArgs) -> Result<Self, ConvergeError> {
-        let built_in = args.case.as_os_str() == PROBLEM_H && !args.case.exists();
+        let built_in = args.case.as_os_str() == problem_h::NAME && !args.case.exists();
         let mut case = if built_in {
-            problem_h()?
+            problem_h::case()?
         } else {
             case::read(&args.case)?
         };

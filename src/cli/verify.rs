@@ -5,9 +5,9 @@ use super::output::say;
 use super::status::{CommandResult, ExitStatus};
 use super::threads::set_threads;
 use crate::ground::file::write_atomically;
-use crate::proof::verify::coverage::{self, Answer, Keep, Set};
+use crate::proof::verify::coverage::{self, CoverageAnswer, Keep, Set};
 use crate::proof::verify::{
-    Claim, Extent, VerifyError, extreme, matrix, random, stability, suites,
+    Extent, LadderClaim, VerifyError, extreme, families, matrix, random, stability,
 };
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -87,12 +87,12 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     }
     let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
-    let suites = suites(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
+    let families = families(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
     say(&matrix::head());
-    let mut claims: Vec<Claim> = Vec::new();
+    let mut claims: Vec<LadderClaim> = Vec::new();
     let mut unsolved: Vec<(&str, VerifyError)> = Vec::new();
-    for suite in suites {
-        match suite.measure(extent) {
+    for family in families {
+        match family.measure(extent) {
             Ok(measured) => {
                 for claim in measured {
                     say(&matrix::line(&claim));
@@ -100,15 +100,14 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
                 }
             }
             Err(error) => {
-                say(&format!("FAILS {:12} {error}", suite.name));
-                unsolved.push((suite.name, error));
+                say(&format!("FAILS {:12} {error}", family.name));
+                unsolved.push((family.name, error));
             }
         }
     }
-    let failed = claims.iter().filter(|c| !c.holds()).count();
     say(&format!(
-        "\n{} claims, {failed} outside their tolerance, {} families not solved",
-        claims.len(),
+        "\n{}; {} families not solved",
+        matrix::tally(&claims),
         unsolved.len()
     ));
     if args.write {
@@ -116,7 +115,7 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
             .map_err(|error| cannot(Path::new(VERIFICATION_PAGE), error))?;
         say(&format!("written to {VERIFICATION_PAGE}"));
     }
-    let sound = failed == 0 && unsolved.is_empty();
+    let sound = claims.iter().all(LadderClaim::holds) && unsolved.is_empty();
     Ok(if sound {
         ExitStatus::Done
     } else {
@@ -145,7 +144,7 @@ fn run_extreme(write: bool) -> CommandResult {
         let section = extreme::section(&outcomes);
         stability::write(
             Path::new(STABILITY_PAGE),
-            stability::Part::Extreme,
+            stability::StabilitySection::Extreme,
             &section,
         )
         .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
@@ -174,7 +173,9 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
         };
         let numbers: Vec<usize> = (0..count).filter(wanted).collect();
         for number in &numbers {
-            if let (Some(out), Some(text)) = (&args.out, kind.text(args.seed, *number)) {
+            if let (Some(out), Some(text)) =
+                (&args.out, random::case_text(kind, args.seed, *number))
+            {
                 let path = out.join(format!("{}.toml", kind.name(args.seed, *number)));
                 let written = write_atomically(&path, |file| file.write_all(text.as_bytes()));
                 written.map_err(|error| cannot(&path, error))?;
@@ -192,11 +193,18 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
     }
     if args.write {
         let section = random::section(&drawn_by(args), &sets);
-        stability::write(Path::new(STABILITY_PAGE), stability::Part::Random, &section)
-            .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
+        stability::write(
+            Path::new(STABILITY_PAGE),
+            stability::StabilitySection::Random,
+            &section,
+        )
+        .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
         say(&format!("written to {STABILITY_PAGE}"));
     }
-    let holds = sets.iter().flat_map(|(_, o)| o).all(random::Outcome::holds);
+    let holds = sets
+        .iter()
+        .flat_map(|(_, o)| o)
+        .all(random::RandomOutcome::holds);
     Ok(if holds {
         ExitStatus::Done
     } else {
@@ -226,7 +234,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     set_threads(all.threads);
     let mut console = Console::new(true);
-    let mut suite = coverage::Suite {
+    let mut suite = coverage::CoverageRun {
         sets: vec![Set::Named, Set::Drawn(all.seed)],
         only: all.only.clone(),
         presets: if args.mesh.is_empty() {
@@ -286,7 +294,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     ))
 }
 
-fn status(answer: &Answer, sound: bool) -> ExitStatus {
+fn status(answer: &CoverageAnswer, sound: bool) -> ExitStatus {
     if answer.interrupted {
         ExitStatus::Interrupted
     } else if sound && answer.unsolved.is_empty() {
@@ -296,7 +304,11 @@ fn status(answer: &Answer, sound: bool) -> ExitStatus {
     }
 }
 
-fn write(path: &Path, claims: &[Claim], unsolved: &[(&str, VerifyError)]) -> std::io::Result<()> {
+fn write(
+    path: &Path,
+    claims: &[LadderClaim],
+    unsolved: &[(&str, VerifyError)],
+) -> std::io::Result<()> {
     let mut text = matrix::page(claims);
     for (name, error) in unsolved {
         text.push_str(&format!("\nFamily `{name}` was not solved: {error}.\n"));

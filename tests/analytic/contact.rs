@@ -1,23 +1,25 @@
 //! Approach, crown, stick and slip, punches and sphere beyond yield.
 
-use brinell::analytic::crown::lundberg_drop;
-use brinell::analytic::flattening::{self, exact_critical, jackson_green, kogut_etsion};
-use brinell::analytic::friction::{CattaneoMindlin, MindlinSpheres};
-use brinell::analytic::hertz::{LineContact, PointContact};
-use brinell::analytic::limit::{Criterion, punch_pressure};
-use brinell::analytic::ring::{Load, Plane, Ring};
-use brinell::analytic::rounded_punch::RoundedPunch;
-use brinell::analytic::{Elastic, approach, contact_compliance};
+use brinell::analytic::hertz::LineContact;
+use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
+use brinell::analytic::{Elastic, contact_compliance};
+use brinell::proof::closed_forms::approach;
+use brinell::proof::closed_forms::crown::lundberg_drop;
+use brinell::proof::closed_forms::flattening::{self, exact_critical, jackson_green, kogut_etsion};
+use brinell::proof::closed_forms::friction::{CattaneoMindlin, MindlinSpheres};
+use brinell::proof::closed_forms::hertz::PointContact;
+use brinell::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
+use brinell::proof::closed_forms::rounded_punch::RoundedPunch;
 use proptest::prelude::*;
 
 use crate::{close, steel};
 
 /// Compression of half a solid cylinder by the exact series.
 fn series(contact: &LineContact, radius: f64, body: Elastic) -> f64 {
-    let load = Load::SemiElliptic {
+    let load = RingLoad::SemiElliptic {
         half_angle: (contact.half_width / radius).asin(),
     };
-    let disc = Ring::solid(radius, contact.line_load, body, Plane::Strain, load).unwrap();
+    let disc = Ring::solid(radius, contact.line_load, body, PlaneState::Strain, load).unwrap();
     -disc.displacement(radius, 0.0).unwrap()[0]
 }
 
@@ -252,17 +254,17 @@ fn shift_of_spheres_starts_elastic() {
 fn prandtls_punch() {
     close(
         "Mises",
-        punch_pressure(1.0, Criterion::Mises).unwrap(),
+        punch_pressure(1.0, YieldCriterion::Mises).unwrap(),
         2.9684999026134693,
         1e-12,
     );
     close(
         "Tresca",
-        punch_pressure(1.0, Criterion::Tresca).unwrap(),
+        punch_pressure(1.0, YieldCriterion::Tresca).unwrap(),
         2.5708,
         1e-5,
     );
-    assert!(punch_pressure(0.0, Criterion::Mises).is_err());
+    assert!(punch_pressure(0.0, YieldCriterion::Mises).is_err());
 }
 
 /// ω/ω_c; P and A of Kogut and Etsion, of Jackson and Green (steel of the study on a rigid flat),

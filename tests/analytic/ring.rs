@@ -6,15 +6,23 @@ use brinell::analytic::Elastic;
 use brinell::analytic::contact_compliance;
 use brinell::analytic::curved_beam::{Comparisons, CurvedBeam};
 use brinell::analytic::hertz::LineContact;
-use brinell::analytic::ring::{Load, Plane, Ring};
+use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
 use proptest::prelude::*;
 
 use crate::{close, steel};
 
 /// E = 1, ν = 0.3; with P = 1 and r_o = 1 stresses come in P/r_o and diameters in P/E.
-fn unit_ring(wall_ratio: f64, load: Load) -> Ring {
+fn unit_ring(wall_ratio: f64, load: RingLoad) -> Ring {
     let body = Elastic::new(1.0, 0.3).unwrap();
-    Ring::new(1.0 - 2.0 * wall_ratio, 1.0, 1.0, body, Plane::Strain, load).unwrap()
+    Ring::new(
+        1.0 - 2.0 * wall_ratio,
+        1.0,
+        1.0,
+        body,
+        PlaneState::Strain,
+        load,
+    )
+    .unwrap()
 }
 
 /// t/D. Point loads: hoop stress inside under the load, inside and outside at the side; change of
@@ -98,7 +106,7 @@ const RINGS: [(f64, [f64; 8], [f64; 3]); 5] = [
 fn rings_under_point_and_spread_loads() {
     for (wall, expected, spread) in RINGS {
         let (inner, middle) = (1.0 - 2.0 * wall, 1.0 - wall);
-        let ring = unit_ring(wall, Load::Point);
+        let ring = unit_ring(wall, RingLoad::Point);
         let found = [
             ring.bore_stress(0.0).unwrap().hoop,
             ring.bore_stress(FRAC_PI_2).unwrap().hoop,
@@ -114,7 +122,7 @@ fn rings_under_point_and_spread_loads() {
             let tolerance = if i == 2 || i == 5 { 2e-3 } else { 1e-9 };
             close(&format!("t/D = {wall}, {i}"), value, expected, tolerance);
         }
-        let ring = unit_ring(wall, Load::SemiElliptic { half_angle: 0.02 });
+        let ring = unit_ring(wall, RingLoad::SemiElliptic { half_angle: 0.02 });
         let found = [
             ring.diameter_change(1.0, 0.0).unwrap(),
             ring.diameter_change(inner, 0.0).unwrap(),
@@ -141,7 +149,7 @@ const CURVED_BEAMS: [(f64, [f64; 5]); 5] = [
 fn curved_beams() {
     for (wall, expected) in CURVED_BEAMS {
         let body = Elastic::new(1.0, 0.3).unwrap();
-        let beam = CurvedBeam::new(1.0 - 2.0 * wall, 1.0, 1.0, body, Plane::Strain).unwrap();
+        let beam = CurvedBeam::new(1.0 - 2.0 * wall, 1.0, 1.0, body, PlaneState::Strain).unwrap();
         let found = [
             beam.inner_under_load,
             beam.inner_at_side,
@@ -157,7 +165,7 @@ fn curved_beams() {
 
 #[test]
 fn error_of_the_curved_beam() {
-    let compared = Comparisons::new(0.75, 1.5, 1.0, steel(), Plane::Strain).unwrap();
+    let compared = Comparisons::new(0.75, 1.5, 1.0, steel(), PlaneState::Strain).unwrap();
     for (error, expected) in [
         (compared.inner_under_load.error, 0.097),
         (compared.inner_at_side.error, -0.030),
@@ -250,10 +258,10 @@ fn rollers_of_the_study() {
     let compliance = contact_compliance(steel(), steel()).unwrap();
     for ([ro, wall, w], expected) in STUDY_ROLLERS {
         let contact = LineContact::new(w, ro, compliance).unwrap();
-        let load = Load::SemiElliptic {
+        let load = RingLoad::SemiElliptic {
             half_angle: (contact.half_width / ro).asin(),
         };
-        let ring = Ring::new(ro - wall, ro, w, steel(), Plane::Strain, load).unwrap();
+        let ring = Ring::new(ro - wall, ro, w, steel(), PlaneState::Strain, load).unwrap();
         let under = ring.bore_stress(0.0).unwrap();
         let found = [
             under.hoop,
@@ -272,24 +280,36 @@ fn rollers_of_the_study() {
 #[test]
 fn timoshenkos_table() {
     // Timoshenko and Goodier, table for b/a = 2, in 2P/πb: 10.147 under the load.
-    let hoop = unit_ring(0.25, Load::Point).bore_stress(0.0).unwrap().hoop;
+    let hoop = unit_ring(0.25, RingLoad::Point)
+        .bore_stress(0.0)
+        .unwrap()
+        .hoop;
     close("under the load", hoop * FRAC_PI_2, 10.147, 1e-3);
 }
 
 #[test]
 fn bad_arguments_are_refused() {
     let body = steel();
-    assert!(Ring::new(1.0, 1.0, 1.0, body, Plane::Strain, Load::Point).is_err());
-    assert!(Ring::new(0.0, 1.0, 1.0, body, Plane::Strain, Load::Point).is_err());
-    assert!(Ring::solid(1.0, 1.0, Elastic::RIGID, Plane::Strain, Load::Point).is_err());
-    let narrow = Load::SemiElliptic { half_angle: 1e-9 };
-    assert!(Ring::solid(1.0, 1.0, body, Plane::Strain, narrow).is_err());
-    let ring = unit_ring(0.25, Load::Point);
+    assert!(Ring::new(1.0, 1.0, 1.0, body, PlaneState::Strain, RingLoad::Point).is_err());
+    assert!(Ring::new(0.0, 1.0, 1.0, body, PlaneState::Strain, RingLoad::Point).is_err());
+    assert!(
+        Ring::solid(
+            1.0,
+            1.0,
+            Elastic::RIGID,
+            PlaneState::Strain,
+            RingLoad::Point
+        )
+        .is_err()
+    );
+    let narrow = RingLoad::SemiElliptic { half_angle: 1e-9 };
+    assert!(Ring::solid(1.0, 1.0, body, PlaneState::Strain, narrow).is_err());
+    let ring = unit_ring(0.25, RingLoad::Point);
     assert!(ring.stress(0.3, 0.0).is_err());
     assert!(ring.stress(1.0, 0.0).is_err());
     assert!(ring.displacement(1.0, 0.0).is_err());
     assert!(
-        Ring::solid(1.0, 1.0, body, Plane::Stress, Load::Point)
+        Ring::solid(1.0, 1.0, body, PlaneState::Stress, RingLoad::Point)
             .unwrap()
             .bore_stress(0.0)
             .is_err()
@@ -299,7 +319,7 @@ fn bad_arguments_are_refused() {
 proptest! {
     #[test]
     fn walls_are_free(wall in 0.02..0.48f64, theta in 0.2..1.5f64) {
-        let ring = unit_ring(wall, Load::Point);
+        let ring = unit_ring(wall, RingLoad::Point);
         let scale = ring.bore_stress(0.0).unwrap().hoop.abs();
         for r in [1.0 - 2.0 * wall, 1.0] {
             let stress = ring.stress(r, theta).unwrap();
@@ -314,7 +334,7 @@ proptest! {
 
     #[test]
     fn the_side_carries_half_the_load(wall in 0.05..0.45f64) {
-        let ring = unit_ring(wall, Load::Point);
+        let ring = unit_ring(wall, RingLoad::Point);
         let (n, inner) = (400, 1.0 - 2.0 * wall);
         let h = 2.0 * wall / f64::from(n);
         // Simpson.
@@ -330,12 +350,12 @@ proptest! {
 
     #[test]
     fn plane_stress_and_strain_share_the_stresses(r in 0.5..0.95f64, theta in 0.0..3.0f64) {
-        let load = Load::SemiElliptic { half_angle: 0.05 };
+        let load = RingLoad::SemiElliptic { half_angle: 0.05 };
         let body = Elastic::new(1.0, 0.3).unwrap();
-        let strain = Ring::new(0.5, 1.0, 1.0, body, Plane::Strain, load).unwrap();
+        let strain = Ring::new(0.5, 1.0, 1.0, body, PlaneState::Strain, load).unwrap();
         // Plane strain is plane stress with E/(1-ν²) and ν/(1-ν).
         let body = Elastic::new(1.0 / 0.91, 0.3 / 0.7).unwrap();
-        let stress = Ring::new(0.5, 1.0, 1.0, body, Plane::Stress, load).unwrap();
+        let stress = Ring::new(0.5, 1.0, 1.0, body, PlaneState::Stress, load).unwrap();
         let (a, b) = (strain.stress(r, theta).unwrap(), stress.stress(r, theta).unwrap());
         prop_assert!((a.hoop - b.hoop).abs() < 1e-12 && (a.radial - b.radial).abs() < 1e-12);
         let (a, b) = (strain.displacement(r, theta).unwrap(), stress.displacement(r, theta).unwrap());

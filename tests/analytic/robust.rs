@@ -1,14 +1,17 @@
 //! Whatever the input: an answer that is finite, or an error; never a panic, never a NaN.
 
+use brinell::analytic::Elastic;
 use brinell::analytic::curved_beam::CurvedBeam;
 use brinell::analytic::displaced::DisplacedRoller;
-use brinell::analytic::hertz::{EllipticContact, LineContact, PointContact};
-use brinell::analytic::ring::{Load, Plane, Ring};
-use brinell::analytic::steel::{BilinearSteel, StrainMeasure};
-use brinell::analytic::subsurface::{EllipseField, LineField, SphereField};
-use brinell::analytic::tube::Tube;
+use brinell::analytic::hertz::LineContact;
+use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
+use brinell::analytic::subsurface::LineField;
 use brinell::analytic::vgroove::VGroove;
-use brinell::analytic::{Elastic, approach, flattening};
+use brinell::proof::closed_forms::hertz::{EllipticContact, PointContact};
+use brinell::proof::closed_forms::steel::{BilinearSteel, StrainMeasure};
+use brinell::proof::closed_forms::subsurface::{EllipseField, SphereField};
+use brinell::proof::closed_forms::tube::Tube;
+use brinell::proof::closed_forms::{approach, flattening};
 use proptest::prelude::*;
 
 /// Anything, with a leaning to what people type, good or bad.
@@ -107,9 +110,9 @@ proptest! {
     fn rings(ri in number(), ro in number(), p in number(), e in number(), r in number(),
              theta in number(), angle in number()) {
         let Ok(body) = Elastic::new(e, 0.3) else { return Ok(()) };
-        finite(CurvedBeam::new(ri, ro, p, body, Plane::Strain))?;
-        for load in [Load::Point, Load::SemiElliptic { half_angle: angle }] {
-            let Ok(ring) = Ring::new(ri, ro, p, body, Plane::Strain, load) else { continue };
+        finite(CurvedBeam::new(ri, ro, p, body, PlaneState::Strain))?;
+        for load in [RingLoad::Point, RingLoad::SemiElliptic { half_angle: angle }] {
+            let Ok(ring) = Ring::new(ri, ro, p, body, PlaneState::Strain, load) else { continue };
             finite(ring.bore_stress(theta))?;
             for r in [r, ri, 0.5 * (ri + ro)] {
                 finite(ring.stress(r, theta).map(|s| (s, s.mises())))?;

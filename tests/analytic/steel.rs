@@ -1,6 +1,6 @@
 //! The steel of the reference study in a tension test.
 
-use brinell::analytic::steel::{self, BilinearSteel, StrainMeasure};
+use brinell::proof::closed_forms::steel::{self, BilinearSteel, StrainMeasure};
 use proptest::prelude::*;
 
 use crate::close;

@@ -1,7 +1,9 @@
 //! Stresses below Hertz contacts: Johnson (3.45), (3.69), (4.49), (7.8).
 
-use brinell::analytic::hertz::EllipticContact;
-use brinell::analytic::subsurface::{EllipseField, LineField, SphereField, onset};
+use brinell::analytic::subsurface::{LineField, onset};
+use brinell::proof::closed_forms::hertz::EllipticContact;
+use brinell::proof::closed_forms::subsurface::onset as point_onset;
+use brinell::proof::closed_forms::subsurface::{EllipseField, SphereField};
 use proptest::prelude::*;
 
 use crate::close;
@@ -391,7 +393,7 @@ fn sphere_peak_and_axis() {
     let peak = field.peak_mises_on_axis();
     close("Mises", peak.value, 0.6200410039090427, 1e-12);
     close("depth", peak.depth, 0.48086447110438946, 1e-6);
-    let pressure = |nu| onset::sphere_yield_pressure(1.0, nu).unwrap();
+    let pressure = |nu| point_onset::sphere_yield_pressure(1.0, nu).unwrap();
     close("p0/Y", pressure(0.3), 1.6127965629619805, 1e-12);
     for (nu, expected) in [(0.25, 1.5543), (0.35, 1.6741), (0.4, 1.7385), (0.5, 1.8772)] {
         close("p0/Y", pressure(nu), expected, 1e-4);
@@ -537,12 +539,12 @@ fn ellipses() {
 #[test]
 fn yield_load_of_an_ellipse_gives_yield() {
     let contact = EllipticContact::new(3.0, [0.1, 0.7], 1e-3).unwrap();
-    let at_yield = onset::ellipse_yield_contact(&contact, 20.0, 0.3).unwrap();
+    let at_yield = point_onset::ellipse_yield_contact(&contact, 20.0, 0.3).unwrap();
     let peak = EllipseField::below(&at_yield, 0.3)
         .unwrap()
         .peak_mises_on_axis();
     close("Mises", peak.value, 20.0, 1e-12);
-    let sphere = onset::sphere_yield_contact(20.0, 0.3, 2.0, 1e-3).unwrap();
+    let sphere = point_onset::sphere_yield_contact(20.0, 0.3, 2.0, 1e-3).unwrap();
     let peak = SphereField::below(&sphere, 0.3)
         .unwrap()
         .peak_mises_on_axis();

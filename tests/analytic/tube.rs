@@ -1,8 +1,8 @@
 //! Thick tubes under internal pressure: Lamé, Hill 1950 ch. V, and Mises solved numerically.
 
-use brinell::analytic::steel::{BilinearSteel, StrainMeasure};
-use brinell::analytic::tube::Tube;
-use brinell::analytic::tube_mises::expand;
+use brinell::proof::closed_forms::steel::{BilinearSteel, StrainMeasure};
+use brinell::proof::closed_forms::tube::Tube;
+use brinell::proof::closed_forms::tube_mises::expand;
 use proptest::prelude::*;
 
 use crate::close;

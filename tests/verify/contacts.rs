@@ -1,10 +1,10 @@
 //! The families of the ladder about contact and friction, as far as they are fast.
 
-use brinell::proof::verify::{Extent, matrix, suites};
+use brinell::proof::verify::{Extent, families, matrix};
 
 /// Every claim of the suite holds.
 fn holds(name: &str) {
-    for suite in suites(Some(name)).expect("a suite") {
+    for suite in families(Some(name)).expect("a suite") {
         let claims = suite.measure(Extent::Fast).expect("solves");
         let failed: Vec<String> = claims
             .iter()

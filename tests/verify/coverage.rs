@@ -1,6 +1,8 @@
 //! Do the bars hold? A sample of the bearings that `brinell verify --suite coverage` solves.
 
-use brinell::proof::verify::coverage::{Bearing, Keep, References, Set, Suite, Tally, Verdict};
+use brinell::proof::verify::coverage::{
+    BarVerdict, Bearing, CoverageRun, Keep, References, Set, Tally,
+};
 use brinell::solver::solve::Silent;
 
 /// Every kind of end, hollow and solid, thin and thick; one displaced.
@@ -17,7 +19,7 @@ const SAMPLE: [&str; 6] = [
 /// bearings are a small sample.
 #[test]
 fn bars_hold_on_a_sample() {
-    let mut suite = Suite {
+    let mut suite = CoverageRun {
         sets: vec![Set::Named],
         only: SAMPLE.map(str::to_owned).to_vec(),
         presets: vec!["h025".into()],
@@ -32,7 +34,7 @@ fn bars_hold_on_a_sample() {
     let missed = answer
         .records
         .iter()
-        .filter(|r| r.verdict == Verdict::Missed);
+        .filter(|r| r.verdict == BarVerdict::Missed);
     let missed: Vec<String> = missed
         .map(|r| format!("{} {:?} {:?}", r.bearing, r.reading, r.truth))
         .collect();

@@ -24,7 +24,7 @@ fn a_wrong_value_and_a_case_that_should_be_refused_are_told() {
     case.expect.insert("/descent".into(), 1.0);
     assert!(matches!(
         case.run(&folder).verdict,
-        extreme::Verdict::Wrong { .. }
+        extreme::ExtremeVerdict::Wrong { .. }
     ));
     case.expect.clear();
     case.refused = vec!["solve::free_body".into()];
@@ -32,7 +32,7 @@ fn a_wrong_value_and_a_case_that_should_be_refused_are_told() {
     case.set.insert("contact".into(), toml_array());
     assert!(case.run(&folder).holds());
     case.iterations = 0;
-    assert_eq!(case.run(&folder).verdict, extreme::Verdict::Endless);
+    assert_eq!(case.run(&folder).verdict, extreme::ExtremeVerdict::Endless);
 }
 
 fn toml_array() -> toml::Value {

@@ -1,13 +1,13 @@
 //! Families of the ladder at the extent that ends in seconds: every claim holds.
 
-use brinell::proof::verify::{Claim, Extent, matrix, suites};
+use brinell::proof::verify::{Extent, LadderClaim, families, matrix};
 
 /// Solves the fast part of `suite`; fails where a claim does not hold.
 #[track_caller]
-fn holds(suite: &str) -> Vec<Claim> {
+fn holds(suite: &str) -> Vec<LadderClaim> {
     let mut claims = Vec::new();
-    for suite in suites(Some(suite)).expect("exists") {
-        claims.extend(suite.measure(Extent::Fast).expect("solves"));
+    for family in families(Some(suite)).expect("exists") {
+        claims.extend(family.measure(Extent::Fast).expect("solves"));
     }
     for claim in &claims {
         println!("{}", matrix::line(claim));
@@ -23,12 +23,15 @@ fn holds(suite: &str) -> Vec<Claim> {
 
 /// Says of every claim with a tolerance where its reference comes from and why it is so wide.
 #[track_caller]
-fn explains(claims: &[Claim]) {
+fn explains(claims: &[LadderClaim]) {
     assert!(!claims.is_empty());
     for claim in claims {
         assert!(!claim.source.is_empty(), "{}: no source", claim.claim);
-        let shown = claim.tolerance.is_infinite();
-        assert!(shown || !claim.why.is_empty(), "{}: no reason", claim.claim);
+        assert!(
+            claim.is_shown() || !claim.why.is_empty(),
+            "{}: no reason",
+            claim.claim
+        );
     }
 }
 

@@ -5,7 +5,7 @@ use brinell::model::mesh::block::{Block, cylindrical, uniform};
 use brinell::model::scene::ElementKind;
 use brinell::product::converge::rates::fitted;
 use brinell::proof::verify::kit;
-use brinell::proof::verify::problem_h::{PRESSURE, Reading, Sizes, read, scene};
+use brinell::proof::verify::problem_h::{PRESSURE, ProblemHReading, Sizes, read, scene};
 
 use brinell::model::material::Steel;
 use std::f64::consts::FRAC_PI_2;
@@ -27,7 +27,7 @@ const HALF_WIDTH: f64 = 0.030_939;
 /// normal of the block, which is flat, as here.
 const MISES: [f64; 2] = [94.980, 92.690];
 
-fn series(element: ElementKind, levels: u32) -> Vec<(f64, Reading)> {
+fn series(element: ElementKind, levels: u32) -> Vec<(f64, ProblemHReading)> {
     let solved = |level: u32| {
         let sizes = Sizes::nested(level);
         let mut scene = scene(&sizes).expect("meshes");
@@ -42,7 +42,11 @@ fn series(element: ElementKind, levels: u32) -> Vec<(f64, Reading)> {
 }
 
 /// Prints the errors and gives their order over the asymptotic levels.
-fn order(what: &str, series: &[(f64, Reading)], error: impl Fn(&Reading) -> f64) -> f64 {
+fn order(
+    what: &str,
+    series: &[(f64, ProblemHReading)],
+    error: impl Fn(&ProblemHReading) -> f64,
+) -> f64 {
     let points: Vec<(f64, f64)> = series.iter().map(|(h, r)| (*h, error(r))).collect();
     let order = fitted(&points[ASYMPTOTIC..]).expect("errors");
     let list: Vec<String> = points.iter().map(|p| format!("{:+.3e}", p.1)).collect();
@@ -52,7 +56,7 @@ fn order(what: &str, series: &[(f64, Reading)], error: impl Fn(&Reading) -> f64)
 
 fn problem_h(element: ElementKind, levels: u32) {
     let series = series(element, levels);
-    let at_least = |what: &str, least: f64, error: &dyn Fn(&Reading) -> f64| {
+    let at_least = |what: &str, least: f64, error: &dyn Fn(&ProblemHReading) -> f64| {
         let order = order(what, &series, error);
         assert!(order >= least, "{element:?} {what}: order {order}");
     };

@@ -43,7 +43,7 @@ pub struct Rules {
 
 /// Ring bending of a hollow roller squeezed between two flats.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Bore {
+pub struct HandbookBore {
     /// Hoop stress on the inner wall under the load, and its Mises stress in plane strain.
     pub hoop_under_load: f64,
     pub mises_under_load: f64,
@@ -118,7 +118,7 @@ pub struct HandbookAnswer {
     pub plate: Below,
     pub first_yield: FirstYield,
     pub rules: Rules,
-    pub bore: Option<Bore>,
+    pub bore: Option<HandbookBore>,
     pub groove: Option<Groove>,
     pub displaced: Option<Displaced>,
     /// The contact is small against radius, wall and plate ([`HALF_SPACE_SHARE`](super::HALF_SPACE_SHARE)).

@@ -5,14 +5,16 @@ mod answer;
 
 use serde::Serialize;
 
-pub use answer::{Below, Bore, Displaced, FirstYield, Groove, HandbookAnswer, Rules, Spread};
+pub use answer::{
+    Below, Displaced, FirstYield, Groove, HandbookAnswer, HandbookBore, Rules, Spread,
+};
 
 use crate::analytic::curved_beam::CurvedBeam;
-use crate::analytic::displaced::{DisplacedRoller, LineLoad};
+use crate::analytic::displaced::{DisplacedRoller, SpreadLoad};
 use crate::analytic::elastic::{Elastic, contact_compliance};
 use crate::analytic::error::{self, DomainError};
 use crate::analytic::hertz::LineContact;
-use crate::analytic::ring::{Load, Plane, Ring};
+use crate::analytic::ring::{PlaneState, Ring, RingLoad};
 use crate::analytic::sizing::{self, PRESSURE_LIMIT, PRINTED};
 use crate::analytic::subsurface::{LineField, onset};
 use crate::analytic::vgroove::VGroove;
@@ -22,7 +24,7 @@ use crate::analytic::vgroove::VGroove;
 pub const HALF_SPACE_SHARE: f64 = 0.1;
 
 /// Smallest half angle of a contact that the ring's series is summed for.
-const NARROWEST: f64 = 1e-3;
+const SMALLEST_HALF_ANGLE: f64 = 1e-3;
 
 /// One body's steel.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -77,7 +79,7 @@ pub fn handbook(input: &Handbook) -> Result<HandbookAnswer, DomainError> {
     error::positive("length", length)?;
     error::positive("load", load)?;
     error::friction(friction)?;
-    let bodies = Bodies::new(input, radius)?;
+    let bodies = ContactBodies::new(input, radius)?;
     let p = error::representable("load per length", load / length)?;
     let contact = LineContact::new(p, radius, bodies.compliance)?;
     let e = sizing::equivalent_modulus(bodies.compliance)?;
@@ -119,7 +121,7 @@ pub fn handbook(input: &Handbook) -> Result<HandbookAnswer, DomainError> {
 }
 
 /// The two bodies of the contact.
-struct Bodies {
+struct ContactBodies {
     metals: [Metal; 2],
     radius: f64,
     roller: Elastic,
@@ -127,7 +129,7 @@ struct Bodies {
     lower_yield: f64,
 }
 
-impl Bodies {
+impl ContactBodies {
     fn new(input: &Handbook, radius: f64) -> Result<Self, DomainError> {
         let metals = [input.roller, input.plate];
         let roller = Elastic::new(metals[0].youngs_modulus, metals[0].poissons_ratio)?;
@@ -183,7 +185,7 @@ impl Bodies {
 
 fn rules(
     input: &Handbook,
-    bodies: &Bodies,
+    bodies: &ContactBodies,
     contact: &LineContact,
     e: f64,
     bearing_length: f64,
@@ -231,7 +233,7 @@ fn bore(
     contact: &LineContact,
     roller: Elastic,
     remarks: &mut Vec<String>,
-) -> Result<Option<Bore>, DomainError> {
+) -> Result<Option<HandbookBore>, DomainError> {
     let Some(wall) = input.wall else {
         return Ok(None);
     };
@@ -250,10 +252,10 @@ fn bore(
         return Ok(None);
     }
     // Narrower pressures are the same to the bore.
-    let half_angle = share.asin().max(NARROWEST);
-    let (w, load) = (contact.line_load, Load::SemiElliptic { half_angle });
-    let ring = Ring::new(inner, outer, w, roller, Plane::Strain, load)?;
-    let beam = CurvedBeam::new(inner, outer, w, roller, Plane::Strain)?;
+    let half_angle = share.asin().max(SMALLEST_HALF_ANGLE);
+    let (w, load) = (contact.line_load, RingLoad::SemiElliptic { half_angle });
+    let ring = Ring::new(inner, outer, w, roller, PlaneState::Strain, load)?;
+    let beam = CurvedBeam::new(inner, outer, w, roller, PlaneState::Strain)?;
     let under = ring.bore_stress(0.0)?;
     if 4.0 * wall < input.diameter * (1.0 - 1e-12) {
         remarks.push(
@@ -263,11 +265,11 @@ fn bore(
         );
     }
     let outer_change = ring.diameter_change(outer, 0.0)?;
-    Ok(Some(Bore {
+    Ok(Some(HandbookBore {
         hoop_under_load: under.hoop,
         mises_under_load: under.mises(),
         hoop_at_side: ring.bore_stress(std::f64::consts::FRAC_PI_2)?.hoop,
-        outer_diameter_change: (half_angle > NARROWEST).then_some(outer_change),
+        outer_diameter_change: (half_angle > SMALLEST_HALF_ANGLE).then_some(outer_change),
         inner_diameter_change: ring.diameter_change(inner, 0.0)?,
         curved_beam_hoop: beam.inner_under_load,
         curved_beam_error: beam.inner_under_load / under.hoop - 1.0,
@@ -276,7 +278,7 @@ fn bore(
 
 fn groove(
     input: &Handbook,
-    bodies: &Bodies,
+    bodies: &ContactBodies,
     line_load: f64,
     remarks: &mut Vec<String>,
 ) -> Result<Option<Groove>, DomainError> {
@@ -310,12 +312,12 @@ fn groove(
     }))
 }
 
-fn displaced(input: &Handbook, bodies: &Bodies) -> Result<Option<Displaced>, DomainError> {
+fn displaced(input: &Handbook, bodies: &ContactBodies) -> Result<Option<Displaced>, DomainError> {
     let Some(offset) = input.offset else {
         return Ok(None);
     };
     let roller = DisplacedRoller::new(input.load, input.length, offset)?;
-    let spread = |picture: LineLoad| -> Result<Spread, DomainError> {
+    let spread = |picture: SpreadLoad| -> Result<Spread, DomainError> {
         let (contact, mises, elastic) = bodies.contact(picture.largest)?;
         Ok(Spread {
             line_load: picture.largest,

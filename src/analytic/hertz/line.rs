@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::semi_elliptic;
+use super::pressure::semi_elliptic;
 use crate::analytic::error::{self, DomainError};
 
 /// A cylinder pressed on a flat, or two parallel cylinders: contact over a long strip.
@@ -27,7 +27,7 @@ impl LineContact {
     /// a = √(4 w R C_E / π)        p0 = 2w/πa = √(w / π R C_E)
     /// ```
     /// Johnson (4.43) and (4.45). Plane strain; the approach of the bodies is not defined by the
-    /// contact alone, see [`approach`](crate::analytic::approach).
+    /// contact alone, see [`approach`](crate::proof::closed_forms::approach).
     ///
     /// # Errors
     /// [`DomainError::OutOfRange`] for an argument that is not positive and finite.

@@ -15,7 +15,7 @@ use crate::analytic::error::{self, DomainError};
 
 /// How the load meets the outer surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Load {
+pub enum RingLoad {
     /// On a line (a point of the cross-section).
     Point,
     /// As the semi-elliptic pressure of a Hertz contact of this half angle, a/R in radians.
@@ -24,7 +24,7 @@ pub enum Load {
 
 /// What happens along the roller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Plane {
+pub enum PlaneState {
     /// No strain along it: a long roller.
     Strain,
     /// No stress along it: a thin disc.
@@ -38,7 +38,7 @@ pub struct Ring {
     outer_radius: f64,
     load: f64,
     body: Elastic,
-    plane: Plane,
+    plane: PlaneState,
     half_angle: f64,
     /// Mean pressure P/πr_o, and the constants A₀, B₀ of the axisymmetric part,
     /// σ_r = 2A₀ + B₀/r².
@@ -72,8 +72,8 @@ impl Ring {
         outer_radius: f64,
         load_per_length: f64,
         body: Elastic,
-        plane: Plane,
-        load: Load,
+        plane: PlaneState,
+        load: RingLoad,
     ) -> Result<Self, DomainError> {
         let ri = error::positive("inner radius", inner_radius)?;
         // In thinner walls the constants of an order cancel.
@@ -90,8 +90,8 @@ impl Ring {
         radius: f64,
         load_per_length: f64,
         body: Elastic,
-        plane: Plane,
-        load: Load,
+        plane: PlaneState,
+        load: RingLoad,
     ) -> Result<Self, DomainError> {
         Self::with_bore(0.0, radius, load_per_length, body, plane, load)
     }
@@ -101,23 +101,23 @@ impl Ring {
         outer_radius: f64,
         load_per_length: f64,
         body: Elastic,
-        plane: Plane,
-        load: Load,
+        plane: PlaneState,
+        load: RingLoad,
     ) -> Result<Self, DomainError> {
         let ro = error::positive("outer radius", outer_radius)?;
         let p = error::positive("load per length", load_per_length)?;
         error::positive("Young's modulus", body.youngs_modulus())?;
         let half_angle = match load {
-            Load::Point => 0.0,
-            Load::SemiElliptic { half_angle: angle } => {
+            RingLoad::Point => 0.0,
+            RingLoad::SemiElliptic { half_angle: angle } => {
                 let allowed = (6e-4..0.5 * PI).contains(&angle);
                 error::require("half angle", angle, allowed, "at least 6e-4 and below π/2")?
             }
         };
         let count = match load {
-            Load::Point => POINT_TERMS,
+            RingLoad::Point => POINT_TERMS,
             // Half the orders, up to n = 120/α.
-            Load::SemiElliptic { .. } => ((60.0 / half_angle) as usize).clamp(200, MOST_TERMS),
+            RingLoad::SemiElliptic { .. } => ((60.0 / half_angle) as usize).clamp(200, MOST_TERMS),
         };
         let mean = error::representable("mean pressure", p / (PI * ro))?;
         let bore = inner_radius / ro;
@@ -175,8 +175,8 @@ impl Ring {
             shear += disc[2];
         }
         let axial = match self.plane {
-            Plane::Strain => self.body.poissons_ratio() * (radial + hoop),
-            Plane::Stress => 0.0,
+            PlaneState::Strain => self.body.poissons_ratio() * (radial + hoop),
+            PlaneState::Stress => 0.0,
         };
         Ok(PolarStress {
             radial,
@@ -214,8 +214,8 @@ impl Ring {
         )?;
         let nu = self.body.poissons_ratio();
         let kappa = match self.plane {
-            Plane::Strain => 3.0 - 4.0 * nu,
-            Plane::Stress => (3.0 - nu) / (1.0 + nu),
+            PlaneState::Strain => 3.0 - 4.0 * nu,
+            PlaneState::Stress => (3.0 - nu) / (1.0 + nu),
         };
         let x = self.share(r);
         let [mut radial, mut around] = [0.0; 2];
@@ -295,10 +295,10 @@ mod tests {
     #[test]
     fn closed_form_and_series_of_the_disc_agree() {
         let body = Elastic::new(1.0, 0.3).unwrap();
-        let disc = Ring::solid(2.0, 3.0, body, Plane::Strain, Load::Point).unwrap();
+        let disc = Ring::solid(2.0, 3.0, body, PlaneState::Strain, RingLoad::Point).unwrap();
         // A load spread over a thousandth of the radius is a point load for the inside.
-        let spread = Load::SemiElliptic { half_angle: 1e-3 };
-        let spread = Ring::solid(2.0, 3.0, body, Plane::Strain, spread).unwrap();
+        let spread = RingLoad::SemiElliptic { half_angle: 1e-3 };
+        let spread = Ring::solid(2.0, 3.0, body, PlaneState::Strain, spread).unwrap();
         for (r, theta) in [(0.0, 0.3), (0.5, 0.0), (1.0, 1.0), (1.5, 2.0), (1.8, 1.5)] {
             let (a, b) = (
                 disc.stress(r, theta).unwrap(),

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::Peak;
+use super::peak::PeakStress;
 use crate::analytic::error::{self, DomainError};
 use crate::analytic::hertz::LineContact;
 use crate::analytic::search::{climb, maximum};
@@ -102,9 +102,9 @@ impl LineField {
     /// the surface for ν < 0.194, where it is (1 - 2ν) p0. With traction it moves off the axis
     /// and, for ν = 0.3, to the surface from μ = 0.27 on. Found by search over the closed-form
     /// field; the value is good to 1e-12, the place to about 1e-7 of a.
-    pub fn peak_mises(&self) -> Peak {
+    pub fn peak_mises(&self) -> PeakStress {
         let mises = |x: f64, z: f64| self.scaled(x, z).mises();
-        let peak = |value: f64, x: f64, z: f64| Peak {
+        let peak = |value: f64, x: f64, z: f64| PeakStress {
             value,
             x: x * self.half_width,
             depth: z * self.half_width,
@@ -142,13 +142,13 @@ impl LineField {
 
     /// The largest shear stress in the x-z plane on the axis, without regard to traction:
     /// 0.3003 p0 at 0.7862 a, whatever ν. Johnson 4.2(c).
-    pub fn peak_shear_on_axis(&self) -> Peak {
+    pub fn peak_shear_on_axis(&self) -> PeakStress {
         let still = Self {
             friction: 0.0,
             ..*self
         };
         let (z, value) = maximum(|z| still.scaled(0.0, z).shear_in_zx(), 0.0, 2.0, 100);
-        Peak {
+        PeakStress {
             value,
             x: 0.0,
             depth: z * self.half_width,

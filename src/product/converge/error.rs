@@ -5,9 +5,15 @@ use crate::ground::file::FileError;
 use crate::model::mesh::msh::MeshError;
 use crate::model::mesh::split::SplitError;
 use crate::product::job::JobError;
-use crate::proof::verify::VerifyError;
 use crate::render::OutputError;
 
+/// A solution lacks what is to be read from it.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("the solution has no {0} to read")]
+#[diagnostic(code(brinell::converge::missing))]
+pub struct Missing(pub &'static str);
+
+/// A series cannot be run, or its results cannot be read or written.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum ConvergeError {
     #[error(transparent)]
@@ -18,7 +24,7 @@ pub enum ConvergeError {
     Split(#[from] SplitError),
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Read(#[from] VerifyError),
+    Missing(#[from] Missing),
     #[error("a convergence series needs two meshes or more, and there is {count}")]
     #[diagnostic(
         code(brinell::converge::too_few),

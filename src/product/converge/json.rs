@@ -32,7 +32,7 @@ pub fn write(study: &Study, path: &Path) -> Result<(), FileError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::study::tests::study;
+    use super::super::sample::study;
     use super::*;
 
     #[test]

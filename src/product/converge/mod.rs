@@ -4,19 +4,23 @@
 //! quantities and its cost; [`Study`] gathers the levels; [`rates`] says how fast they approach
 //! which reference. [`table`], [`json`], [`plot`] and [`page`] put it out.
 
+pub mod contact_profile;
 pub mod cost;
+pub mod energy;
 mod error;
 pub mod json;
 pub mod page;
 pub mod peers;
 pub mod plot;
-pub mod quantity;
+pub mod problem_h;
+mod quantity;
 pub mod rates;
+mod read;
 pub mod series;
 pub mod study;
 pub mod table;
 
-pub use error::ConvergeError;
+pub use error::{ConvergeError, Missing};
 pub use quantity::{Known, Quantity};
 pub use series::Series;
 pub use study::{Curve, Level, Reference, Study};
@@ -58,7 +62,7 @@ pub fn run(
     if outcome.interrupted {
         return Ok(None);
     }
-    let quantities = quantity::read(&case, &outcome)?;
+    let quantities = read::read(&case, &outcome)?;
     let cost = meter.stop();
     let counters = &outcome.solution.counters;
     let level = Level {
@@ -75,3 +79,6 @@ pub fn run(
     };
     Ok(Some((level, quantities)))
 }
+
+#[cfg(test)]
+mod sample;

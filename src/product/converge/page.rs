@@ -166,7 +166,7 @@ fn others(peers: &Peers) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::peers::peers;
-    use super::super::study::tests::study;
+    use super::super::sample::study;
     use super::*;
 
     #[test]

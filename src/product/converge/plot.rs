@@ -129,7 +129,7 @@ fn own_line(
 #[cfg(test)]
 mod tests {
     use super::super::peers::peers;
-    use super::super::study::tests::study;
+    use super::super::sample::study;
     use super::*;
     use crate::render::plot::svg;
 

@@ -136,7 +136,7 @@ pub fn reference(curve: &Curve) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::study::tests::study;
+    use super::super::sample::study;
     use super::*;
 
     #[test]

@@ -1,13 +1,13 @@
 //! What the study prints beside what is computed.
 
-use super::Solved;
-use super::page::{cell, head, printed};
+use super::cells::{cell, head, printed};
+use super::member::SolvedMember;
 use super::quantities::ROWS;
 use crate::render::Summary;
 use crate::render::text::significant;
 
 /// One line a printed value.
-pub(super) fn table(solved: &[Solved]) -> String {
+pub fn table(solved: &[SolvedMember]) -> String {
     let mut text = head([
         "case",
         "Mises stress of",

@@ -7,27 +7,27 @@ use crate::render::summary::Demand;
 
 /// A figure and, where the certificate has one, its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
+pub struct RowReading {
     pub value: f64,
     pub error: Option<f64>,
 }
 
 /// A quantity: its name with its unit, and how to read it.
-pub struct Row {
+pub struct QuantityRow {
     pub name: &'static str,
-    pub read: fn(&Summary) -> Option<Reading>,
+    pub read: fn(&Summary) -> Option<RowReading>,
 }
 
 /// Interfaces of a roller with its flat plate and with its V; the other roller has the same.
 const FLAT: &str = "upper_plate-upper_roller";
 const VALLEY: &str = "upper_roller-intermediate_plate";
 
-const fn row(name: &'static str, read: fn(&Summary) -> Option<Reading>) -> Row {
-    Row { name, read }
+const fn row(name: &'static str, read: fn(&Summary) -> Option<RowReading>) -> QuantityRow {
+    QuantityRow { name, read }
 }
 
 /// The quantities, in the order of their printing.
-pub const ROWS: [Row; 26] = [
+pub const ROWS: [QuantityRow; 26] = [
     row("Mises, centroid, overall, ksi", |s| mises(s, "", 0)),
     row("Mises, nodal, overall, ksi", |s| mises(s, "", 2)),
     row("Mises, centroid, rollers, ksi", |s| mises(s, "roller", 0)),
@@ -103,13 +103,13 @@ pub const ROWS: [Row; 26] = [
     }),
 ];
 
-fn plain(value: Option<f64>) -> Option<Reading> {
-    value.map(|value| Reading { value, error: None })
+fn plain(value: Option<f64>) -> Option<RowReading> {
+    value.map(|value| RowReading { value, error: None })
 }
 
 /// A claim in a unit `scale` times as small.
-fn scaled(claim: Option<&Figure>, scale: f64) -> Option<Reading> {
-    claim.map(|claim| Reading {
+fn scaled(claim: Option<&Figure>, scale: f64) -> Option<RowReading> {
+    claim.map(|claim| RowReading {
         value: scale * claim.value,
         error: claim.bar().map(|error| scale * error),
     })
@@ -135,7 +135,7 @@ fn elastic(summary: &Summary) -> Option<&Figure> {
 }
 
 /// The largest Mises stress of the bodies whose names hold `part`, in reading `reading` of three.
-fn mises(summary: &Summary, part: &str, reading: usize) -> Option<Reading> {
+fn mises(summary: &Summary, part: &str, reading: usize) -> Option<RowReading> {
     let bodies = summary
         .answer
         .bodies
@@ -146,13 +146,13 @@ fn mises(summary: &Summary, part: &str, reading: usize) -> Option<Reading> {
     plain(values.reduce(f64::max))
 }
 
-fn bore(summary: &Summary, read: fn(&RollerFigures) -> Option<f64>) -> Option<Reading> {
+fn bore(summary: &Summary, read: fn(&RollerFigures) -> Option<f64>) -> Option<RowReading> {
     let values = summary.answer.rollers.0.iter().filter_map(|(_, r)| read(r));
     plain(values.reduce(f64::max))
 }
 
 /// Of the line that carries most per length.
-fn line(summary: &Summary, interface: &str, read: fn(&LineFigures) -> f64) -> Option<Reading> {
+fn line(summary: &Summary, interface: &str, read: fn(&LineFigures) -> f64) -> Option<RowReading> {
     let lines = summary.answer.interfaces.get(interface)?.lines.iter();
     let heaviest = lines.max_by(|a, b| a.peak.total_cmp(&b.peak));
     plain(heaviest.map(read))
@@ -164,13 +164,13 @@ fn rule(summary: &Summary) -> Option<[&Demand; 2]> {
     Some([&rule.printed, &rule.exact])
 }
 
-fn provided(demand: &Demand) -> Option<Reading> {
+fn provided(demand: &Demand) -> Option<RowReading> {
     plain(Some(
         demand.provided / demand.required_diameter_times_length,
     ))
 }
 
-fn dent(summary: &Summary, part: &str) -> Option<Reading> {
+fn dent(summary: &Summary, part: &str) -> Option<RowReading> {
     let dents = summary.answer.unloaded.as_ref()?.dents.0.iter();
     let depths = dents
         .filter(|(_, d)| d.body.contains(part))

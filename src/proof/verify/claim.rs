@@ -2,7 +2,7 @@
 
 /// One claim.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Claim {
+pub struct LadderClaim {
     pub family: &'static str,
     pub claim: String,
     /// Where the reference comes from.
@@ -21,7 +21,7 @@ pub struct Claim {
     pub seconds: f64,
 }
 
-impl Claim {
+impl LadderClaim {
     /// `value` differs from `reference` by no more than the share `tolerance` of it.
     pub fn relative(claim: impl Into<String>, value: f64, reference: f64, tolerance: f64) -> Self {
         Self::scaled(claim, value, reference, reference.abs(), tolerance)
@@ -69,6 +69,11 @@ impl Claim {
     pub fn because(mut self, why: &'static str) -> Self {
         self.why = why;
         self
+    }
+
+    /// Is it only shown beside the claims, without a tolerance?
+    pub fn is_shown(&self) -> bool {
+        self.tolerance.is_infinite()
     }
 
     /// Is the error within the tolerance? A value that is no number never is.

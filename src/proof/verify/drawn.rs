@@ -5,7 +5,7 @@ use crate::render::text::significant;
 /// The units of a case: of length, force and stress, and how many of its forces are one unit of stress
 /// times one of area.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Units {
+pub struct DrawnUnits {
     pub system: &'static str,
     pub length: &'static str,
     pub force: &'static str,
@@ -13,7 +13,7 @@ pub struct Units {
     pub forces: f64,
 }
 
-pub const INCH: Units = Units {
+pub const INCH: DrawnUnits = DrawnUnits {
     system: "in-kip-ksi",
     length: "in",
     force: "kip",
@@ -21,7 +21,7 @@ pub const INCH: Units = Units {
     forces: 1.0,
 };
 
-pub const METRIC: Units = Units {
+pub const METRIC: DrawnUnits = DrawnUnits {
     system: "mm-N-MPa",
     length: "mm",
     force: "kN",
@@ -39,10 +39,10 @@ pub enum End {
 
 /// A bearing of the template, lengths and stresses in its own units.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Drawn {
+pub struct DrawnBearing {
     pub name: String,
-    pub units: Units,
-    /// In units of [`Units::force`].
+    pub units: DrawnUnits,
+    /// In units of [`DrawnUnits::force`].
     pub load: f64,
     pub friction: f64,
     pub diameter: f64,
@@ -66,7 +66,7 @@ pub struct Drawn {
     pub more: String,
 }
 
-impl Drawn {
+impl DrawnBearing {
     /// The case file, numbers as a designer writes them.
     pub fn text(&self) -> String {
         let (length, stress) = (self.units.length, self.units.stress);

@@ -1,6 +1,6 @@
 //! The matrix of claims, for the terminal and for the documentation.
 
-use super::Claim;
+use super::LadderClaim;
 
 /// A number with five digits, as short as it goes.
 fn number(x: f64) -> String {
@@ -19,7 +19,7 @@ fn number(x: f64) -> String {
 /// A relative error in percent, or as a power of ten where it is tiny.
 fn share(x: f64) -> String {
     if x.is_infinite() {
-        "shown".into()
+        "no tolerance".into()
     } else if x != 0.0 && x < 1e-5 {
         format!("{x:.0e}")
     } else {
@@ -27,18 +27,28 @@ fn share(x: f64) -> String {
     }
 }
 
-fn verdict(claim: &Claim) -> &'static str {
-    match (claim.tolerance.is_infinite(), claim.holds()) {
-        (true, _) => "-",
-        (false, true) => "ok",
-        (false, false) => "FAILS",
+fn verdict(claim: &LadderClaim) -> &'static str {
+    match (claim.holds(), claim.is_shown()) {
+        (false, _) => "FAILS",
+        (true, true) => "shown",
+        (true, false) => "ok",
     }
 }
 
-/// A line for the terminal.
-pub fn line(c: &Claim) -> String {
+/// How many claims have a tolerance, how many of them fail, and how many values are only shown, in words.
+pub fn tally(claims: &[LadderClaim]) -> String {
+    let shown = claims.iter().filter(|c| c.is_shown()).count();
+    let failed = claims.iter().filter(|c| !c.holds()).count();
     format!(
-        "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7.2}",
+        "{} claims, {failed} outside their tolerance; {shown} values more are shown, no tolerance",
+        claims.len() - shown
+    )
+}
+
+/// A line for the terminal.
+pub fn line(c: &LadderClaim) -> String {
+    format!(
+        "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>12} {:>8} {:>7.2}",
         verdict(c),
         c.family,
         c.claim,
@@ -54,24 +64,23 @@ pub fn line(c: &Claim) -> String {
 /// The head of the lines.
 pub fn head() -> String {
     format!(
-        "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>9} {:>8} {:>7}",
+        "{:5} {:17} {:58} {:>12} {:>12} {:>9} {:>12} {:>8} {:>7}",
         "", "family", "claim", "reference", "value", "error", "allowed", "dofs", "s"
     )
 }
 
 /// The page `docs/verification.md`.
-pub fn page(claims: &[Claim]) -> String {
-    let failed = claims.iter().filter(|c| !c.holds()).count();
+pub fn page(claims: &[LadderClaim]) -> String {
     let mut text = format!(
         "# Verification\n\n\
          Written by `brinell verify --all --write`; do not edit. Each claim is solved afresh.\n\
          Errors are relative to the reference unless the claim says otherwise; `shown` marks values\n\
-         that stand beside a claim without a tolerance. Seconds are wall-clock, those of the\n\
+         that stand beside the claims, have no tolerance and are counted apart. Seconds are wall-clock, those of the\n\
          solution that the value was read from.\n\n\
-         {} claims, {failed} outside their tolerance.\n\n\
+         {}.\n\n\
          | | family | claim | reference | value | error | allowed | unknowns | s |\n\
          |---|---|---|---|---|---|---|---|---|\n",
-        claims.len()
+        tally(claims)
     );
     for c in claims {
         text.push_str(&format!(
@@ -103,11 +112,21 @@ mod tests {
 
     #[test]
     fn a_claim_that_fails_says_so() {
-        let mut claim = Claim::relative("p0", 103.0, 100.0, 0.01);
+        let mut claim = LadderClaim::relative("p0", 103.0, 100.0, 0.01);
         assert!(line(&claim).starts_with("FAILS") && page(&[claim.clone()]).contains("| FAILS |"));
         claim.tolerance = 0.05;
         assert!(line(&claim).starts_with("ok"));
-        let nan = Claim::relative("p0", f64::NAN, 100.0, 0.01);
+        let nan = LadderClaim::relative("p0", f64::NAN, 100.0, 0.01);
         assert!(line(&nan).starts_with("FAILS"));
+    }
+
+    #[test]
+    fn what_is_shown_is_no_claim() {
+        let claims = [
+            LadderClaim::relative("p0", 100.0, 100.0, 0.01),
+            LadderClaim::shown("p0, nodal", 150.0, 100.0),
+        ];
+        assert!(line(&claims[1]).starts_with("shown"));
+        assert!(tally(&claims).starts_with("1 claims, 0 outside their tolerance; 1 values more"));
     }
 }

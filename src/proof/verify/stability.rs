@@ -7,14 +7,14 @@ use std::path::Path;
 
 /// A section of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum StabilitySection {
     Extreme,
     Random,
 }
 
 const TITLE: &str = "# Stability\n";
 
-impl Part {
+impl StabilitySection {
     const ALL: [Self; 2] = [Self::Extreme, Self::Random];
 
     fn heading(self) -> &'static str {
@@ -29,7 +29,7 @@ impl Part {
 ///
 /// # Errors
 /// Where the page cannot be read or written.
-pub fn write(path: &Path, part: Part, text: &str) -> Result<(), FileError> {
+pub fn write(path: &Path, part: StabilitySection, text: &str) -> Result<(), FileError> {
     let old = match std::fs::read_to_string(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(String::new()),
         read => read,
@@ -42,14 +42,14 @@ pub fn write(path: &Path, part: Part, text: &str) -> Result<(), FileError> {
     write_atomically(path, |file| file.write_all(new.as_bytes()))
 }
 
-fn renewed(old: &str, part: Part, text: &str) -> String {
-    let kept = |of: Part| {
+fn renewed(old: &str, part: StabilitySection, text: &str) -> String {
+    let kept = |of: StabilitySection| {
         let (_, section) = old.split_once(of.heading())?;
         let next = section.find("\n## ").unwrap_or(section.len());
         Some(section[..next].to_owned())
     };
     let mut page = TITLE.to_owned();
-    for of in Part::ALL {
+    for of in StabilitySection::ALL {
         let section = if of == part {
             Some(text.to_owned())
         } else {
@@ -69,10 +69,10 @@ mod tests {
 
     #[test]
     fn a_section_is_renewed_and_the_other_stays() {
-        let first = renewed("", Part::Random, "none\n");
-        let both = renewed(&first, Part::Extreme, "a\n");
+        let first = renewed("", StabilitySection::Random, "none\n");
+        let both = renewed(&first, StabilitySection::Extreme, "a\n");
         assert!(both.find("## Extreme") < both.find("## Random"));
-        let again = renewed(&both, Part::Extreme, "b\n");
+        let again = renewed(&both, StabilitySection::Extreme, "b\n");
         assert_eq!(again, both.replace("a\n\n## R", "b\n\n## R"));
     }
 }

@@ -1,11 +1,12 @@
 //! What is asked of the claims.
 
-use super::measure::Record;
-use super::tally::{Tally, quantile};
+use super::measure::ClaimRecord;
+use super::quantile::quantile;
+use super::tally::Tally;
 
 /// A demand, what was found, and whether that will do.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Criterion {
+pub struct CoverageCriterion {
     pub what: String,
     pub wanted: f64,
     /// None where there is nothing to judge by.
@@ -14,7 +15,7 @@ pub struct Criterion {
     pub least: bool,
 }
 
-impl Criterion {
+impl CoverageCriterion {
     pub fn holds(&self) -> Option<bool> {
         let found = self.found?;
         Some(if self.least {
@@ -38,7 +39,7 @@ const ACCURACY: [Accuracy; 6] = [
 ];
 
 /// Kinds and presets in the order in which they come.
-pub fn groups(records: &[Record], key: impl Fn(&Record) -> String) -> Vec<String> {
+pub fn groups(records: &[ClaimRecord], key: impl Fn(&ClaimRecord) -> String) -> Vec<String> {
     let mut names: Vec<String> = records.iter().map(key).collect();
     names.sort();
     names.dedup();
@@ -46,7 +47,7 @@ pub fn groups(records: &[Record], key: impl Fn(&Record) -> String) -> Vec<String
 }
 
 /// All demands.
-pub fn criteria(records: &[Record]) -> Vec<Criterion> {
+pub fn criteria(records: &[ClaimRecord]) -> Vec<CoverageCriterion> {
     let all = Tally::of(records);
     let mut list = vec![
         least("of all claims hold", 0.95, all.covered()),
@@ -54,7 +55,7 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
     ];
     let presets = groups(records, |r| r.preset.clone());
     for preset in &presets {
-        let of = |r: &&Record| r.preset == *preset;
+        let of = |r: &&ClaimRecord| r.preset == *preset;
         let tally = Tally::of(records.iter().filter(of));
         let limit = if preset == "h025" { 0.4 } else { 0.1 };
         let text = |what: &str| format!("{preset}: {what}");
@@ -75,7 +76,7 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
     }
     for preset in &presets {
         for what in groups(records, |r| r.reading.what.clone()) {
-            let of = |r: &&Record| r.preset == *preset && r.reading.what == what;
+            let of = |r: &&ClaimRecord| r.preset == *preset && r.reading.what == what;
             let tally = Tally::of(records.iter().filter(of));
             list.push(least(
                 format!("{preset}: {what} hold"),
@@ -85,8 +86,8 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
         }
     }
     let lines = |what: &str| {
-        let of = |r: &&Record| r.elastic && r.reading.what == what;
-        let has = |r: &&Record| match what {
+        let of = |r: &&ClaimRecord| r.elastic && r.reading.what == what;
+        let has = |r: &&ClaimRecord| match what {
             "hertz_pressure" => r.reading.bar.is_some(),
             _ => r.strip.is_none_or(|strip| !strip.no_hertz),
         };
@@ -100,7 +101,7 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
         claimed,
     ));
     for (what, elastic, middle, most_of) in ACCURACY {
-        let of = |r: &&Record| {
+        let of = |r: &&ClaimRecord| {
             let kind = match what {
                 // Where no edge is loaded the peak itself is away from edges.
                 "mises_away" => ["mises_away", "peak_mises"].contains(&r.reading.what.as_str()),
@@ -123,19 +124,19 @@ pub fn criteria(records: &[Record]) -> Vec<Criterion> {
 
 /// Does the mesh have three nodes across the strip below which the figure is? A preset of one size has none
 /// across the strips of light loads, and nothing that it reads there is worth a bar.
-fn has_nodes(record: &Record) -> bool {
+fn has_nodes(record: &ClaimRecord) -> bool {
     (record.strip).is_none_or(|strip| strip.half_width >= 1.5 * strip.middle)
 }
 
 /// Where the true value is known to a third of `limit`, as a bar is judged: below that nothing can be measured.
-fn error(record: &Record, limit: f64) -> Option<f64> {
+fn error(record: &ClaimRecord, limit: f64) -> Option<f64> {
     let truth = record.truth?;
     let known = truth.uncertainty <= limit / 3.0 * truth.value.abs();
     record.error().filter(|_| known)
 }
 
-fn least(what: impl Into<String>, wanted: f64, found: Option<f64>) -> Criterion {
-    Criterion {
+fn least(what: impl Into<String>, wanted: f64, found: Option<f64>) -> CoverageCriterion {
+    CoverageCriterion {
         what: what.into(),
         wanted,
         found,
@@ -143,8 +144,8 @@ fn least(what: impl Into<String>, wanted: f64, found: Option<f64>) -> Criterion 
     }
 }
 
-fn most(what: impl Into<String>, wanted: f64, found: Option<f64>) -> Criterion {
-    Criterion {
+fn most(what: impl Into<String>, wanted: f64, found: Option<f64>) -> CoverageCriterion {
+    CoverageCriterion {
         least: false,
         ..least(what, wanted, found)
     }

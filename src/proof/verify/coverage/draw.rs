@@ -2,9 +2,9 @@
 //!
 //! A bearing is drawn as the text of its case file, so that whoever wants can run it again.
 
-use super::Bearing;
+use super::bearing::Bearing;
 use crate::analytic::sizing::PRESSURE_LIMIT;
-use crate::proof::verify::drawn::{Drawn, End, INCH, METRIC, digits};
+use crate::proof::verify::drawn::{DrawnBearing, End, INCH, METRIC, digits};
 use crate::proof::verify::stream::Stream;
 use libm::{sin, tan};
 use std::f64::consts::{PI, SQRT_2};
@@ -17,15 +17,15 @@ const LOADS: [f64; 2] = [0.1, 1.3];
 
 /// The line load at which a ring turns plastic at its first hinge is π M_p / R; less than that by this
 /// factor, so that thin rollers are not crushed.
-const RING: f64 = 0.8;
+const HINGE_LOAD_SHARE: f64 = 0.8;
 
 /// Friction of displaced bearings over tan(slope/2), one of a few, and the least with which they surely stand: both
 /// rollers lean on the same friction, so √2 and a little more.
-const GRIP: f64 = 1.3;
-const HELD: f64 = 1.03 * SQRT_2;
+const LEAST_GRIP: f64 = 1.3;
+const STANDING_GRIP: f64 = 1.03 * SQRT_2;
 
 /// How far from the middle of a roller, in its lengths, the force may pass.
-const FARTHEST: f64 = 0.36;
+const FARTHEST_FORCE: f64 = 0.36;
 
 /// The bearings of a seed.
 pub fn bearings(seed: u64) -> Vec<Bearing> {
@@ -72,13 +72,13 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     }
     let least = tan(slope / 2.0);
     let friction = stream.of([0.05, 0.15, 0.3]);
-    let grip = stream.of([GRIP, 1.5, 2.0]) * least;
+    let grip = stream.of([LEAST_GRIP, 1.5, 2.0]) * least;
     let friction = if displaced {
         grip.max(friction)
     } else {
         friction
     };
-    if displaced && friction < HELD * least {
+    if displaced && friction < STANDING_GRIP * least {
         return None;
     }
     let (modulus, strengths) = match inch {
@@ -118,7 +118,7 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     } else {
         ""
     };
-    let drawn = Drawn {
+    let drawn = DrawnBearing {
         name: name.to_owned(),
         units,
         load,
@@ -148,7 +148,7 @@ fn stands(diameter: f64, length: f64, slope: f64, offset: f64, thickness: f64) -
     let height = thickness + 2.0 * offset * tan(slope) + 2.0 * diameter;
     let force = offset + tan(slope / 2.0) * height;
     let touches = offset + 0.5 * diameter * sin(slope);
-    force.max(touches) <= FARTHEST * length
+    force.max(touches) <= FARTHEST_FORCE * length
 }
 
 /// The load per length that the study's rule (2-49) allows, p0 = 1.65 Y, or that of the ring.
@@ -157,7 +157,8 @@ fn limit(diameter: f64, wall: Option<f64>, modulus: f64, poisson: f64, strength:
     let radius = 0.5 * diameter;
     let pressure = PRESSURE_LIMIT * strength;
     let rule = PI * radius * compliance * pressure * pressure;
-    let ring =
-        |wall: f64| RING * PI * 0.25 * strength * wall * wall / (radius - 0.5 * wall) / LOADS[1];
+    let ring = |wall: f64| {
+        HINGE_LOAD_SHARE * PI * 0.25 * strength * wall * wall / (radius - 0.5 * wall) / LOADS[1]
+    };
     wall.map_or(rule, |wall| rule.min(ring(wall)))
 }

@@ -1,6 +1,6 @@
 //! The two fine meshes of a bearing, from which its true values are extrapolated.
 
-use super::solution::Solved;
+use super::solution::SolvedBearing;
 use crate::case::bearing::{MeshRequest, Preset};
 use crate::case::{Case, CaseError, ErrorKind, Kind};
 use std::f64::consts::PI;
@@ -33,27 +33,27 @@ const DISPLACED: Fineness = Fineness {
 
 /// Element sizes of the two meshes, relative to that; finer last. Flow takes ten increments and more, so that
 /// its meshes have to be coarser.
-const ELASTIC: [f64; 2] = [1.4, 1.0];
-const FLOWING: [f64; 2] = [1.96, 1.4];
+const ELASTIC_SIZES: [f64; 2] = [1.4, 1.0];
+const PLASTIC_SIZES: [f64; 2] = [1.96, 1.4];
 
 /// How many of the widest half-widths the fine zone reaches to either side.
-const REACH: f64 = 1.4;
+const FINE_ZONE: f64 = 1.4;
 
 /// `case` on its two fine meshes. How wide its strips are is known from the line loads of `coarse`,
 /// which coarse meshes have within some per cent.
 ///
 /// # Errors
 /// Where the case is no bearing, or a mesh cannot be made so fine.
-pub fn cases(case: &Case, coarse: &Solved) -> Result<[(f64, Case); 2], CaseError> {
+pub fn cases(case: &Case, coarse: &SolvedBearing) -> Result<[(f64, Case); 2], CaseError> {
     let [coarser, finer] = match case.controls.plasticity {
-        true => FLOWING,
-        false => ELASTIC,
+        true => PLASTIC_SIZES,
+        false => ELASTIC_SIZES,
     };
     let case = |scale| Ok::<_, CaseError>((scale, scaled(case, coarse, scale)?));
     Ok([case(coarser)?, case(finer)?])
 }
 
-fn scaled(case: &Case, coarse: &Solved, scale: f64) -> Result<Case, CaseError> {
+fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseError> {
     let mut case = case.clone();
     let wrong = |text: String| CaseError::new(ErrorKind::Value, text);
     let Kind::Bearing(bearing) = &mut case.kind else {
@@ -80,7 +80,7 @@ fn scaled(case: &Case, coarse: &Solved, scale: f64) -> Result<Case, CaseError> {
     let wall = geometry.wall.unwrap_or(geometry.radius());
     let overrides = [
         ("roller_size", size),
-        ("fine_elements", (REACH * wide / size).ceil()),
+        ("fine_elements", (FINE_ZONE * wide / size).ceil()),
         ("fine_layers", fineness.layers),
         ("growth", fineness.growth),
         ("depth_growth", fineness.growth),

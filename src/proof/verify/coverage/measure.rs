@@ -1,8 +1,9 @@
 //! Claims of ordinary runs beside true values.
 
 use super::bearing::Bearing;
-use super::reference::{Stored, Truth};
-use super::solution::{self, Keep, Reading, Solved, Strip};
+use super::pair::Truth;
+use super::reference::Stored;
+use super::solution::{self, ClaimReading, Keep, SolvedBearing, StripMesh};
 use crate::product::job::JobError;
 use crate::solver::solve::Observer;
 use serde::Serialize;
@@ -11,7 +12,7 @@ use std::collections::BTreeMap;
 /// Is what is claimed true?
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Verdict {
+pub enum BarVerdict {
     /// The bar, and the uncertainty of the true value beside it, hold that value.
     Holds,
     Missed,
@@ -23,22 +24,22 @@ pub enum Verdict {
 
 /// A claim of a run and the truth about it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Record {
+pub struct ClaimRecord {
     pub bearing: String,
     pub preset: String,
     pub elastic: bool,
     #[serde(flatten)]
-    pub reading: Reading,
+    pub reading: ClaimReading,
     #[serde(flatten)]
     pub truth: Option<Truth>,
-    pub verdict: Verdict,
+    pub verdict: BarVerdict,
     /// The mesh at the interface, or at those of the body that carry most.
-    pub strip: Option<Strip>,
+    pub strip: Option<StripMesh>,
     pub unknowns: usize,
     pub cpu_s: f64,
 }
 
-impl Record {
+impl ClaimRecord {
     /// Of the value, relative to the true one.
     pub fn error(&self) -> Option<f64> {
         let truth = self.truth.filter(|t| t.value != 0.0)?;
@@ -53,19 +54,19 @@ impl Record {
 }
 
 /// A claim holds if the value is within bar and uncertainty of the true one.
-pub fn judge(reading: &Reading, truth: Option<Truth>) -> Verdict {
+pub fn judge(reading: &ClaimReading, truth: Option<Truth>) -> BarVerdict {
     let Some(bar) = reading.bar else {
-        return Verdict::Unresolved;
+        return BarVerdict::Unresolved;
     };
     match truth {
         Some(truth) if truth.uncertainty <= bar / 3.0 => {
             let error = (reading.value - truth.value).abs();
             match error <= bar + truth.uncertainty {
-                true => Verdict::Holds,
-                false => Verdict::Missed,
+                true => BarVerdict::Holds,
+                false => BarVerdict::Missed,
             }
         }
-        _ => Verdict::Undecidable,
+        _ => BarVerdict::Undecidable,
     }
 }
 
@@ -80,7 +81,7 @@ pub fn measure(
     (stored, scatter): (&Stored, &BTreeMap<String, f64>),
     keep: &Keep,
     observer: &mut dyn Observer,
-) -> Result<Vec<Record>, JobError> {
+) -> Result<Vec<ClaimRecord>, JobError> {
     let mut case = if elastic {
         bearing.twin()?
     } else {
@@ -90,10 +91,10 @@ pub fn measure(
     let steel = if elastic { "elastic" } else { "own" };
     let name = format!("{}/{preset}-{steel}", bearing.name);
     let solved = solution::solve(&case, (keep, &name), true, observer)?;
-    let record = |reading: &Reading| {
-        let of = |reading: &Reading| truth(reading, elastic, stored, scatter);
+    let record = |reading: &ClaimReading| {
+        let of = |reading: &ClaimReading| truth(reading, elastic, stored, scatter);
         let truth = of(reading).or_else(|| by_load(reading, &solved.readings, of));
-        Record {
+        ClaimRecord {
             bearing: bearing.name.clone(),
             preset: preset.to_owned(),
             elastic,
@@ -111,7 +112,7 @@ pub fn measure(
 /// The true value of what `reading` is about. Elastic peaks of a run that yields are those of the twin;
 /// where no peak is at a loaded edge, that away from edges is the peak.
 fn truth(
-    reading: &Reading,
+    reading: &ClaimReading,
     elastic: bool,
     stored: &Stored,
     scatter: &BTreeMap<String, f64>,
@@ -130,14 +131,14 @@ fn truth(
 
 /// The true value of Hertz's pressure, which goes with the root of the line load.
 fn by_load(
-    reading: &Reading,
-    readings: &[Reading],
-    truth: impl Fn(&Reading) -> Option<Truth>,
+    reading: &ClaimReading,
+    readings: &[ClaimReading],
+    truth: impl Fn(&ClaimReading) -> Option<Truth>,
 ) -> Option<Truth> {
     if reading.what != "hertz_pressure" {
         return None;
     }
-    let at = |r: &&Reading| r.what == "line_load" && r.place == reading.place;
+    let at = |r: &&ClaimReading| r.what == "line_load" && r.place == reading.place;
     let load = readings.iter().find(at)?;
     let of_load = truth(load)?;
     let value = reading.value * (of_load.value / load.value).sqrt();
@@ -147,7 +148,7 @@ fn by_load(
     })
 }
 
-fn strip(solved: &Solved, place: &str) -> Option<Strip> {
+fn strip(solved: &SolvedBearing, place: &str) -> Option<StripMesh> {
     let touches = |name: &str| name == place || name.split('-').any(|body| body == place);
     let strips = (solved.strips.iter()).filter(|(name, _)| touches(name));
     let heaviest = strips.max_by(|a, b| a.1.line_load.total_cmp(&b.1.line_load));
@@ -161,7 +162,7 @@ mod tests {
     /// Bar plus uncertainty, the latter at most a third of the bar.
     #[test]
     fn claims_are_judged() {
-        let reading = |bar| Reading {
+        let reading = |bar| ClaimReading {
             what: "descent".into(),
             place: "overall".into(),
             value: 10.0,
@@ -170,10 +171,13 @@ mod tests {
         };
         let truth = |value, uncertainty| Some(Truth { value, uncertainty });
         let judged = |bar, truth| judge(&reading(bar), truth);
-        assert_eq!(judged(Some(0.9), truth(11.1, 0.3)), Verdict::Holds);
-        assert_eq!(judged(Some(0.9), truth(11.3, 0.3)), Verdict::Missed);
-        assert_eq!(judged(Some(0.9), truth(10.0, 0.31)), Verdict::Undecidable);
-        assert_eq!(judged(Some(0.9), None), Verdict::Undecidable);
-        assert_eq!(judged(None, truth(10.0, 0.0)), Verdict::Unresolved);
+        assert_eq!(judged(Some(0.9), truth(11.1, 0.3)), BarVerdict::Holds);
+        assert_eq!(judged(Some(0.9), truth(11.3, 0.3)), BarVerdict::Missed);
+        assert_eq!(
+            judged(Some(0.9), truth(10.0, 0.31)),
+            BarVerdict::Undecidable
+        );
+        assert_eq!(judged(Some(0.9), None), BarVerdict::Undecidable);
+        assert_eq!(judged(None, truth(10.0, 0.0)), BarVerdict::Unresolved);
     }
 }

@@ -1,7 +1,7 @@
 //! Do the bars hold? Claims of ordinary runs of many bearings beside values of much finer meshes.
 //!
 //! Ten bearings have names, thirty are drawn by a seed (`draw`). The true values of a set are in a
-//! file below `cases/coverage`, from two fine meshes each (`reference`); `measure` solves a bearing
+//! file below `cases/coverage`, from two fine meshes each (`make`, `pair`, `reference`); `measure` solves a bearing
 //! on the presets and judges every claim of its certificate, whatever it is about; `page` and
 //! `criteria` say what came of it.
 
@@ -9,168 +9,24 @@ mod bearing;
 mod criteria;
 pub mod draw;
 mod fine;
+mod make;
 mod measure;
 mod page;
+mod pair;
+mod quantile;
 pub mod reference;
+mod run;
+mod set;
 mod solution;
 mod tally;
 
-pub use bearing::{Bearing, Set};
-pub use criteria::{Criterion, criteria};
-pub use measure::{Record, Verdict, judge};
+pub use bearing::Bearing;
+pub use criteria::{CoverageCriterion, criteria};
+pub use measure::{BarVerdict, ClaimRecord, judge};
 pub use page::{criterion, line, page};
-pub use reference::{References, Truth};
-pub use solution::{Keep, Reading};
+pub use pair::Truth;
+pub use reference::References;
+pub use run::{CoverageAnswer, CoverageRun, presets};
+pub use set::Set;
+pub use solution::{ClaimReading, Keep};
 pub use tally::Tally;
-
-use crate::case::bearing::Preset;
-use crate::product::job::JobError;
-use crate::solver::solve::Observer;
-
-/// The presets whose claims are judged.
-const PRESETS: [&str; 3] = ["h025", "h0125", "auto"];
-
-/// Those of them that there are.
-pub fn presets() -> Vec<String> {
-    let there = |name: &&str| Preset::ALL.iter().any(|preset| preset.name() == *name);
-    let names = PRESETS.into_iter().filter(there);
-    names.map(str::to_owned).collect()
-}
-
-/// What is to be done, where it is kept and who is told.
-pub struct Suite<'a> {
-    pub sets: Vec<Set>,
-    /// Only bearings whose names begin so; all where there are none.
-    pub only: Vec<String>,
-    pub presets: Vec<String>,
-    /// As drawn, too, and not only elastic?
-    pub plastic: bool,
-    pub keep: Keep,
-    pub observer: &'a mut dyn Observer,
-    /// Hears of every bearing that is done.
-    pub say: &'a mut dyn FnMut(&str),
-}
-
-/// What came of it.
-#[derive(Debug, Default)]
-pub struct Answer {
-    pub records: Vec<Record>,
-    /// Runs that failed, and why.
-    pub unsolved: Vec<String>,
-    /// Bearings without stored true values.
-    pub unknown: Vec<String>,
-    pub interrupted: bool,
-}
-
-impl Suite<'_> {
-    fn bearings(&self, set: Set) -> Vec<Bearing> {
-        let begins = |b: &Bearing| self.only.iter().any(|name| b.name.starts_with(name));
-        let wanted = |b: &Bearing| self.only.is_empty() || begins(b);
-        set.bearings().into_iter().filter(wanted).collect()
-    }
-
-    /// Makes the true values that are missing, quick ones first; each is on disk when it is done.
-    ///
-    /// # Errors
-    /// [`JobError`] where a file cannot be written or a drawn case is not understood.
-    pub fn remake(&mut self) -> Result<Answer, JobError> {
-        let mut answer = Answer::default();
-        let mut wanted = Vec::new();
-        for set in self.sets.clone() {
-            for bearing in self.bearings(set) {
-                let displaced = bearing.is_displaced()?;
-                wanted.push((displaced, false, set, bearing.clone()));
-                if self.plastic && !bearing.is_elastic()? {
-                    wanted.push((displaced, true, set, bearing));
-                }
-            }
-        }
-        // Centred before displaced, elastic before plastic.
-        wanted.sort_by_key(|(displaced, plastic, ..)| (*plastic, *displaced));
-        for (_, plastic, set, bearing) in wanted {
-            let known = References::read(set);
-            let stored = known.of(&bearing);
-            if stored.is_some_and(|s| s.has(!plastic)) {
-                continue;
-            }
-            let name = format!("{}, {}", bearing.name, steel(!plastic));
-            match reference::make(&bearing, !plastic, &self.keep, self.observer) {
-                Ok(pair) => {
-                    let [coarse, fine] = pair.cpu_s;
-                    let unknowns = pair.unknowns;
-                    (self.say)(&format!(
-                        "{name}: {unknowns:?} unknowns, {coarse} and {fine} s"
-                    ));
-                    // Another process may have added to it.
-                    let mut known = References::read(set);
-                    known.keep(&bearing, !plastic, pair);
-                    known.write(set)?;
-                }
-                Err(JobError::Interrupted) => {
-                    answer.interrupted = true;
-                    return Ok(answer);
-                }
-                Err(error) => {
-                    let text = format!("{name}: {error}");
-                    (self.say)(&text);
-                    answer.unsolved.push(text);
-                }
-            }
-        }
-        Ok(answer)
-    }
-
-    /// Solves the bearings on the presets and judges their claims.
-    ///
-    /// # Errors
-    /// [`JobError`] where a drawn case is not understood.
-    pub fn measure(&mut self) -> Result<Answer, JobError> {
-        let mut answer = Answer::default();
-        let presets = self.presets.clone();
-        for set in self.sets.clone() {
-            let known = References::read(set);
-            let scatter = known.scatter();
-            for bearing in self.bearings(set) {
-                let Some(stored) = known.of(&bearing) else {
-                    answer.unknown.push(bearing.name);
-                    continue;
-                };
-                let both = self.plastic && !bearing.is_elastic()?;
-                let steels: &[bool] = if both { &[true, false] } else { &[true] };
-                let runs = (presets.iter()).flat_map(|p| steels.iter().map(move |e| (p, *e)));
-                for (preset, elastic) in runs {
-                    if !stored.has(elastic) {
-                        answer
-                            .unknown
-                            .push(format!("{}, {}", bearing.name, steel(elastic)));
-                        continue;
-                    }
-                    let name = format!("{}, {preset}, {}", bearing.name, steel(elastic));
-                    let truths = (stored, &scatter);
-                    let keep = &self.keep;
-                    match measure::measure(&bearing, preset, elastic, truths, keep, self.observer) {
-                        Ok(records) => {
-                            (self.say)(&line(&name, &records));
-                            answer.records.extend(records);
-                        }
-                        Err(JobError::Interrupted) => {
-                            answer.interrupted = true;
-                            return Ok(answer);
-                        }
-                        Err(error) => {
-                            let text = format!("{name}: {error}");
-                            (self.say)(&text);
-                            answer.unsolved.push(text);
-                        }
-                    }
-                }
-            }
-        }
-        answer.unknown.dedup();
-        Ok(answer)
-    }
-}
-
-fn steel(elastic: bool) -> &'static str {
-    if elastic { "elastic" } else { "as drawn" }
-}

@@ -1,14 +1,14 @@
 //! The page `docs/coverage.md`, and the lines of the terminal.
 
-use super::bearing::Set;
-use super::criteria::{Criterion, criteria, groups};
-use super::measure::{Record, Verdict};
+use super::criteria::{CoverageCriterion, criteria, groups};
+use super::measure::{BarVerdict, ClaimRecord};
+use super::set::Set;
 use super::tally::Tally;
 use crate::render::text::significant;
 use std::fmt::Write;
 
 /// How many of the worst are named.
-const WORST: usize = 10;
+const WORST_LISTED: usize = 10;
 
 fn percent(share: Option<f64>) -> String {
     share.map_or("-".to_owned(), |s| {
@@ -17,7 +17,7 @@ fn percent(share: Option<f64>) -> String {
 }
 
 /// A demand in a line.
-pub fn criterion(c: &Criterion) -> String {
+pub fn criterion(c: &CoverageCriterion) -> String {
     let [wanted, found] = [Some(c.wanted), c.found].map(|value| match c.wanted > 1.0 {
         true => value.map_or("-".to_owned(), |v| significant(v, 3)),
         false => percent(value),
@@ -49,7 +49,7 @@ const HEAD: &str = "claims | hold | undecidable | unresolved | true error | nine
                     |---|---|---|---|---|---|---|---|---|\n";
 
 /// A table of groups of claims that make a claim at all.
-fn table(title: &str, records: &[Record], key: impl Fn(&Record) -> String) -> String {
+fn table(title: &str, records: &[ClaimRecord], key: impl Fn(&ClaimRecord) -> String) -> String {
     let mut text = format!("| {title} | {HEAD}");
     for name in groups(records, &key) {
         let tally = Tally::of(records.iter().filter(|r| key(r) == name));
@@ -61,19 +61,19 @@ fn table(title: &str, records: &[Record], key: impl Fn(&Record) -> String) -> St
 }
 
 /// The claims that are farthest outside of their bars.
-fn worst(records: &[Record]) -> String {
-    let outside = |r: &&Record| r.verdict == Verdict::Missed;
-    let ratio = |r: &Record| {
+fn worst(records: &[ClaimRecord]) -> String {
+    let outside = |r: &&ClaimRecord| r.verdict == BarVerdict::Missed;
+    let ratio = |r: &ClaimRecord| {
         r.error()
             .zip(r.bar())
             .map_or(0.0, |(error, bar)| error / bar)
     };
-    let mut missed: Vec<&Record> = records.iter().filter(outside).collect();
+    let mut missed: Vec<&ClaimRecord> = records.iter().filter(outside).collect();
     missed.sort_by(|a, b| ratio(b).total_cmp(&ratio(a)));
     let mut text = "| bearing | mesh | steel | figure | where | true error | bar | error / bar |\n\
                     |---|---|---|---|---|---|---|---|\n"
         .to_owned();
-    for record in missed.into_iter().take(WORST) {
+    for record in missed.into_iter().take(WORST_LISTED) {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
@@ -96,7 +96,12 @@ fn worst(records: &[Record]) -> String {
 }
 
 /// The page. `unsolved` says of the runs that failed why, `unknown` counts bearings without reference.
-pub fn page(records: &[Record], sets: &[Set], unsolved: &[String], unknown: &[String]) -> String {
+pub fn page(
+    records: &[ClaimRecord],
+    sets: &[Set],
+    unsolved: &[String],
+    unknown: &[String],
+) -> String {
     let sets: Vec<String> = sets.iter().map(Set::to_string).collect();
     let demands: Vec<String> = criteria(records).iter().map(criterion).collect();
     let missing = match unknown {
@@ -145,7 +150,7 @@ pub fn page(records: &[Record], sets: &[Set], unsolved: &[String], unknown: &[St
 }
 
 /// Of a run, in a line.
-pub fn line(name: &str, records: &[Record]) -> String {
+pub fn line(name: &str, records: &[ClaimRecord]) -> String {
     let tally = Tally::of(records);
     let first = records.first();
     format!(

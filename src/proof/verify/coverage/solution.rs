@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// A claim, as `summary.json` has it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Reading {
+pub struct ClaimReading {
     /// Such as `peak_mises`.
     pub what: String,
     #[serde(rename = "where")]
@@ -27,7 +27,7 @@ pub struct Reading {
 
 /// How the line of an interface that carries most is meshed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Strip {
+pub struct StripMesh {
     pub half_width: f64,
     /// Distance of its nodes in its middle, and of the last one that presses from the first open one.
     pub middle: f64,
@@ -41,10 +41,10 @@ pub struct Strip {
 
 /// What came of a solution.
 #[derive(Debug, Clone)]
-pub struct Solved {
-    pub readings: Vec<Reading>,
+pub struct SolvedBearing {
+    pub readings: Vec<ClaimReading>,
     /// By interface.
-    pub strips: BTreeMap<String, Strip>,
+    pub strips: BTreeMap<String, StripMesh>,
     /// Largest plastic strain of every body.
     pub flow: BTreeMap<String, f64>,
     pub unknowns: usize,
@@ -80,7 +80,7 @@ pub fn solve(
     (keep, name): (&Keep, &str),
     elastic_peaks: bool,
     observer: &mut dyn Observer,
-) -> Result<Solved, JobError> {
+) -> Result<SolvedBearing, JobError> {
     let meter = Meter::start();
     let options = keep.options(name, elastic_peaks);
     let run = match job::run(case, &options, observer) {
@@ -102,7 +102,7 @@ pub fn solve(
         return Err(JobError::Interrupted);
     }
     let summary = &outcome.summary;
-    Ok(Solved {
+    Ok(SolvedBearing {
         readings: readings(summary),
         strips: strips(&outcome),
         flow: (summary.answer.bodies.0.iter())
@@ -124,15 +124,15 @@ fn remove_fields(folder: &Path) {
 
 /// The claims of a summary. A peak at a loaded edge has no limit, and is none where another stands in
 /// its place.
-fn readings(summary: &Summary) -> Vec<Reading> {
+fn readings(summary: &Summary) -> Vec<ClaimReading> {
     let unresolved = certify::unresolved(&summary.answer.certificate);
     let counts = |c: &&Figure| c.is_resolved() || unresolved.contains(c);
     let claims = summary.answer.certificate.iter().filter(counts);
     claims.filter_map(reading).collect()
 }
 
-fn reading(claim: &Figure) -> Option<Reading> {
-    Some(Reading {
+fn reading(claim: &Figure) -> Option<ClaimReading> {
+    Some(ClaimReading {
         what: serde_json::to_value(claim.what).ok()?.as_str()?.to_owned(),
         place: claim.place.clone(),
         value: claim.value,
@@ -141,7 +141,7 @@ fn reading(claim: &Figure) -> Option<Reading> {
     })
 }
 
-fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
+fn strips(outcome: &Outcome) -> BTreeMap<String, StripMesh> {
     let (scene, state) = (&outcome.scene, outcome.state());
     let pairs = outcome.summary.answer.interfaces.0.iter().enumerate();
     let edges = LoadedEdges::find(scene, state);
@@ -152,7 +152,7 @@ fn strips(outcome: &Outcome) -> BTreeMap<String, Strip> {
         let mirrored = scene.mirrors.contains(&axis);
         let to = |end: Option<&f64>| end.map_or(f64::INFINITY, |end| (end - at).abs());
         let (first, last) = (to(line.at.first()), to(line.at.last()));
-        Some(Strip {
+        Some(StripMesh {
             half_width: line.heaviest.half_width,
             middle: line.heaviest.middle_spacing(),
             edge: line.heaviest.edge_spacing(),

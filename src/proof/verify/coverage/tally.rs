@@ -1,6 +1,7 @@
 //! Shares and middles over many claims.
 
-use super::measure::{Record, Verdict};
+use super::measure::{BarVerdict, ClaimRecord};
+use super::quantile::quantile;
 
 /// What came of a group of claims.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -17,16 +18,16 @@ pub struct Tally {
 }
 
 impl Tally {
-    pub fn of<'r>(records: impl IntoIterator<Item = &'r Record>) -> Self {
+    pub fn of<'r>(records: impl IntoIterator<Item = &'r ClaimRecord>) -> Self {
         let mut tally = Self::default();
         let (mut errors, mut bars) = (Vec::new(), Vec::new());
         for record in records {
             tally.claims += 1;
             match record.verdict {
-                Verdict::Holds => tally.holds += 1,
-                Verdict::Missed => tally.missed += 1,
-                Verdict::Undecidable => tally.undecidable += 1,
-                Verdict::Unresolved => tally.unresolved += 1,
+                BarVerdict::Holds => tally.holds += 1,
+                BarVerdict::Missed => tally.missed += 1,
+                BarVerdict::Undecidable => tally.undecidable += 1,
+                BarVerdict::Unresolved => tally.unresolved += 1,
             }
             if let (Some(error), Some(bar)) = (record.error(), record.bar()) {
                 errors.push(error);
@@ -64,25 +65,4 @@ impl Tally {
 
 fn share(part: usize, whole: usize) -> Option<f64> {
     (whole > 0).then(|| part as f64 / whole as f64)
-}
-
-/// The value below which a share of the list lies, interpolated; none of an empty list.
-pub fn quantile(mut list: Vec<f64>, share: f64) -> Option<f64> {
-    list.sort_by(f64::total_cmp);
-    let at = share * list.len().checked_sub(1)? as f64;
-    let (low, high) = (at.floor() as usize, at.ceil() as usize);
-    Some(list[low] + (at - low as f64) * (list[high] - list[low]))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantiles_lie_between_the_values() {
-        assert_eq!(quantile(vec![], 0.5), None);
-        assert_eq!(quantile(vec![3.0], 0.9), Some(3.0));
-        assert_eq!(quantile(vec![3.0, 1.0, 2.0], 0.5), Some(2.0));
-        assert_eq!(quantile(vec![0.0, 1.0], 0.9), Some(0.9));
-    }
 }

@@ -1,6 +1,6 @@
 //! What came of a case, beside what was expected.
 
-use super::Extreme;
+use super::entry::Extreme;
 use crate::product::job::JobError;
 use crate::render::text::significant;
 use miette::Diagnostic;
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 /// How a case ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum ExtremeVerdict {
     /// As expected: solved, with the largest relative error of what was checked.
     Solved {
         error: f64,
@@ -32,22 +32,22 @@ pub enum Verdict {
 
 /// A row of the table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
+pub struct ExtremeOutcome {
     pub what: String,
     /// In words.
     pub expected: String,
-    pub verdict: Verdict,
+    pub verdict: ExtremeVerdict,
     pub iterations: usize,
     pub cut_backs: usize,
     pub seconds: f64,
 }
 
-impl Outcome {
+impl ExtremeOutcome {
     /// Did it end as expected?
     pub fn holds(&self) -> bool {
         matches!(
             self.verdict,
-            Verdict::Solved { .. } | Verdict::Refused { .. }
+            ExtremeVerdict::Solved { .. } | ExtremeVerdict::Refused { .. }
         )
     }
 }
@@ -71,14 +71,14 @@ fn name(pointer: &str) -> String {
 }
 
 /// The verdict on a case that was solved.
-pub(super) fn solved(case: &Extreme, summary: &Value) -> Verdict {
+pub(super) fn solved(case: &Extreme, summary: &Value) -> ExtremeVerdict {
     if case.expect.is_empty() {
-        return Verdict::Wrong {
+        return ExtremeVerdict::Wrong {
             why: "it was solved".to_owned(),
         };
     }
     if summary["converged"] != Value::Bool(true) {
-        return Verdict::Wrong {
+        return ExtremeVerdict::Wrong {
             why: "it did not get to its end".to_owned(),
         };
     }
@@ -86,7 +86,7 @@ pub(super) fn solved(case: &Extreme, summary: &Value) -> Verdict {
     for (pointer, expected) in &case.expect {
         let found = summary.pointer(pointer).and_then(Value::as_f64);
         let Some(found) = found else {
-            return Verdict::Wrong {
+            return ExtremeVerdict::Wrong {
                 why: format!("{} is missing", name(pointer)),
             };
         };
@@ -97,24 +97,24 @@ pub(super) fn solved(case: &Extreme, summary: &Value) -> Verdict {
         };
         let error = (found - expected).abs() / scale;
         if !(error <= case.within) {
-            return Verdict::Wrong {
+            return ExtremeVerdict::Wrong {
                 why: format!("{} is {}", name(pointer), significant(found, 6)),
             };
         }
         worst = worst.max(error);
     }
-    Verdict::Solved { error: worst }
+    ExtremeVerdict::Solved { error: worst }
 }
 
 /// The verdict on a case that was not.
-pub(super) fn refused(case: &Extreme, error: &JobError) -> Verdict {
+pub(super) fn refused(case: &Extreme, error: &JobError) -> ExtremeVerdict {
     let code = error.code().map(|code| code.to_string());
     let code = code.unwrap_or_default();
     let message = error.to_string();
     let as_expected = |known: &String| code == format!("brinell::{known}");
     match case.refused.iter().any(as_expected) {
-        true => Verdict::Refused { message },
-        false => Verdict::Unexpected {
+        true => ExtremeVerdict::Refused { message },
+        false => ExtremeVerdict::Unexpected {
             message: format!("{code}: {message}"),
         },
     }

@@ -1,20 +1,20 @@
 //! The table of extreme cases, for the terminal and for the documentation.
 
-use super::{Outcome, Verdict};
+use super::outcome::{ExtremeOutcome, ExtremeVerdict};
 
 /// What came of a case, in words.
-fn words(outcome: &Outcome) -> String {
+fn words(outcome: &ExtremeOutcome) -> String {
     match &outcome.verdict {
-        Verdict::Solved { error } => format!("error {error:.0e}"),
-        Verdict::Refused { message } => message.clone(),
-        Verdict::Wrong { why } => why.clone(),
-        Verdict::Unexpected { message } => message.clone(),
-        Verdict::Endless => "its iterations were used up".to_owned(),
-        Verdict::Panicked => "it panicked".to_owned(),
+        ExtremeVerdict::Solved { error } => format!("error {error:.0e}"),
+        ExtremeVerdict::Refused { message } => message.clone(),
+        ExtremeVerdict::Wrong { why } => why.clone(),
+        ExtremeVerdict::Unexpected { message } => message.clone(),
+        ExtremeVerdict::Endless => "its iterations were used up".to_owned(),
+        ExtremeVerdict::Panicked => "it panicked".to_owned(),
     }
 }
 
-fn mark(outcome: &Outcome) -> &'static str {
+fn mark(outcome: &ExtremeOutcome) -> &'static str {
     if outcome.holds() { "ok" } else { "FAILS" }
 }
 
@@ -27,7 +27,7 @@ pub fn head() -> String {
 }
 
 /// A line for the terminal.
-pub fn line(outcome: &Outcome) -> String {
+pub fn line(outcome: &ExtremeOutcome) -> String {
     format!(
         "{:5} {:62} {:>10} {:>9} {:>7.2}  {}",
         mark(outcome),
@@ -40,7 +40,7 @@ pub fn line(outcome: &Outcome) -> String {
 }
 
 /// The section of `docs/stability.md`.
-pub fn section(outcomes: &[Outcome]) -> String {
+pub fn section(outcomes: &[ExtremeOutcome]) -> String {
     let failed = outcomes.iter().filter(|o| !o.holds()).count();
     let mut text = format!(
         "Written by `brinell verify --suite extreme --write`; do not edit. Each row is a case of\n\

@@ -4,14 +4,14 @@ use crate::model::state::turn::TOO_FAR;
 
 /// Something that a case has to have for balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limit {
+pub struct BalanceLimit {
     pub what: &'static str,
     pub has: f64,
     /// What it needs at least, on some mesh, and what is enough on all.
     pub needs: [f64; 2],
 }
 
-impl Limit {
+impl BalanceLimit {
     /// One that is needed to within this share of it, or of what there is.
     pub fn about(what: &'static str, has: f64, needs: f64, within: f64) -> Self {
         let off = within * has.abs().max(needs);
@@ -25,9 +25,9 @@ impl Limit {
 
 /// What is known of a case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Known {
+pub struct KnownOfCase {
     /// What balance of rigid bodies needs.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<BalanceLimit>,
     /// An upper bound of the plastic limit load.
     pub plastic: f64,
     pub load: f64,
@@ -37,28 +37,28 @@ pub struct Known {
 
 /// Can bodies be in balance?
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Balance {
+pub enum StaticBalance {
     Sure,
     /// So near the limit that a mesh may say one or the other.
     Close,
     None,
 }
 
-impl Known {
-    pub fn balance(&self) -> Balance {
+impl KnownOfCase {
+    pub fn balance(&self) -> StaticBalance {
         let mut limits = self.limits.iter();
         if limits.clone().any(|limit| limit.has < limit.needs[0]) {
-            Balance::None
+            StaticBalance::None
         } else if limits.any(|limit| limit.has < limit.needs[1]) {
-            Balance::Close
+            StaticBalance::Close
         } else {
-            Balance::Sure
+            StaticBalance::Sure
         }
     }
 
     /// What is missing for balance, in words.
     pub fn missing(&self) -> Option<String> {
-        let lacking = |limit: &&Limit| limit.has < limit.needs[0];
+        let lacking = |limit: &&BalanceLimit| limit.has < limit.needs[0];
         let limit = self.limits.iter().find(lacking)?;
         Some(format!(
             "{} {:.4} where {:.4} is needed",
@@ -81,9 +81,9 @@ impl Known {
 mod tests {
     use super::*;
 
-    fn known(has: f64) -> Known {
-        Known {
-            limits: vec![Limit::about("friction", has, 0.1, 0.03)],
+    fn known(has: f64) -> KnownOfCase {
+        KnownOfCase {
+            limits: vec![BalanceLimit::about("friction", has, 0.1, 0.03)],
             plastic: 1.0,
             load: 2.0,
             turn: 0.02,
@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn a_limit_is_met_missed_or_close() {
         let found = [0.2, 0.102, 0.098, 0.05].map(|has| known(has).balance());
-        use Balance::{Close, None, Sure};
+        use StaticBalance::{Close, None, Sure};
         assert_eq!(found, [Sure, Close, Close, None]);
         assert!(
             known(0.05)

@@ -1,15 +1,15 @@
 //! What came of a random case, beside what is known of it.
 
-use super::known::{Balance, Known};
-use super::watch::Watch;
+use super::known::{KnownOfCase, StaticBalance};
+use super::watch::RandomWatch;
 use miette::Diagnostic;
 
 /// Of a case that took longer than it may.
-pub const LATE: &str = "not finished in 120 s";
+pub const NOT_FINISHED: &str = "not finished in 120 s";
 
 /// How a case ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum RandomVerdict {
     /// Solved, and all that is checked holds.
     Solved,
     /// Solved, and Brinell says itself that the mesh is too coarse: the bodies overlap.
@@ -33,17 +33,17 @@ pub enum Verdict {
 
 /// A case and what came of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
+pub struct RandomOutcome {
     pub name: String,
-    pub verdict: Verdict,
+    pub verdict: RandomVerdict,
     pub iterations: usize,
     /// Of the accepted increment that took the most.
     pub most: usize,
     pub seconds: f64,
 }
 
-impl Outcome {
-    pub fn new(name: String, verdict: Verdict, watch: &Watch) -> Self {
+impl RandomOutcome {
+    pub fn new(name: String, verdict: RandomVerdict, watch: &RandomWatch) -> Self {
         Self {
             name,
             verdict,
@@ -54,38 +54,41 @@ impl Outcome {
     }
 
     pub fn is_solved(&self) -> bool {
-        matches!(self.verdict, Verdict::Solved | Verdict::Doubted { .. })
+        matches!(
+            self.verdict,
+            RandomVerdict::Solved | RandomVerdict::Doubted { .. }
+        )
     }
 
     /// Is it an answer that can be believed, or a refusal that is right?
     pub fn holds(&self) -> bool {
-        self.is_solved() || matches!(self.verdict, Verdict::Refused { .. })
+        self.is_solved() || matches!(self.verdict, RandomVerdict::Refused { .. })
     }
 }
 
 /// Of a case that was solved: which of its checks do not hold, and why its mesh is to be doubted.
-pub fn solved(known: &Known, failed: Option<String>, doubt: Option<String>) -> Verdict {
+pub fn solved(known: &KnownOfCase, failed: Option<String>, doubt: Option<String>) -> RandomVerdict {
     match (known.balance(), failed, doubt) {
-        (Balance::None, ..) => Verdict::Wrong {
+        (StaticBalance::None, ..) => RandomVerdict::Wrong {
             why: format!(
                 "solved without balance: {}",
                 known.missing().unwrap_or_default()
             ),
         },
-        (_, Some(why), _) => Verdict::Wrong { why },
-        (.., Some(why)) => Verdict::Doubted { why },
-        _ => Verdict::Solved,
+        (_, Some(why), _) => RandomVerdict::Wrong { why },
+        (.., Some(why)) => RandomVerdict::Doubted { why },
+        _ => RandomVerdict::Solved,
     }
 }
 
 /// Of a case that was refused with this error.
-pub fn refused(known: &Known, error: &dyn Diagnostic) -> Verdict {
+pub fn refused(known: &KnownOfCase, error: &dyn Diagnostic) -> RandomVerdict {
     let code = error.code().map(|code| code.to_string());
     let is = |name: &str| code.as_ref().is_some_and(|code| code.ends_with(name));
     if is("job::interrupted") {
         return late();
     }
-    let stands = known.balance() == Balance::Sure;
+    let stands = known.balance() == StaticBalance::Sure;
     let falls = is("solve::no_balance") || is("solve::free_body");
     // Steel that flows without limit ends as one or the other.
     let flows = is("solve::limit_load") || is("solve::not_converged");
@@ -94,14 +97,16 @@ pub fn refused(known: &Known, error: &dyn Diagnostic) -> Verdict {
     let undrawable = is("case::value");
     let why = first_line(error);
     match turns || ((falls || undrawable) && !stands) || (flows && known.is_overloaded()) {
-        true => Verdict::Refused { why },
-        false => Verdict::Unexplained { why },
+        true => RandomVerdict::Refused { why },
+        false => RandomVerdict::Unexplained { why },
     }
 }
 
 /// Of a case that was not finished in time.
-pub fn late() -> Verdict {
-    Verdict::Unexplained { why: LATE.into() }
+pub fn late() -> RandomVerdict {
+    RandomVerdict::Unexplained {
+        why: NOT_FINISHED.into(),
+    }
 }
 
 fn first_line(error: &dyn Diagnostic) -> String {

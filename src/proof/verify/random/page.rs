@@ -1,30 +1,30 @@
 //! Random cases in words: a line each for the terminal, a section of the page.
 
-use super::{Outcome, Verdict};
+use super::{RandomOutcome, RandomVerdict};
 use crate::render::text::percent;
 
 /// Iterations that most accepted increments take less than.
-const FEW: usize = 60;
+const FEW_ITERATIONS: usize = 60;
 
-fn words(outcome: &Outcome) -> &str {
+fn words(outcome: &RandomOutcome) -> &str {
     match &outcome.verdict {
-        Verdict::Solved => "solved",
-        Verdict::Doubted { why }
-        | Verdict::Refused { why }
-        | Verdict::Wrong { why }
-        | Verdict::Unexplained { why } => why,
-        Verdict::Panicked => "it panicked",
+        RandomVerdict::Solved => "solved",
+        RandomVerdict::Doubted { why }
+        | RandomVerdict::Refused { why }
+        | RandomVerdict::Wrong { why }
+        | RandomVerdict::Unexplained { why } => why,
+        RandomVerdict::Panicked => "it panicked",
     }
 }
 
-fn mark(outcome: &Outcome) -> &'static str {
+fn mark(outcome: &RandomOutcome) -> &'static str {
     match outcome.verdict {
-        Verdict::Solved => "solved",
-        Verdict::Doubted { .. } => "doubted",
-        Verdict::Refused { .. } => "refused",
-        Verdict::Wrong { .. } => "WRONG",
-        Verdict::Unexplained { .. } => "UNEXPLAINED",
-        Verdict::Panicked => "PANICKED",
+        RandomVerdict::Solved => "solved",
+        RandomVerdict::Doubted { .. } => "doubted",
+        RandomVerdict::Refused { .. } => "refused",
+        RandomVerdict::Wrong { .. } => "WRONG",
+        RandomVerdict::Unexplained { .. } => "UNEXPLAINED",
+        RandomVerdict::Panicked => "PANICKED",
     }
 }
 
@@ -37,7 +37,7 @@ pub fn head() -> String {
 }
 
 /// A line for the terminal.
-pub fn line(outcome: &Outcome) -> String {
+pub fn line(outcome: &RandomOutcome) -> String {
     format!(
         "{:11} {:18} {:>10} {:>12} {:>7.2}  {}",
         mark(outcome),
@@ -50,11 +50,11 @@ pub fn line(outcome: &Outcome) -> String {
 }
 
 /// How many ended how, in words.
-pub fn tally(outcomes: &[Outcome]) -> String {
-    let count = |what: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| what(o)).count();
+pub fn tally(outcomes: &[RandomOutcome]) -> String {
+    let count = |what: &dyn Fn(&RandomOutcome) -> bool| outcomes.iter().filter(|o| what(o)).count();
     let marked = |name: &'static str| count(&|o| mark(o) == name);
-    let solved = count(&Outcome::is_solved);
-    let few = count(&|o| o.is_solved() && o.most < FEW);
+    let solved = count(&RandomOutcome::is_solved);
+    let few = count(&|o| o.is_solved() && o.most < FEW_ITERATIONS);
     let share = |part: usize, of: usize| percent(part as f64 / of.max(1) as f64);
     let mut times: Vec<f64> = outcomes.iter().map(|o| o.seconds).collect();
     times.sort_by(f64::total_cmp);
@@ -67,7 +67,7 @@ pub fn tally(outcomes: &[Outcome]) -> String {
     };
     format!(
         "{} cases: {solved} solved (of {} Brinell says that the mesh is too coarse), {} refused for a reason that is confirmed, {} unexplained ({}), {} wrong, \
-         {} panicked. {} of the solved take fewer than {FEW} iterations in any increment. Seconds: median \
+         {} panicked. {} of the solved take fewer than {FEW_ITERATIONS} iterations in any increment. Seconds: median \
          {:.1}, nine of ten {:.1}, longest {:.1}.",
         outcomes.len(),
         marked("doubted"),
@@ -85,7 +85,7 @@ pub fn tally(outcomes: &[Outcome]) -> String {
 
 /// The section of `docs/stability.md`: what came of the cases that these arguments draw, with those by name that
 /// went wrong.
-pub fn section(arguments: &str, sets: &[(&str, Vec<Outcome>)]) -> String {
+pub fn section(arguments: &str, sets: &[(&str, Vec<RandomOutcome>)]) -> String {
     let mut text = format!(
         "Written by `brinell verify --suite random {arguments} --write`; do not edit. Bearings and stacks of\n\
          blocks are drawn by the seed, whatever comes of them. Each is solved, or refused for a reason that is\n\
@@ -97,7 +97,7 @@ pub fn section(arguments: &str, sets: &[(&str, Vec<Outcome>)]) -> String {
     );
     for (what, outcomes) in sets {
         text.push_str(&format!("\n### {what}\n\n{}\n", tally(outcomes)));
-        let failed: Vec<&Outcome> = outcomes.iter().filter(|o| !o.holds()).collect();
+        let failed: Vec<&RandomOutcome> = outcomes.iter().filter(|o| !o.holds()).collect();
         if failed.is_empty() {
             continue;
         }

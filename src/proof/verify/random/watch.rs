@@ -5,11 +5,11 @@ use crate::solver::solve::{Iteration, Observer};
 use std::time::{Duration, Instant};
 
 /// Longer than this no case may take.
-const LONGEST: Duration = Duration::from_secs(120);
+const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Counts iterations.
 #[derive(Debug)]
-pub struct Watch {
+pub struct RandomWatch {
     start: Instant,
     pub iterations: usize,
     /// Of the increment that is under way, cut-backs included.
@@ -20,7 +20,7 @@ pub struct Watch {
     pub times: Vec<f64>,
 }
 
-impl Watch {
+impl RandomWatch {
     pub fn start() -> Self {
         Self {
             start: Instant::now(),
@@ -36,7 +36,7 @@ impl Watch {
     }
 }
 
-impl Observer for Watch {
+impl Observer for RandomWatch {
     fn iteration(&mut self, _: &Iteration) {
         self.iterations += 1;
         self.now += 1;
@@ -50,6 +50,6 @@ impl Observer for Watch {
     }
 
     fn cancelled(&self) -> bool {
-        self.start.elapsed() > LONGEST
+        self.start.elapsed() > LONGEST_RUN
     }
 }

@@ -1,0 +1,28 @@
+//! Closed forms and published fits that only the proof needs: what the program is held against.
+//!
+//! Conventions and errors as in [`analytic`](crate::analytic), which has what users are shown.
+//!
+//! | question | where |
+//! |---|---|
+//! | width, pressure and approach of a point or elliptic contact | [`hertz`] |
+//! | approach of bodies in line contact | [`approach`] |
+//! | stress below them, first yield | [`subsurface`] |
+//! | stick and slip | [`friction`] |
+//! | steel curve, yielding tube, limit load | [`steel`], [`tube`], [`tube_mises`], [`limit`] |
+//! | sphere pressed beyond yield | [`flattening`] |
+//! | crown of a roller, edge of a punch | [`crown`], [`rounded_punch`] |
+//! | patch tests, cantilever, Cook's membrane | [`patch`] |
+
+pub mod approach;
+pub mod crown;
+pub mod elliptic_integrals;
+pub mod flattening;
+pub mod friction;
+pub mod hertz;
+pub mod limit;
+pub mod patch;
+pub mod rounded_punch;
+pub mod steel;
+pub mod subsurface;
+pub mod tube;
+pub mod tube_mises;

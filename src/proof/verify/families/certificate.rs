@@ -1,0 +1,119 @@
+//! Estimated errors beside true ones, on problem H and on a sphere.
+//!
+//! A bar holds where the true error is no larger. How wide bars are beside true errors is asked of many
+//! bearings, by the coverage suite.
+
+use super::hertz_sphere;
+use crate::answer::certify::{Figure, Quantity, figure};
+use crate::answer::results::recovery::recover;
+use crate::answer::{Answer, Solved};
+use crate::proof::verify::kit::{self, SolvedScene};
+use crate::proof::verify::scenes::problem_h::{self, Sizes};
+use crate::proof::verify::{Extent, LadderClaim, VerifyError};
+use std::f64::consts::PI;
+
+/// A figure of which the truth is known: what, where, and the truth.
+type KnownTruth<'a> = (Quantity, &'a str, f64);
+
+pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
+    let mut claims = plane()?;
+    claims.extend(sphere()?);
+    Ok(claims)
+}
+
+/// Problem H on nested meshes.
+fn plane() -> Result<Vec<LadderClaim>, VerifyError> {
+    let mut claims = Vec::new();
+    for (kind, name) in kit::ELEMENTS {
+        let mut levels = Vec::new();
+        for level in 0..4 {
+            let mut scene = problem_h::scene(&Sizes::nested(level))?;
+            scene.controls.element = kind;
+            let run = kit::run(scene)?;
+            let certificate = certified(&run)?;
+            levels.push((2 << level, run, certificate));
+        }
+        // Energies converge with the square of the element size.
+        let descents = levels.iter().map(|(_, _, claims)| {
+            let descent = claims.iter().find(|c| c.what == Quantity::Descent);
+            descent.map_or(f64::NAN, |claim| claim.value)
+        });
+        let descents: Vec<f64> = descents.collect();
+        let descent = descents[3] + (descents[3] - descents[2]) / 3.0;
+        let thickness = kit::extent(&levels[0].1.scene.mesh, 2);
+        let area = 2.0 * problem_h::HALF_WIDTH * thickness;
+        let known = [
+            (Quantity::Descent, "overall", descent),
+            (Quantity::PeakMises, "block", problem_h::MISES_BLOCK),
+            (Quantity::PeakMises, "cylinder", problem_h::MISES_CYLINDER),
+            (
+                Quantity::PeakPressure,
+                "cylinder-block",
+                problem_h::PRESSURE,
+            ),
+            (Quantity::HalfWidth, "cylinder-block", problem_h::HALF_WIDTH),
+            (Quantity::ContactArea, "cylinder-block", area),
+        ];
+        for (across, run, certificate) in &levels {
+            let problem = format!("problem H, {name}, h/a = 1/{across}");
+            claims.extend(judged(&problem, run, certificate, &known));
+        }
+    }
+    Ok(claims)
+}
+
+/// A sphere on a rigid flat.
+fn sphere() -> Result<Vec<LadderClaim>, VerifyError> {
+    let hertz = hertz_sphere::hertz()?;
+    let area = PI * hertz.contact_radius.powi(2);
+    let known = [
+        (
+            Quantity::PeakMises,
+            "sphere",
+            hertz_sphere::peak_mises(&hertz)?,
+        ),
+        (Quantity::PeakPressure, "body-flat", hertz.peak_pressure),
+        (Quantity::HalfWidth, "body-flat", hertz.contact_radius),
+        (Quantity::ContactArea, "body-flat", area),
+    ];
+    let mut claims = Vec::new();
+    for across in [3, 4, 6, 8] {
+        let run = hertz_sphere::pressed(&hertz, f64::from(across))?;
+        let certificate = certified(&run)?;
+        let problem = format!("sphere, h/a = 1/{across}");
+        claims.extend(judged(&problem, &run, &certificate, &known));
+    }
+    Ok(claims)
+}
+
+pub(super) fn certified(run: &SolvedScene) -> Result<Vec<Figure>, VerifyError> {
+    let (scene, state) = (&run.scene, run.state());
+    let answer = Answer::of(&Solved::new(scene, state, &recover(scene, state)));
+    Ok(answer?.certificate)
+}
+
+/// How far off the estimates of a certificate are.
+pub(super) fn judged(
+    problem: &str,
+    run: &SolvedScene,
+    certificate: &[Figure],
+    known: &[KnownTruth],
+) -> Vec<LadderClaim> {
+    let judge = |(what, place, truth): &KnownTruth| {
+        let claim = figure(certificate, *what, place)?;
+        let error = (claim.value - truth).abs();
+        let estimate = claim.error.total()?;
+        let short = error / estimate;
+        let text = format!(
+            "{problem}: {} of {place}, {:.2} % off, bar {:.2} %: share of it",
+            what.name(),
+            100.0 * error / truth.abs(),
+            100.0 * estimate / truth.abs(),
+        );
+        let claim = LadderClaim::small(text, short, 1.0)
+            .from("closed forms; limits of problem H; the series in h")
+            .because("a bar holds");
+        Some(run.claim(claim))
+    };
+    known.iter().filter_map(judge).collect()
+}

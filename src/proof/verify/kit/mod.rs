@@ -1,0 +1,14 @@
+//! What the families share: short words for scenes, a solution with its cost, what is read from it.
+
+mod element;
+mod measure;
+mod run;
+mod scene;
+
+pub use element::{ELEMENTS, NamedElement};
+pub use measure::{displacement_at, extent, mean_displacement, stress_integral, surface};
+pub use run::{SolvedScene, run};
+pub use scene::{
+    driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, scene, stack_supports,
+    step, support,
+};

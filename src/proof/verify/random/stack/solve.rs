@@ -1,0 +1,82 @@
+//! Solving a stack, and the same stack in other guises.
+
+use super::check::{check, overlap};
+use super::draw::{self, Stack};
+use super::guise::{ROUTE_DIFFERENCE, guises, restated};
+use crate::answer::certify::DOUBLING;
+use crate::model::scene::Scene;
+use crate::model::state::State;
+use crate::proof::verify::random::outcome::{self, RandomVerdict};
+use crate::proof::verify::random::watch::RandomWatch;
+use crate::solver::solve::{self, SolveError};
+
+/// Solves stack `number` of a seed, and the same in other guises.
+pub fn solve(seed: u64, number: usize, watch: &mut RandomWatch) -> RandomVerdict {
+    let stack = match draw::stack(seed, number) {
+        Ok(stack) => stack,
+        Err(error) => {
+            let why = format!("not meshed: {error}");
+            return RandomVerdict::Unexplained { why };
+        }
+    };
+    let answer = match solved(&stack.scene, watch) {
+        Ok(Some(answer)) => answer,
+        Ok(None) => return outcome::late(),
+        Err(error) => return outcome::refused(&stack.known, &error),
+    };
+    let (wrong, unsolved) = match check(&stack, &answer.state) {
+        Some(failed) => (vec![failed], Vec::new()),
+        None => compare(&stack, &answer),
+    };
+    if wrong.is_empty() && !unsolved.is_empty() {
+        let why = unsolved.join("; ");
+        return RandomVerdict::Unexplained { why };
+    }
+    let failed = (!wrong.is_empty()).then(|| wrong.join("; "));
+    outcome::solved(&stack.known, failed, overlap(&stack, &answer.state))
+}
+
+/// The end of the last step.
+struct StackAnswer {
+    state: State,
+    /// The same in increments twice as large, where it depends on them.
+    doubled: Option<State>,
+    /// Ends of the increments.
+    times: Vec<f64>,
+}
+
+/// `None` where it took too long.
+fn solved(scene: &Scene, watch: &mut RandomWatch) -> Result<Option<StackAnswer>, SolveError> {
+    let mut scene = scene.clone();
+    let mut solution = solve::solve(&mut scene, watch)?;
+    Ok(solution.complete.then(|| StackAnswer {
+        state: solution.last,
+        doubled: solution.doubled.pop(),
+        times: watch.times.clone(),
+    }))
+}
+
+/// Solves the other guises: which of them have another answer, and which have none. Where one was cut back and the
+/// other was not, the two answers are off by what increments do to them: no more than twice what that is said to be.
+fn compare(stack: &Stack, answer: &StackAnswer) -> (Vec<String>, Vec<String>) {
+    let same = restated("as it is", stack.scene.clone(), ROUTE_DIFFERENCE);
+    let doubled = answer.doubled.as_ref();
+    let of_increments = doubled.map_or(0.0, |d| 2.0 * DOUBLING * same.off(stack, &answer.state, d));
+    let (mut differ, mut unsolved) = (Vec::new(), Vec::new());
+    for guise in guises(&stack.scene) {
+        let what = guise.what;
+        match solved(&guise.scene, &mut RandomWatch::start()) {
+            Ok(Some(other)) => {
+                let off = guise.off(stack, &answer.state, &other.state);
+                let cut_back = other.times != answer.times;
+                let more = if cut_back { of_increments } else { 0.0 };
+                if !(off <= guise.within + more) {
+                    differ.push(format!("{what}: the answer differs by {off:.1e}"));
+                }
+            }
+            Ok(None) => unsolved.push(format!("{what}: {}", outcome::NOT_FINISHED)),
+            Err(error) => unsolved.push(format!("{what}: {error}")),
+        }
+    }
+    (differ, unsolved)
+}

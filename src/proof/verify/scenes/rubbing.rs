@@ -1,0 +1,72 @@
+//! Two equal half cylinders pressed together, then pushed sideways.
+//!
+//! Equal bodies on mirrored meshes: the push shears both alike and opens no gap, so that pressure
+//! and shear do not touch each other (Dundurs' β = 0, here exactly). The half discs of problem H
+//! carry twice its load, so that the half-width is the same, a = R/48. Their cut faces do not turn.
+
+use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins};
+use crate::analytic::hertz::LineContact;
+use crate::model::material::Steel;
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Traction, TractionValue};
+use crate::proof::verify::VerifyError;
+use crate::proof::verify::kit;
+
+/// How the upper cut face is pushed along +x once it carries the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Push {
+    /// By a force per length.
+    Force(f64),
+    /// By a displacement.
+    Travel(f64),
+}
+
+/// Load per length.
+pub const NORMAL: f64 = 2.0 * LOAD;
+
+/// The contact on half planes.
+pub fn hertz() -> Result<LineContact, VerifyError> {
+    let compliance = 2.0 * (1.0 - POISSON * POISSON) / YOUNG;
+    Ok(LineContact::new(NORMAL, 0.5 * RADIUS, compliance)?)
+}
+
+/// First all of the load, then all of the push while the load stays.
+pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyError> {
+    let mesh = full_twins(sizes)?;
+    let thickness = kit::extent(&mesh, 2);
+    let mut scene = kit::scene("rubbing", mesh, Steel::elastic(YOUNG, POISSON));
+    let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
+    pair.friction = friction;
+    scene.contacts = vec![pair];
+    scene.supports = vec![
+        kit::support("bottom", [Some(0.0); 3]),
+        kit::held("back", 2),
+        kit::held("front", 2),
+    ];
+    let sideways = match push {
+        Push::Force(force) => {
+            scene.tractions = vec![Traction {
+                name: "push".into(),
+                surface: "top".into(),
+                value: TractionValue::Vector([force / (2.0 * RADIUS), 0.0, 0.0]),
+            }];
+            // All nodes alike; the force itself is that of the traction.
+            PlaneMotion::Driven(0.0)
+        }
+        Push::Travel(travel) => {
+            let mut support = kit::support("top", [Some(travel), None, None]);
+            support.name = "push".into();
+            scene.supports.push(support);
+            PlaneMotion::Free
+        }
+    };
+    let load = PlaneMotion::Driven(-NORMAL * thickness);
+    scene.rigid_planes = vec![RigidPlane {
+        name: "press".into(),
+        surface: "top".into(),
+        motion: [sideways, load, PlaneMotion::Free],
+    }];
+    let mut press = kit::step("press", 1.0);
+    press.factors = vec![("push".into(), 0.0)];
+    scene.steps = vec![press, kit::step("push", 1.0)];
+    Ok(scene)
+}

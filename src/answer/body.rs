@@ -1,7 +1,7 @@
 //! Figures of bodies and rollers.
 
+use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
-use super::solved::Solved;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::flow::{BodyFlow, flows};
@@ -37,7 +37,11 @@ pub struct RollerFigures {
 }
 
 /// The figures of every body; `peaks` are in the order of the mesh.
-pub fn bodies(solved: &Solved, peaks: &[BodyPeaks], edges: &LoadedEdges) -> Named<BodyFigures> {
+pub fn bodies(
+    solved: &AnswerInputs,
+    peaks: &[BodyPeaks],
+    edges: &LoadedEdges,
+) -> Named<BodyFigures> {
     let flows = flows(solved.scene, solved.state, edges);
     let summarise = |(body, peaks): (usize, &BodyPeaks)| {
         let elastic = solved

@@ -1,7 +1,7 @@
 //! How well an answer satisfies its own equations.
 
+use super::inputs::AnswerInputs;
 use super::named::Named;
-use super::solved::Solved;
 use crate::answer::results::balance::balances;
 use crate::answer::results::interface::Interface;
 use crate::model::scene::Scene;
@@ -25,7 +25,12 @@ pub struct Checks {
 }
 
 /// The checks of the answer.
-pub fn checks(solved: &Solved, measured: &[Interface], load: f64, descent: Option<f64>) -> Checks {
+pub fn checks(
+    solved: &AnswerInputs,
+    measured: &[Interface],
+    load: f64,
+    descent: Option<f64>,
+) -> Checks {
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());

@@ -1,7 +1,7 @@
 //! Figures of contact interfaces.
 
+use super::inputs::AnswerInputs;
 use super::named::Named;
-use super::solved::Solved;
 use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::contact_lines::{ContactLine, contact_lines};
 use crate::answer::results::edges::carrier;
@@ -83,7 +83,7 @@ pub struct LineFigures {
 
 /// The figures of every interface; `measured` and `lines` are in the order of the contact pairs.
 pub fn all(
-    solved: &Solved,
+    solved: &AnswerInputs,
     measured: &[Interface],
     lines: &[Option<HeaviestLine>],
 ) -> Named<InterfaceFigures> {
@@ -96,7 +96,7 @@ pub fn all(
 }
 
 fn interface(
-    solved: &Solved,
+    solved: &AnswerInputs,
     pair: usize,
     (measured, heaviest): (&Interface, Option<&HeaviestLine>),
 ) -> InterfaceFigures {

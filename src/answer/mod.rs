@@ -1,6 +1,6 @@
 //! What a solved scene says: every figure of it, computed once, with its error.
 //!
-//! [`Answer::of`] takes a [`Solved`] scene. What prints, draws or compares figures reads the [`Answer`] and computes
+//! [`Answer::of`] takes a [`AnswerInputs`] scene. What prints, draws or compares figures reads the [`Answer`] and computes
 //! nothing.
 
 pub mod certify;
@@ -9,19 +9,19 @@ pub mod results;
 
 mod body;
 mod checks;
+mod inputs;
 mod interface;
 mod load_line;
 mod named;
-mod solved;
 mod steps;
 mod unloaded;
 
 pub use body::{BodyFigures, RollerFigures};
 pub use checks::{BalanceFigures, Checks};
+pub use inputs::{AnswerInputs, Measured};
 pub use interface::{InterfaceFigures, LineFigures, LineLoadFigures};
 pub use load_line::LoadPoint;
 pub use named::{Named, Three};
-pub use solved::{Measured, Solved};
 pub use steps::{StepFigures, StepInterface};
 pub use unloaded::{DentFigures, Unloaded};
 
@@ -77,7 +77,7 @@ impl Answer {
     ///
     /// # Errors
     /// [`Misfit`] where a state is not one of the scene.
-    pub fn of(solved: &Solved) -> Result<Self, Misfit> {
+    pub fn of(solved: &AnswerInputs) -> Result<Self, Misfit> {
         let (scene, state) = (solved.scene, solved.state);
         state.check(scene)?;
         solved.unloaded.map_or(Ok(()), |state| state.check(scene))?;
@@ -148,7 +148,7 @@ impl Answer {
 }
 
 /// What is said of the solution in increments twice as large, where there is one.
-fn doubled(solved: &Solved) -> Result<Option<Vec<Figure>>, Misfit> {
+fn doubled(solved: &AnswerInputs) -> Result<Option<Vec<Figure>>, Misfit> {
     let at = |step| solved.doubled.iter().find(|state| state.step == step);
     let Some(state) = at(solved.state.step) else {
         return Ok(None);
@@ -162,7 +162,7 @@ fn doubled(solved: &Solved) -> Result<Option<Vec<Figure>>, Misfit> {
         let stays = solved.stays?.iter().zip(by);
         Some(stays.map(|(stays, by)| add(*stays, by)).collect::<Vec<_>>())
     });
-    let other = Solved {
+    let other = AnswerInputs {
         state,
         recovered: &recovered,
         unloaded,

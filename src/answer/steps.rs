@@ -1,7 +1,7 @@
 //! All steps side by side.
 
+use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
-use super::solved::Solved;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::interface::{StatusCounts, interfaces};
 use crate::answer::results::load;
@@ -53,7 +53,7 @@ impl StepFigures {
 }
 
 /// One entry for the end of each step that is done, in their order.
-pub fn steps(solved: &Solved, peaks: &[BodyPeaks]) -> Vec<StepFigures> {
+pub fn steps(solved: &AnswerInputs, peaks: &[BodyPeaks]) -> Vec<StepFigures> {
     let one = |state: &State| {
         let reported = state.step == solved.state.step && state.time == solved.state.time;
         step(solved, state, reported.then_some(peaks))
@@ -62,7 +62,7 @@ pub fn steps(solved: &Solved, peaks: &[BodyPeaks]) -> Vec<StepFigures> {
 }
 
 /// The figures of a step; `reported` are the peaks of the bodies where they are known.
-fn step(solved: &Solved, state: &State, reported: Option<&[BodyPeaks]>) -> StepFigures {
+fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) -> StepFigures {
     let scene = solved.scene;
     let bodies = match reported {
         Some(peaks) => Cow::from(peaks),

@@ -4,7 +4,7 @@ use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::line_load::Slices;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
-use brinell::answer::{Answer, Measured, Named, Solved};
+use brinell::answer::{Answer, AnswerInputs, Measured, Named};
 use brinell::ground::units::UnitLabels;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
@@ -36,7 +36,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         axis: 1,
         edges: vec![0.0, 0.24, 1.0],
     };
-    let answer = Answer::of(&Solved {
+    let answer = Answer::of(&AnswerInputs {
         unloaded: Some(state),
         steps: &steps,
         elastic: Some(&elastic),
@@ -50,7 +50,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
             axis: 1,
         }],
         stabilisation_share: Some(0.02),
-        ..Solved::new(scene, state, &recovered)
+        ..AnswerInputs::new(scene, state, &recovered)
     })
     .unwrap();
     Summary {

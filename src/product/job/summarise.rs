@@ -7,7 +7,7 @@ use super::{compare, left_out, sizing, strips};
 use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
-use crate::answer::{Answer, Named, Solved};
+use crate::answer::{Answer, AnswerInputs, Named};
 use crate::case::{Case, Kind};
 use crate::ground::memory;
 use crate::ground::units::UnitLabels;
@@ -39,7 +39,7 @@ pub fn summarise(
     options: &Options,
 ) -> Result<Summary, JobError> {
     let state = reported(scene, solution);
-    let answer = Answer::of(&Solved {
+    let answer = Answer::of(&AnswerInputs {
         unloaded: unloaded(scene, solution),
         stays: second.stays,
         steps: &solution.states,
@@ -49,7 +49,7 @@ pub fn summarise(
         bores: &bores(case),
         // Nothing but bodies and contact carries force: the tangent alone is shifted.
         stabilisation_share: Some(0.0),
-        ..Solved::new(scene, state, recovered)
+        ..AnswerInputs::new(scene, state, recovered)
     })
     .map_err(OutputError::from)?;
     let mut warnings = warnings(&answer);

@@ -6,7 +6,7 @@
 use super::hertz_sphere;
 use crate::answer::certify::{Figure, Quantity, figure};
 use crate::answer::results::recovery::recover;
-use crate::answer::{Answer, Solved};
+use crate::answer::{Answer, AnswerInputs};
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{self, Sizes};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -88,7 +88,7 @@ fn sphere() -> Result<Vec<LadderClaim>, VerifyError> {
 
 pub(super) fn certified(run: &SolvedScene) -> Result<Vec<Figure>, VerifyError> {
     let (scene, state) = (&run.scene, run.state());
-    let answer = Answer::of(&Solved::new(scene, state, &recover(scene, state)));
+    let answer = Answer::of(&AnswerInputs::new(scene, state, &recover(scene, state)));
     Ok(answer?.certificate)
 }
 

@@ -10,7 +10,7 @@ use crate::model::state::State;
 
 /// A solved scene, as far as an answer needs it.
 #[derive(Debug, Clone, Copy)]
-pub struct Solved<'a> {
+pub struct AnswerInputs<'a> {
     pub scene: &'a Scene,
     /// The state to report: the end of the last step, or of the last before unloading.
     pub state: &'a State,
@@ -36,7 +36,7 @@ pub struct Solved<'a> {
     pub stabilisation_share: Option<f64>,
 }
 
-impl<'a> Solved<'a> {
+impl<'a> AnswerInputs<'a> {
     /// With nothing known but a converged state and its fields.
     pub fn new(scene: &'a Scene, state: &'a State, recovered: &'a Recovered) -> Self {
         Self {

@@ -11,7 +11,6 @@ mod bearing_case;
 mod bearing_mesh;
 mod bearing_model;
 mod bearing_reader;
-mod carrier;
 mod change;
 mod comparison;
 mod contact;

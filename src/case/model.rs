@@ -1,6 +1,5 @@
 //! A scene before it meets its mesh: what both kinds of case come down to.
 
-use super::carrier;
 use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
@@ -9,7 +8,7 @@ use super::source::{Located, Place};
 use super::steel::Steels;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{ContactPair, Controls, Partner, Scene};
+use crate::model::scene::{self, ContactPair, Controls, Partner, Scene};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,7 +113,7 @@ impl Contact {
         let sides = [&self.upper.value, &self.lower.value];
         let carrier = self
             .carrier
-            .unwrap_or_else(|| carrier::choose(mesh, steels, sides, self.preferred));
+            .unwrap_or_else(|| scene::carrier::choose(mesh, steels, sides, self.preferred));
         Ok(ContactPair {
             name: self.name.value.clone(),
             upper: self.upper.value.clone(),

@@ -66,6 +66,7 @@
 //! Rooms that are not listed in these pages are open to the tests and benches of the project, and may change.
 
 #![deny(
+    missing_docs,
     clippy::unwrap_used,
     clippy::expect_used,
     clippy::panic,
@@ -76,11 +77,15 @@
 pub mod analytic;
 pub mod answer;
 pub mod case;
+#[doc(hidden)]
 pub mod cli;
+#[doc(hidden)]
 pub mod ground;
 pub mod model;
 pub mod prelude;
 pub mod product;
+#[doc(hidden)]
 pub mod proof;
+#[doc(hidden)]
 pub mod render;
 pub mod solver;

@@ -13,12 +13,17 @@ use crate::model::scene::{self, ContactPair, Controls, Partner, Scene};
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
+    /// Name of the scene.
     pub name: String,
+    /// Steels by body.
     pub steels: Steels,
+    /// Contact pairs.
     pub contacts: Vec<Contact>,
+    /// Supports, planes, tractions and steps.
     pub loads: Loads,
     /// Axes (0, 1, 2) across which the model is mirrored.
     pub mirrors: Vec<usize>,
+    /// Numerical controls.
     pub controls: Controls,
 }
 

@@ -13,6 +13,7 @@ pub struct Source {
 }
 
 impl Source {
+    /// The text `text` of the file called `name`.
     pub fn new(name: &str, text: &str) -> Self {
         Self {
             name: name.into(),
@@ -25,6 +26,7 @@ impl Source {
         &self.name
     }
 
+    /// The whole text.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -37,6 +39,7 @@ impl Source {
 /// A key of the case file and the bytes of its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
+    /// The file.
     pub source: Source,
     /// Dotted path, for example `bearing.roller_wall`; `contact#2.upper` in the second
     /// `[[contact]]`.
@@ -72,11 +75,14 @@ impl Place {
 /// A value and its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Located<T> {
+    /// What was read.
     pub value: T,
+    /// Where it stands.
     pub place: Place,
 }
 
 impl<T> Located<T> {
+    /// Another value at the same place.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Located<U> {
         Located {
             value: f(self.value),
@@ -98,10 +104,12 @@ impl<T> Located<T> {
 }
 
 impl Located<f64> {
+    /// Itself, if it is positive.
     pub fn positive(self) -> Result<Self, CaseError> {
         self.require(|v| *v > 0.0, "must be positive")
     }
 
+    /// Itself, if it is not negative.
     pub fn not_negative(self) -> Result<Self, CaseError> {
         self.require(|v| *v >= 0.0, "must not be negative")
     }

@@ -15,7 +15,9 @@ const HARDENINGS: &[&str] = &["hardening", "hardening_modulus", "tangent_modulus
 /// What the strain of the second point of the hardening line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StrainIs {
+    /// Elastic and plastic strain together.
     Total,
+    /// Plastic strain alone.
     Plastic,
 }
 

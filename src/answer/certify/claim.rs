@@ -10,6 +10,7 @@ pub struct Claim {
     pub what: Quantity,
     /// Body or interface; "overall" for the scene.
     pub place: String,
+    /// In the unit of the scene.
     pub value: f64,
     /// By cause.
     pub error: Errors,
@@ -70,6 +71,7 @@ pub fn claim<'c>(claims: &'c [Claim], what: Quantity, place: &str) -> Option<&'c
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
+    /// Travel of what loads the scene, along the load.
     Descent,
     /// Largest nodal Mises stress of a body.
     PeakMises,
@@ -77,6 +79,7 @@ pub enum Quantity {
     MisesAway,
     /// The same two of the elastic solution, where the body has yielded.
     ElasticPeakMises,
+    /// Away from loaded edges.
     ElasticMisesAway,
     /// Largest equivalent plastic strain at an integration point.
     PeakPlasticStrain,
@@ -88,6 +91,7 @@ pub enum Quantity {
     LineLoad,
     /// Half-width of the strip, or of the most heavily loaded line of contact.
     HalfWidth,
+    /// Area of a contact, of the whole.
     ContactArea,
     /// Length in contact of the most heavily loaded line.
     ContactLength,
@@ -172,11 +176,17 @@ impl Quantity {
 /// What a quantity is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
+    /// A length.
     Length,
+    /// An area.
     Area,
+    /// A force.
     Force,
+    /// A force per length.
     LineLoad,
+    /// A stress or pressure.
     Stress,
+    /// A number without unit.
     Ratio,
 }
 

@@ -48,8 +48,11 @@ pub struct Sizes {
 /// What a number of [`Sizes`] measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
+    /// A length, in the unit of the case.
     Length,
+    /// A number of elements.
     Count,
+    /// A ratio.
     Ratio,
 }
 
@@ -60,6 +63,7 @@ pub struct MeshKey {
     pub key: &'static str,
     /// In the template.
     pub parameter: &'static str,
+    /// What kind of number it is.
     pub kind: Kind,
 }
 

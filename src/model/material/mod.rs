@@ -1,5 +1,6 @@
 //! Steel: isotropic elasticity and J2 plasticity with linear isotropic hardening.
 
+#[doc(hidden)]
 pub mod j2;
 
 use serde::Serialize;
@@ -53,7 +54,9 @@ impl Steel {
 /// Isotropic moduli G and K.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elastic {
+    /// Shear modulus G.
     pub shear: f64,
+    /// Bulk modulus K.
     pub bulk: f64,
 }
 

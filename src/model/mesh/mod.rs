@@ -2,16 +2,22 @@
 
 pub mod block;
 pub mod family;
+#[doc(hidden)]
 pub mod gmsh;
+#[doc(hidden)]
 pub mod hexahedron;
 pub mod join;
 pub mod merge;
 pub mod msh;
+#[doc(hidden)]
 pub mod pieces;
 pub mod quality;
+#[doc(hidden)]
 pub mod shape;
+#[doc(hidden)]
 pub mod split;
 pub mod surface;
+#[doc(hidden)]
 pub mod unfold;
 
 use serde::Serialize;
@@ -48,6 +54,7 @@ pub struct Mesh {
 /// A physical volume.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Body {
+    /// Its name.
     pub name: String,
     /// Its elements, as a range of [`Mesh::hexes`].
     pub elements: std::ops::Range<usize>,
@@ -56,13 +63,16 @@ pub struct Body {
 /// A physical surface: outer faces of hexahedra.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Surface {
+    /// Its name.
     pub name: String,
+    /// Its faces, in no order that matters.
     pub faces: Vec<Face>,
 }
 
 /// An outer face of a hexahedron, its nodes counter-clockwise seen from outside the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Face {
+    /// Node indices.
     pub nodes: [u32; 4],
     /// The hexahedron it belongs to.
     pub element: u32,

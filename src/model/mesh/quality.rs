@@ -6,7 +6,9 @@ use super::hexahedron::{edge_lengths, scaled_jacobians, volume};
 /// Shape of the elements of one body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyQuality {
+    /// Name of the body.
     pub name: String,
+    /// Number of its elements.
     pub elements: usize,
     /// Smallest scaled Jacobian at any corner: 1 for boxes, positive for every sound element.
     pub min_scaled_jacobian: f64,

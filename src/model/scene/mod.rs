@@ -16,17 +16,25 @@ pub use unloading::LITTLE;
 /// Everything the solver needs.
 #[derive(Debug, Clone, Serialize)]
 pub struct Scene {
+    /// Its name, for messages.
     pub name: String,
+    /// Bodies and surfaces.
     pub mesh: Mesh,
     /// One steel a body, in the order of [`Mesh::bodies`].
     pub materials: Vec<Steel>,
+    /// Pairs that may touch.
     pub contacts: Vec<ContactPair>,
+    /// Prescribed displacements.
     pub supports: Vec<Support>,
+    /// Surfaces that move as planes.
     pub rigid_planes: Vec<RigidPlane>,
+    /// Forces per area.
     pub tractions: Vec<Traction>,
+    /// What grows when, one after the other.
     pub steps: Vec<Step>,
     /// Axes (0, 1, 2) that the model is mirrored along: `[0, 1]` is a quarter model.
     pub mirrors: Vec<usize>,
+    /// Tolerances and choices of the solver.
     pub controls: Controls,
 }
 
@@ -66,7 +74,9 @@ impl Scene {
 pub struct ContactPair {
     /// `<upper>-<lower>`.
     pub name: String,
+    /// One side; forces are told as they act on the other.
     pub upper: Partner,
+    /// The other side.
     pub lower: Partner,
     /// The side whose nodes carry the contact pressure; never a plane.
     pub carrier: Side,
@@ -95,7 +105,12 @@ pub enum Partner {
     /// A named surface of the mesh.
     Surface(String),
     /// A rigid half space behind the plane through `point`; `normal` is the outward unit normal.
-    Plane { point: [f64; 3], normal: [f64; 3] },
+    Plane {
+        /// A point of it.
+        point: [f64; 3],
+        /// Outward unit normal.
+        normal: [f64; 3],
+    },
 }
 
 impl Partner {
@@ -117,7 +132,9 @@ impl Partner {
 /// Which partner of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Side {
+    /// The one called upper.
     Upper,
+    /// The one called lower.
     Lower,
 }
 
@@ -134,7 +151,9 @@ impl Side {
 /// Prescribed displacement components on a surface: constant, or linear in position.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Support {
+    /// By which steps call it.
     pub name: String,
+    /// Name of the surface.
     pub surface: String,
     /// Displacement of each component, `None` where free. Times the factor of the step.
     pub components: [Option<f64>; 3],
@@ -154,8 +173,11 @@ impl Support {
 /// A surface that translates as a rigid plane without rotating.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RigidPlane {
+    /// By which steps call it.
     pub name: String,
+    /// Name of the surface.
     pub surface: String,
+    /// Along x, y and z.
     pub motion: [PlaneMotion; 3],
 }
 
@@ -174,11 +196,15 @@ pub enum PlaneMotion {
 /// A force per area on a surface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Traction {
+    /// By which steps call it.
     pub name: String,
+    /// Name of the surface.
     pub surface: String,
+    /// How large, and which way.
     pub value: TractionValue,
 }
 
+/// How large a traction is, and which way, in the stress unit of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum TractionValue {
     /// Compression positive, along the inward normal.
@@ -190,6 +216,7 @@ pub enum TractionValue {
 /// One step: loads and prescribed displacements move linearly to these factors.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
+    /// Its name, for messages.
     pub name: String,
     /// Factor at the end of the step for every support, plane and traction not named below.
     pub factor: f64,

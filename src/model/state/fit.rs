@@ -8,8 +8,11 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("the state does not belong to the scene: {what} has {found} entries, expected {expected}")]
 pub struct Misfit {
+    /// Name of the array.
     pub what: String,
+    /// Its length.
     pub found: usize,
+    /// The length that the scene asks for.
     pub expected: usize,
 }
 

@@ -73,6 +73,7 @@ impl Options {
 pub struct Outcome {
     /// The scene as solved, its bodies in touch.
     pub scene: Scene,
+    /// States at the ends of all steps, and what they cost.
     pub solution: Solution,
     /// Of the end of the last step, or, where the last steps unload, of the step before them.
     pub summary: Summary,

@@ -10,15 +10,18 @@ use std::fmt;
 /// Why a scene could not be solved. What was accepted before went to the observer.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum SolveError {
+    /// Supports contradict each other.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Conflict(#[from] Conflict),
+    /// Every displacement is prescribed.
     #[error("nothing is free to move: every displacement component is prescribed")]
     #[diagnostic(
         code(brinell::solve::nothing_free),
         help("free a surface, or apply a load")
     )]
     NothingFree,
+    /// Loads are beyond what numbers can hold.
     #[error("the loads are too large: their squares leave the range of floating-point numbers")]
     #[diagnostic(
         code(brinell::solve::out_of_range),
@@ -27,9 +30,11 @@ pub enum SolveError {
         )
     )]
     OutOfRange,
+    /// A matrix could not be factorised.
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::factor), help("a coarser mesh needs less memory"))]
     Factor(#[from] FactorError),
+    /// There is not enough memory.
     #[error(
         "{unknowns} unknowns take about {} GB of memory, and {:.2} GB are left",
         gigabytes(*needed),
@@ -40,11 +45,14 @@ pub enum SolveError {
         help("a coarser mesh, or `solver = \"divided\"` under [controls], which takes the least")
     )]
     Memory {
+        /// Number of unknowns.
         unknowns: usize,
         /// Bytes.
         needed: f64,
+        /// Bytes that are left.
         available: f64,
     },
+    /// A body is held by nothing.
     #[error(
         "body `{body}` is free to move along {axis}: no support and no contact holds it{}",
         in_pieces(*pieces)
@@ -54,14 +62,18 @@ pub enum SolveError {
         help("support it, bring it into contact, or give the contact friction")
     )]
     FreeBody {
+        /// Name of the body.
         body: String,
+        /// The axis: x, y or z.
         axis: char,
         /// Parts of the body that share no nodes.
         pieces: usize,
     },
+    /// Rigid bodies cannot be in balance under the loads.
     #[error("{0}")]
     #[diagnostic(code(brinell::solve::no_balance), help("{}", .0.remedy()))]
     NoBalance(Box<NoBalance>),
+    /// No balance was found.
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
          iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
@@ -75,15 +87,22 @@ pub enum SolveError {
         )
     )]
     NotConverged {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in per cent.
         percent: f64,
+        /// Newton iterations that were spent.
         iterations: usize,
+        /// Residual force over applied force.
         residual: f64,
+        /// Largest contact violation over the displacement.
         penetration: f64,
         /// Where the residual and the violation are largest, in words.
         place: String,
+        /// What is known of the contact there, in words.
         contact: String,
     },
+    /// A body gives way: the plastic limit.
     #[error(
         "body `{body}` gives way beyond {percent:.3} % of step `{step}`: {share:.1} % of its elements \
          flow, and no increment beyond finds balance"
@@ -96,11 +115,16 @@ pub enum SolveError {
         )
     )]
     LimitLoad {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in per cent.
         percent: f64,
+        /// Name of the body.
         body: String,
+        /// Share of its elements that flow, in per cent.
         share: f64,
     },
+    /// A body turns further than small rotations allow.
     #[error(
         "body `{body}` turns by {angle:.3} rad beyond {percent:.3} % of step `{step}`: rotations are taken as \
          small, and up to {TOO_FAR} rad are solved for"
@@ -112,12 +136,16 @@ pub enum SolveError {
         )
     )]
     TurnsFar {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in per cent.
         percent: f64,
+        /// Name of the body.
         body: String,
         /// Radians.
         angle: f64,
     },
+    /// Taking a load off takes too many iterations.
     #[error(
         "step `{step}` came to {percent:.3} % in {iterations} iterations, more than are spent on taking a load off"
     )]
@@ -128,22 +156,31 @@ pub enum SolveError {
         )
     )]
     Crawls {
+        /// Name of the step.
         step: String,
+        /// Share of the step that was reached, in per cent.
         percent: f64,
+        /// Newton iterations that were spent.
         iterations: usize,
     },
+    /// What stays after unloading was not found.
     #[error("what stays after unloading was not found: {residual:.1e} of the forces are left over")]
     #[diagnostic(
         code(brinell::solve::spring_back),
         help("`solver = \"direct\"` under [controls] takes more memory and is more robust")
     )]
-    SpringBack { residual: f64 },
+    SpringBack {
+        /// Residual force over applied force.
+        residual: f64,
+    },
+    /// The state to go on from belongs to another scene.
     #[error(transparent)]
     #[diagnostic(
         code(brinell::solve::restart),
         help("run it from the start, or give the case and the mesh that the earlier run had")
     )]
     Restart(#[from] Stranger),
+    /// The observer stopped the run with an error.
     #[error("{0}")]
     Observer(Box<dyn std::error::Error + Send + Sync>),
 }
@@ -151,8 +188,11 @@ pub enum SolveError {
 /// Rigid bodies cannot be in balance under the loads of a step, whatever the solution tries.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NoBalance {
+    /// Name of the step.
     pub step: String,
+    /// Share of the step that was reached, in per cent.
     pub percent: f64,
+    /// Name of the body.
     pub body: String,
     /// Does it turn, whatever the friction?
     pub tips: bool,

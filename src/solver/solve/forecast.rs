@@ -14,6 +14,7 @@ use crate::solver::fem::dofs::DofMap;
 /// What solving a scene will take.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forecast {
+    /// Number of unknowns.
     pub unknowns: usize,
     /// Unknowns that contact acts on, which iterations cannot do without.
     pub kept: usize,
@@ -28,6 +29,7 @@ pub struct Forecast {
     pub processor_s: f64,
     /// Elements of steels that can yield.
     pub can_yield: usize,
+    /// Of each contact pair, in the order of the scene.
     pub pairs: Vec<PairForecast>,
     /// Bodies that will be moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -38,6 +40,7 @@ pub struct Forecast {
 /// A contact pair before the load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairForecast {
+    /// Name of the pair.
     pub name: String,
     /// Least gap as meshed, open positive; `None` where the sides do not face each other.
     pub gap: Option<f64>,
@@ -47,6 +50,7 @@ pub struct PairForecast {
     pub at: Option<(u32, Vec3)>,
     /// Contact nodes that are likely to close, and all within reach.
     pub likely: usize,
+    /// Nodes of its carrier that the other side is within reach of.
     pub within_reach: usize,
 }
 

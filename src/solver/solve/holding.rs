@@ -19,6 +19,7 @@ pub struct FreeMotion {
     pub body: String,
     /// Translation and turn about its middle, the larger of the two of length one.
     pub translation: Vec3,
+    /// Rotation about that point, by its vector.
     pub turn: Vec3,
     /// Does the load drive it? Then there is no balance; else nothing but rounding moves it.
     pub driven: bool,

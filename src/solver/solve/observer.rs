@@ -7,9 +7,11 @@ use crate::model::state::State;
 /// One Newton iteration, all values relative where a tolerance is relative.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Iteration {
+    /// Index of the step.
     pub step: usize,
     /// Share of the step that this increment aims at.
     pub time: f64,
+    /// Number of the iteration in its increment, from 1.
     pub iteration: usize,
     /// Residual force over applied force.
     pub residual: f64,
@@ -17,7 +19,9 @@ pub struct Iteration {
     pub energy: f64,
     /// Contact nodes that carry pressure, and how many of them stick and slip.
     pub active: usize,
+    /// Contact nodes that stick.
     pub sticking: usize,
+    /// Contact nodes that slip.
     pub slipping: usize,
     /// Contact nodes whose status changed in this iteration.
     pub changed: usize,
@@ -27,6 +31,7 @@ pub struct Iteration {
     pub flowing: usize,
     /// Krylov directions of the linear solve, and whether a new factor was made for it.
     pub directions: usize,
+    /// Was a new factor made for the linear solve?
     pub refactored: bool,
     /// Share of the correction that the line search took.
     pub line_search: f64,

@@ -16,7 +16,9 @@ use crate::solver::contact::mortar::Row;
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closing {
+    /// Name of the body.
     pub body: String,
+    /// By how much it was moved.
     pub shift: Vec3,
 }
 

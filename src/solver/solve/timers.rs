@@ -12,6 +12,7 @@ pub enum Phase {
     Evaluate,
     /// Tangent matrices.
     Assemble,
+    /// Factorising.
     Factorise,
     /// Krylov directions with the factor.
     LinearSolve,
@@ -20,6 +21,7 @@ pub enum Phase {
 }
 
 impl Phase {
+    /// All, in the order in which they are told.
     pub const ALL: [Self; 6] = [
         Self::Prepare,
         Self::Evaluate,

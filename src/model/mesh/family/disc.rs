@@ -14,6 +14,7 @@ pub const ARC: f64 = FRAC_PI_4;
 /// Where the nodes of a quarter disc are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuarterDisc {
+    /// Radius of the disc.
     pub radius: f64,
     /// Arc lengths from the lowest point, ascending from 0 to [`ARC`] radii.
     pub arcs: Vec<f64>,

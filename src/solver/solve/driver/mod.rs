@@ -51,6 +51,7 @@ pub struct Solution {
     pub elastic: Option<State>,
     /// The ends of steps in increments twice as large, where something has yielded.
     pub doubled: Vec<State>,
+    /// How often the expensive parts ran.
     pub counters: Counters,
     /// Bodies that were moved into touch before the load.
     pub closings: Vec<Closing>,
@@ -78,6 +79,7 @@ pub fn solve(scene: &mut Scene, observer: &mut dyn Observer) -> Result<Solution,
 /// What came of a solution that did not get to its end.
 #[derive(Debug)]
 pub struct Unfinished {
+    /// Why it ended.
     pub error: SolveError,
     /// Up to the last accepted increment; `None` where there is none.
     pub solution: Option<Box<Solution>>,

@@ -11,7 +11,8 @@
 //! ```
 //! in, kip, ksi. Statics: every interface passes all of the load on, and in a V each of the two lines bears
 //! w/(2 cos θ) per length, without friction; friction changes that by 1 %. Hertz for the load per length spread evenly:
-//! K. L. Johnson, *Contact Mechanics*, 4.45. The roller bends, so that it bears more in the middle: some 4 %.
+//! K. L. Johnson, *Contact Mechanics*, 4.45. The roller bends and bears more in the middle, so that the pressure is 6 to 7 %
+//! higher there.
 //!
 //! A mesh of these numbers ships with Brinell. For any other ones gmsh is called.
 

@@ -53,7 +53,8 @@ pub fn figures() -> Figures {
         .fix("lower_bottom")
         .load(Load::plane("upper_top", straight_down))
         .mirror(Axis::X)
-        .plane_strain(Axis::Y)
+        .hold("symy", Axis::Y)
+        .hold("endy", Axis::Y)
         .build()?;
     let answer = Solved::of(scene)?;
 

@@ -170,8 +170,9 @@ impl SceneBuilder {
             self = self.hold(&surface, axis);
         }
         if let Some(axis) = self.plane_strain {
-            let surface = ends(&mut mesh, axis);
-            self = self.hold(&surface, axis);
+            for surface in ends(&mut mesh, axis) {
+                self = self.hold(&surface, axis);
+            }
         }
         for support in &self.supports {
             check_surface(&mesh, "a support", &support.surface)?;
@@ -210,27 +211,20 @@ impl SceneBuilder {
     }
 }
 
-/// Marks the ends of the model along `axis`.
-fn ends(mesh: &mut Mesh, axis: Axis) -> String {
-    let name = format!("{}_ends", axis.letter());
+/// Marks the two ends of the model along `axis`, each as a surface of its own: what looks for edges takes the faces of a
+/// support for one plane.
+fn ends(mesh: &mut Mesh, axis: Axis) -> [String; 2] {
+    let names = ["low", "high"].map(|end| format!("{}_{end}_end", axis.letter()));
     let along = |p: &[f64; 3]| p[axis.index()];
     let low = mesh.points.iter().map(along).fold(f64::INFINITY, f64::min);
-    let high = mesh
-        .points
-        .iter()
-        .map(along)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let high = (mesh.points.iter().map(along)).fold(f64::NEG_INFINITY, f64::max);
     let near = 1e-6 * (high - low);
-    for body in mesh
-        .bodies
-        .iter()
-        .map(|b| b.name.clone())
-        .collect::<Vec<_>>()
-    {
-        mesh.mark(&name, &body, |p| along(&p) < low + near);
-        mesh.mark(&name, &body, |p| along(&p) > high - near);
+    let bodies: Vec<String> = mesh.bodies.iter().map(|b| b.name.clone()).collect();
+    for body in bodies {
+        mesh.mark(&names[0], &body, |p| along(&p) < low + near);
+        mesh.mark(&names[1], &body, |p| along(&p) > high - near);
     }
-    name
+    names
 }
 
 /// The pair, its surfaces and numbers checked, and its carrier chosen.

@@ -89,8 +89,11 @@ fn eccentricity(ri: f64, ro: f64) -> f64 {
 /// A quantity of the ring: exact, by the curved beam, and the relative error of the latter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamAgainstRing {
+    /// By the exact solution of the ring.
     pub exact: f64,
+    /// By the curved-beam formula.
     pub curved_beam: f64,
+    /// Of the formula, relative to the exact one.
     pub error: f64,
 }
 
@@ -108,10 +111,15 @@ impl BeamAgainstRing {
 /// (the diameters at mid-wall).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparisons {
+    /// Hoop stress on the inner wall under the load.
     pub inner_under_load: BeamAgainstRing,
+    /// Hoop stress on the inner wall at 90 degrees.
     pub inner_at_side: BeamAgainstRing,
+    /// Hoop stress on the outer wall at 90 degrees.
     pub outer_at_side: BeamAgainstRing,
+    /// Change of the diameter along the load.
     pub diameter_along: BeamAgainstRing,
+    /// Change of the diameter across the load.
     pub diameter_across: BeamAgainstRing,
 }
 

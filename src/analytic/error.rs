@@ -10,17 +10,25 @@ pub enum DomainError {
     OutOfRange {
         /// Name of the argument, in words.
         argument: &'static str,
+        /// The value that was found.
         value: f64,
         /// The allowed range, in words, with its limits.
         allowed: String,
     },
     /// The arguments are allowed one by one, but the result is beyond the floating-point range.
     #[error("{quantity} comes out as {value}: the arguments are too large or too small together")]
-    Overflow { quantity: &'static str, value: f64 },
+    Overflow {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value that was found.
+        value: f64,
+    },
     /// An iterative solution did not settle.
     #[error("{quantity} did not converge in {iterations} iterations")]
     NotConverged {
+        /// Name of the quantity.
         quantity: &'static str,
+        /// Iterations that were spent.
         iterations: usize,
     },
 }

@@ -3,11 +3,17 @@
 /// Stress components, tension positive.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Stress {
+    /// Normal stress along x, tension positive.
     pub xx: f64,
+    /// Normal stress along y.
     pub yy: f64,
+    /// Normal stress along z.
     pub zz: f64,
+    /// Shear stress.
     pub xy: f64,
+    /// Shear stress.
     pub yz: f64,
+    /// Shear stress.
     pub zx: f64,
 }
 

@@ -11,6 +11,7 @@ use serde::Serialize;
 /// A body.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct BodyFigures {
+    /// Largest Mises stress, read in three ways.
     pub mises_max: Three<Option<f64>>,
     /// Undeformed coordinates of the three peaks.
     pub at: Three<Option<[f64; 3]>>,
@@ -18,21 +19,27 @@ pub struct BodyFigures {
     pub at_singular_edge: Three<bool>,
     /// Peaks of the elastic solution, where the body has yielded and that solution is known.
     pub elastic_mises_max: Option<Three<Option<f64>>>,
+    /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
     /// Plastic strain beside loaded edges and away from them.
     #[serde(skip)]
     pub flow: BodyFlow,
     /// In the whole body, not only its modelled part; so is `volume`.
     pub yielded_volume: f64,
+    /// Of the whole body.
     pub volume: f64,
 }
 
 /// A hollow roller.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct RollerFigures {
+    /// Mises stress on the inner wall below the load, from the strain of its surface.
     pub bore_mises: Option<f64>,
+    /// Where that is, undeformed.
     pub bore_mises_at: Option<[f64; 3]>,
+    /// The same from nodal averages.
     pub bore_mises_nodal: Option<f64>,
+    /// Where that is, undeformed.
     pub bore_mises_nodal_at: Option<[f64; 3]>,
 }
 

@@ -47,7 +47,9 @@ pub fn checks(
 /// Sums of the contact forces on a body, and of their moments about its middle; of the whole.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct BalanceFigures {
+    /// Sum of the contact forces on the body.
     pub force: [f64; 3],
+    /// Sum of their moments about the middle of the body.
     pub moment: [f64; 3],
 }
 

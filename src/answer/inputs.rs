@@ -11,6 +11,7 @@ use crate::model::state::State;
 /// A solved scene, as far as an answer needs it.
 #[derive(Debug, Clone, Copy)]
 pub struct AnswerInputs<'a> {
+    /// The scene as solved, its bodies in touch.
     pub scene: &'a Scene,
     /// The state to report: the end of the last step, or of the last before unloading.
     pub state: &'a State,
@@ -27,10 +28,12 @@ pub struct AnswerInputs<'a> {
     pub elastic: Option<&'a [BodyPeaks]>,
     /// The states at the ends of the steps of the solution in increments twice as large.
     pub doubled: &'a [State],
+    /// Did the solution reach the end of the last step?
     pub converged: bool,
     /// What to measure at each interface, in the order of the pairs; line load in ten equal
     /// slices where the list is shorter.
     pub measures: &'a [Measured],
+    /// The inner walls of hollow rollers.
     pub bores: &'a [Bore],
     /// Share of the load that stabilisation carries, which only the solver knows.
     pub stabilisation_share: Option<f64>,

@@ -30,23 +30,33 @@ pub struct LineLoadFigures {
 /// An interface; forces and areas are those of the whole bearing.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct InterfaceFigures {
+    /// Of the upper side on the lower one.
     pub force: [f64; 3],
+    /// Force along the load; positive in compression.
     pub normal_force: f64,
+    /// Integral of the pressure over the surface.
     pub pressure_integral: f64,
+    /// Largest consistent nodal pressure; compression is positive.
     pub max_pressure: f64,
+    /// Where that is, undeformed.
     pub max_pressure_at: Option<[f64; 3]>,
     /// Hertz's pressure under the largest load per length; null where the strip is not Hertz's.
     pub hertz_p0: Option<f64>,
     /// The largest load per length, normal to the surface.
     pub largest_line_load: Option<f64>,
+    /// Deepest overlap of the two sides, zero or positive.
     pub max_penetration: f64,
     /// Penetration relative to the shortest side of a face that carries pressure.
     pub penetration_per_element: Option<f64>,
+    /// Area in contact.
     pub area: f64,
+    /// Half-width of the strip that was asked for.
     pub half_width: Option<f64>,
     /// Not measured without friction.
     pub max_slip: Option<f64>,
+    /// How many nodes are open, stick and slip.
     pub status_counts: StatusCounts,
+    /// Force per length, in slices along the carrier.
     pub q: Option<LineLoadFigures>,
     /// Where the force along the load acts, on the undeformed surface of the whole.
     pub centre_of_force: Option<[f64; 3]>,
@@ -70,7 +80,9 @@ pub struct LineFigures {
     /// Force normal to the surface per length, row by row; its integral by the trapezoidal rule is
     /// the force.
     pub load: Vec<f64>,
+    /// Largest force per length.
     pub peak: f64,
+    /// Coordinate along the line where that is.
     pub peak_at: f64,
     /// Of the strip of pressure where the load is largest.
     pub half_width: f64,
@@ -78,6 +90,7 @@ pub struct LineFigures {
     pub mean: f64,
     /// Length in contact, in the whole, and of the carrier that has lifted off.
     pub length: f64,
+    /// Length of the carrier that has lifted off.
     pub lifted_off: f64,
 }
 

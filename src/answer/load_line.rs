@@ -8,8 +8,11 @@ use serde::Serialize;
 /// The end of a step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadPoint {
+    /// Its name.
     pub step: String,
+    /// Size of the load that acts there.
     pub load: f64,
+    /// Travel of the loaded plane along the load.
     pub descent: Option<f64>,
 }
 

@@ -1,9 +1,10 @@
 //! What a solved scene says: every figure of it, computed once, with its error.
 //!
-//! [`Answer::of`] takes a [`AnswerInputs`] scene. What prints, draws or compares figures reads the [`Answer`] and computes
+//! [`Answer::of`] takes a solved scene; [`Solved`] solves one and keeps its answer. What prints, draws or compares figures reads the [`Answer`] and computes
 //! nothing.
 
 pub mod certify;
+#[doc(hidden)]
 pub mod pictures;
 pub mod results;
 
@@ -13,6 +14,7 @@ mod inputs;
 mod interface;
 mod load_line;
 mod named;
+mod solved;
 mod steps;
 mod unloaded;
 
@@ -22,6 +24,7 @@ pub use inputs::{AnswerInputs, Measured};
 pub use interface::{InterfaceFigures, LineFigures, LineLoadFigures};
 pub use load_line::LoadPoint;
 pub use named::{Named, Three};
+pub use solved::Solved;
 pub use steps::{StepFigures, StepInterface};
 pub use unloaded::{DentFigures, Unloaded};
 
@@ -41,22 +44,30 @@ use serde::Serialize;
 /// Every figure of a solved scene. What is missing is null in JSON, never "not a number".
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
+    /// Did the solution reach the end of the last step?
     pub converged: bool,
     /// Name of the step whose end the figures are of, and share of it that is done: the last one, or,
     /// where the last steps unload, the one before them.
     pub step: String,
+    /// Share of that step that is done, in (0, 1].
     pub step_done: f64,
     /// The ends of all steps that are done.
     pub steps: Vec<StepFigures>,
+    /// Hexahedra of the mesh.
     pub elements: usize,
     /// The load that acts at that moment, as a vector, and its size.
     pub applied_force: [f64; 3],
+    /// The size of that load.
     pub applied_load: f64,
+    /// Travel of what is loaded, along the load.
     pub descent: Option<f64>,
     /// Largest principal strain by size.
     pub max_strain: Option<f64>,
+    /// Every body, in the order of the mesh.
     pub bodies: Named<BodyFigures>,
+    /// Every contact pair, in the order of the scene.
     pub interfaces: Named<InterfaceFigures>,
+    /// Every hollow roller.
     pub rollers: Named<RollerFigures>,
     /// Bodies that nothing but contact holds.
     pub balance: Named<BalanceFigures>,
@@ -64,9 +75,11 @@ pub struct Answer {
     pub stiffness: Option<f64>,
     /// Load and descent at the end of each step.
     pub load_line: Vec<LoadPoint>,
+    /// What is left where the load has been taken off.
     pub unloaded: Option<Unloaded>,
     /// Where the work of the loads went; null where a support is displaced.
     pub energy: Option<Energy>,
+    /// How well the answer satisfies its own equations.
     pub checks: Checks,
     /// What the figures are worth.
     pub certificate: Vec<Figure>,
@@ -78,10 +91,16 @@ impl Answer {
     /// # Errors
     /// [`Misfit`] where a state is not one of the scene.
     pub fn of(solved: &AnswerInputs) -> Result<Self, Misfit> {
+        let scene = solved.scene;
+        let more = solved.unloaded.into_iter().chain(solved.steps);
+        let mut states = [solved.state].into_iter().chain(more);
+        states.try_for_each(|state| state.check(scene))?;
+        Ok(Self::gather(solved))
+    }
+
+    /// The same where the states are known to be those of the scene.
+    fn gather(solved: &AnswerInputs) -> Self {
         let (scene, state) = (solved.scene, solved.state);
-        state.check(scene)?;
-        solved.unloaded.map_or(Ok(()), |state| state.check(scene))?;
-        solved.steps.iter().try_for_each(|step| step.check(scene))?;
         let edges = LoadedEdges::find(scene, state);
         let peaks = peaks(scene, state, solved.recovered, &edges);
         let measured = interfaces(scene, state);
@@ -97,7 +116,7 @@ impl Answer {
         let dents: Vec<_> = (unloaded.iter().flat_map(|unloaded| &unloaded.dents.0))
             .map(|(surface, dent)| (surface.clone(), dent.body.clone(), dent.depth))
             .collect();
-        let doubled = doubled(solved)?;
+        let doubled = doubled(solved);
         let certificate = certify(&Evidence {
             scene,
             state,
@@ -118,7 +137,7 @@ impl Answer {
             .iter()
             .map(|(body, stress)| (body.clone(), stress.into()));
         let strain = largest_strain(&scene.mesh, &state.displacement);
-        Ok(Self {
+        Self {
             converged: solved.converged,
             step: step.map_or_else(String::new, |step| step.name.clone()),
             step_done: state.time,
@@ -138,7 +157,7 @@ impl Answer {
             energy: state.energy.map(|e| e.times(load::copies(scene))),
             checks: checks::checks(solved, &measured, load, descent),
             certificate,
-        })
+        }
     }
 
     /// The figure `what` of a body, an interface or "overall", with its error.
@@ -148,11 +167,9 @@ impl Answer {
 }
 
 /// What is said of the solution in increments twice as large, where there is one.
-fn doubled(solved: &AnswerInputs) -> Result<Option<Vec<Figure>>, Misfit> {
+fn doubled(solved: &AnswerInputs) -> Option<Vec<Figure>> {
     let at = |step| solved.doubled.iter().find(|state| state.step == step);
-    let Some(state) = at(solved.state.step) else {
-        return Ok(None);
-    };
+    let state = at(solved.state.step)?;
     let recovered = recover(solved.scene, state);
     let unloaded = solved.unloaded.and_then(|state| at(state.step));
     let stays = solved.unloaded.zip(unloaded).and_then(|(one, other)| {
@@ -171,5 +188,5 @@ fn doubled(solved: &AnswerInputs) -> Result<Option<Vec<Figure>>, Misfit> {
         doubled: &[],
         ..*solved
     };
-    Answer::of(&other).map(|answer| Some(answer.certificate))
+    Some(Answer::gather(&other).certificate)
 }

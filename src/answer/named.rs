@@ -5,8 +5,11 @@ use serde::{Serialize, Serializer};
 /// One value for each of the three ways to read a Mises peak.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Three<T> {
+    /// Of the mean of an element's integration points.
     pub centroid: T,
+    /// At an integration point.
     pub integration_point: T,
+    /// Extrapolated to the nodes and averaged.
     pub nodal: T,
 }
 

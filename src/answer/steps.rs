@@ -14,16 +14,21 @@ use std::borrow::Cow;
 /// The end of a step that is done.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepFigures {
+    /// Its name.
     pub name: String,
     /// What every support, rigid plane and traction is multiplied with, by name.
     pub factors: Named<f64>,
     /// The load that acts on the whole, as a vector, and its size.
     pub force: [f64; 3],
+    /// Size of that load.
     pub load: f64,
+    /// Travel of what is loaded, along the load.
     pub descent: Option<f64>,
     /// The largest of all bodies.
     pub mises_max: Three<Option<f64>>,
+    /// Largest equivalent plastic strain of all bodies.
     pub peeq_max: f64,
+    /// Every contact pair, in the order of the scene.
     pub interfaces: Named<StepInterface>,
     /// Are the figures of the answer of this moment?
     pub reported: bool,
@@ -34,7 +39,9 @@ pub struct StepFigures {
 pub struct StepInterface {
     /// On the lower body, of the whole.
     pub force: [f64; 3],
+    /// Largest consistent nodal pressure; compression is positive.
     pub max_pressure: f64,
+    /// How many nodes are open, stick and slip.
     pub status_counts: StatusCounts,
 }
 

@@ -25,6 +25,7 @@ pub struct Unloaded {
 /// What stays in a contact surface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DentFigures {
+    /// The body that it is in.
     pub body: String,
     /// Inward residual displacement of the deepest point, the body's best-fit rigid motion removed,
     /// in the length unit of the scene.
@@ -34,6 +35,7 @@ pub struct DentFigures {
 }
 
 impl Unloaded {
+    /// Of the unloaded `state`; `stays` is the displacement of every node that is left without any load.
     pub fn new(scene: &Scene, state: &State, stays: Option<&[[f64; 3]]>) -> Self {
         let mut names: Vec<&str> = Vec::new();
         for partner in scene.contacts.iter().flat_map(|c| [&c.upper, &c.lower]) {

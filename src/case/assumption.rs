@@ -7,7 +7,9 @@ use serde::Serialize;
 pub struct Assumption {
     /// The key of the case file that changes it.
     pub key: String,
+    /// What is taken.
     pub value: String,
+    /// Why.
     pub why: String,
     /// Was it written in the case file (true), or is it the default?
     pub given: bool,

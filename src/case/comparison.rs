@@ -17,7 +17,9 @@ pub enum MisesRead {
     /// Mises of the mean stress of an element.
     #[default]
     Centroid,
+    /// At the integration points of elements.
     IntegrationPoint,
+    /// Averaged at nodes.
     Nodal,
 }
 
@@ -36,6 +38,7 @@ pub enum Measure {
 /// One printed value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Printed {
+    /// The quantity.
     pub what: Measure,
     /// A body, an interface, `rollers`, `plates` or `overall`.
     pub place: String,
@@ -48,7 +51,9 @@ pub struct Printed {
 pub struct Comparison {
     /// Where they were printed.
     pub source: Option<String>,
+    /// Where Mises stresses are read.
     pub mises_read: MisesRead,
+    /// The printed values.
     pub values: Vec<Printed>,
     /// The places again, where they stand in the case file.
     #[serde(skip)]

@@ -10,17 +10,23 @@ use crate::model::scene::{Partner, Side};
 /// A contact pair before it meets the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
+    /// Its name.
     pub name: Located<String>,
+    /// The upper surface or plane.
     pub upper: Located<Partner>,
+    /// The lower surface or plane.
     pub lower: Located<Partner>,
     /// The non-mortar (slave) side. `None`: chosen by how stiff the two sides are, see `case/carrier.rs`.
     pub carrier: Option<Side>,
     /// The side that carries where both are equally stiff.
     pub preferred: Side,
+    /// Coulomb's coefficient.
     pub friction: f64,
     /// Was no friction given?
     pub friction_is_default: bool,
+    /// Multiplies the automatic penalty.
     pub penalty_factor: f64,
+    /// Are round surfaces taken as round, and not by their facets?
     pub true_geometry: bool,
 }
 

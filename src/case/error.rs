@@ -14,7 +14,9 @@ pub enum ErrorKind {
     Read,
     /// The file is not TOML.
     Syntax,
+    /// A key that no case has.
     UnknownKey,
+    /// A key that is needed.
     MissingKey,
     /// A string where a number is wanted, and the like.
     WrongType,
@@ -24,6 +26,7 @@ pub enum ErrorKind {
     Value,
     /// Two entries that contradict each other.
     Conflict,
+    /// Something is said twice.
     Duplicate,
     /// A body, surface or load that does not exist.
     UnknownName,
@@ -97,6 +100,7 @@ impl CaseError {
         self
     }
 
+    /// The kind of mistake.
     pub fn kind(&self) -> ErrorKind {
         self.0.kind
     }

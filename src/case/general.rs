@@ -16,7 +16,9 @@ use crate::model::scene::Controls;
 /// A general scene before it meets its mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeneralCase {
+    /// Where its mesh comes from.
     pub mesh: SceneMesh,
+    /// Everything but the mesh.
     pub model: Model,
     /// The bodies of `[[body]]`.
     pub bodies: Vec<Located<String>>,

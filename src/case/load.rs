@@ -12,9 +12,13 @@ use crate::model::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, Trac
 /// What acts on the surfaces of a scene. Each entry is marked at its surface.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Loads {
+    /// Supports, with their places in the file.
     pub supports: Vec<Located<Support>>,
+    /// Rigid planes.
     pub planes: Vec<Located<RigidPlane>>,
+    /// Pressures and tractions.
     pub tractions: Vec<Located<Traction>>,
+    /// Steps, in their order.
     pub steps: Vec<Step>,
 }
 

@@ -14,6 +14,7 @@ use crate::ground::units::Dimension;
 /// The mesh of a general scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneMesh {
+    /// A file, or a family.
     pub origin: MeshOrigin,
     /// Turns the coordinates of the mesh into the length unit of the case.
     pub scale: f64,
@@ -25,7 +26,12 @@ pub enum MeshOrigin {
     /// A file, as it stands in the case file, relative to the directory of that file.
     File(Located<PathBuf>),
     /// A level of a family that is built in.
-    Family { family: Family, level: u32 },
+    Family {
+        /// Which family.
+        family: Family,
+        /// How often it is refined.
+        level: u32,
+    },
 }
 
 /// Nested meshes that are built in: from level to level every element is split.

@@ -7,7 +7,6 @@
 
 mod assumption;
 pub mod bearing;
-mod carrier;
 mod change;
 mod comparison;
 mod contact;
@@ -15,7 +14,9 @@ mod controls;
 mod document;
 mod error;
 mod general;
+#[doc(hidden)]
 pub mod interfaces;
+#[doc(hidden)]
 pub mod keys;
 mod load;
 mod mesh_choice;
@@ -55,13 +56,17 @@ use parse::Table;
 /// A validated case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
+    /// Its title.
     pub title: String,
+    /// What it is about, where that is said.
     pub description: Option<String>,
     /// The system all numbers of the case are in.
     pub units: UnitSystem,
     /// The published study the case belongs to.
     pub reference: Option<String>,
+    /// Bearing or general scene.
     pub kind: Kind,
+    /// Numerical controls.
     pub controls: Controls,
     /// Printed values to set beside the results.
     pub comparison: Option<Comparison>,
@@ -76,7 +81,9 @@ pub struct Case {
 /// The two levels of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Kind {
+    /// A bearing by its dimensions.
     Bearing(BearingCase),
+    /// A general scene on a mesh file.
     General(GeneralCase),
 }
 

@@ -1,6 +1,5 @@
 //! A scene before it meets its mesh: what both kinds of case come down to.
 
-use super::carrier;
 use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
@@ -9,17 +8,22 @@ use super::place::{KeyPlace, Located};
 use super::steel::Steels;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{ContactPair, Controls, Partner, Scene};
+use crate::model::scene::{self, ContactPair, Controls, Partner, Scene};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
+    /// Name of the scene.
     pub name: String,
+    /// Steels by body.
     pub steels: Steels,
+    /// Contact pairs.
     pub contacts: Vec<Contact>,
+    /// Supports, planes, tractions and steps.
     pub loads: Loads,
     /// Axes (0, 1, 2) across which the model is mirrored.
     pub mirrors: Vec<usize>,
+    /// Numerical controls.
     pub controls: Controls,
 }
 
@@ -115,7 +119,7 @@ impl Contact {
         let sides = [&self.upper.value, &self.lower.value];
         let carrier = self
             .carrier
-            .unwrap_or_else(|| carrier::choose(mesh, steels, sides, self.preferred));
+            .unwrap_or_else(|| scene::carrier::choose(mesh, steels, sides, self.preferred));
         Ok(ContactPair {
             name: self.name.value.clone(),
             upper: self.upper.value.clone(),

@@ -8,6 +8,7 @@ use super::source::Source;
 /// A key of the case file and the bytes of its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeyPlace {
+    /// The file.
     pub source: Source,
     /// Dotted path, for example `bearing.roller_wall`; `contact#2.upper` in the second
     /// `[[contact]]`.
@@ -45,11 +46,14 @@ impl KeyPlace {
 /// A value and its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Located<T> {
+    /// What was read.
     pub value: T,
+    /// Where it stands.
     pub place: KeyPlace,
 }
 
 impl<T> Located<T> {
+    /// Another value at the same place.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Located<U> {
         Located {
             value: f(self.value),
@@ -72,10 +76,18 @@ impl<T> Located<T> {
 }
 
 impl Located<f64> {
+    /// Itself, if it is positive.
+    ///
+    /// # Errors
+    /// [`CaseError`] marks the value.
     pub fn positive(self) -> Result<Self, CaseError> {
         self.require(|v| *v > 0.0, "must be positive")
     }
 
+    /// Itself, if it is not negative.
+    ///
+    /// # Errors
+    /// [`CaseError`] marks the value.
     pub fn not_negative(self) -> Result<Self, CaseError> {
         self.require(|v| *v >= 0.0, "must not be negative")
     }

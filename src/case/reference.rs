@@ -5,6 +5,7 @@ use serde::Serialize;
 /// Two statements of the study that do not agree, or a printed value that cannot be right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Discrepancy {
+    /// What differs, in words.
     pub what: &'static str,
     /// What it does to this result, and how the program takes it.
     pub effect: &'static str,

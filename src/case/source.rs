@@ -10,6 +10,7 @@ pub struct Source {
 }
 
 impl Source {
+    /// The text `text` of the file called `name`.
     pub fn new(name: &str, text: &str) -> Self {
         Self {
             name: name.into(),
@@ -22,6 +23,7 @@ impl Source {
         &self.name
     }
 
+    /// The whole text.
     pub fn text(&self) -> &str {
         &self.text
     }

@@ -1,7 +1,11 @@
 //! What users ask for: one case, many of them, a size, a goal, a series of meshes.
 
+#[doc(hidden)]
 pub mod converge;
 pub mod job;
+#[doc(hidden)]
 pub mod size;
+#[doc(hidden)]
 pub mod sweep;
+#[doc(hidden)]
 pub mod target;

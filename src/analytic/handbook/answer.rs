@@ -6,7 +6,9 @@ use serde::Serialize;
 /// Largest Mises stress below the contact in one body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Below {
+    /// Mises stress.
     pub mises: f64,
+    /// Depth below the surface.
     pub depth: f64,
     /// Mises stress over the body's yield stress.
     pub share_of_yield: f64,
@@ -17,7 +19,9 @@ pub struct Below {
 /// First yield below the contact, in the body that yields first.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FirstYield {
+    /// Peak pressure of the contact.
     pub peak_pressure: f64,
+    /// Load per length.
     pub line_load: f64,
     /// Load on the whole roller.
     pub load: f64,
@@ -38,6 +42,7 @@ pub struct Rules {
     pub required_exact: f64,
     /// Load that this D L may carry, with the constant 8 and with the exact one.
     pub capacity_printed: f64,
+    /// The same with the exact constant.
     pub capacity_exact: f64,
 }
 
@@ -46,15 +51,18 @@ pub struct Rules {
 pub struct HandbookBore {
     /// Hoop stress on the inner wall under the load, and its Mises stress in plane strain.
     pub hoop_under_load: f64,
+    /// Mises stress there, in plane strain.
     pub mises_under_load: f64,
     /// Hoop stress on the inner wall at 90 degrees.
     pub hoop_at_side: f64,
     /// Changes of the outer and the inner diameter along the load. The outer one grows without
     /// bound as the contact narrows; none below a/R = 1e-3.
     pub outer_diameter_change: Option<f64>,
+    /// Of the inner diameter.
     pub inner_diameter_change: f64,
     /// Hoop stress under the load by the curved-beam formula, and its relative error.
     pub curved_beam_hoop: f64,
+    /// Relative error of that formula.
     pub curved_beam_error: f64,
 }
 
@@ -63,6 +71,7 @@ pub struct HandbookBore {
 pub struct Groove {
     /// Force per length across each line without friction, and its bounds with friction.
     pub normal_load: f64,
+    /// Its bounds with friction.
     pub normal_load_bounds: Option<[f64; 2]>,
     /// Distance of each line from the root.
     pub offset: f64,
@@ -70,7 +79,9 @@ pub struct Groove {
     pub gap_at_root: f64,
     /// Peak pressure and width of each line as if alone.
     pub peak_pressure: f64,
+    /// Full width of each line.
     pub contact_width: f64,
+    /// Largest Mises stress below a line.
     pub mises: f64,
     /// Peak pressure with the other line's effect; none where the two merge.
     pub peak_pressure_with_interaction: Option<f64>,
@@ -79,8 +90,11 @@ pub struct Groove {
 /// One picture of a displaced roller's line load, at its largest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Spread {
+    /// Largest load per length.
     pub line_load: f64,
+    /// Length that bears.
     pub bearing_length: f64,
+    /// Peak pressure under that load.
     pub peak_pressure: f64,
     /// Larger of the two bodies' Mises stresses below the contact, elastic.
     pub mises: f64,
@@ -109,17 +123,27 @@ pub struct HandbookAnswer {
     pub line_load: f64,
     /// Peak pressure: exact, and by (2-48) with its printed 0.418.
     pub peak_pressure: f64,
+    /// By (2-48) with its printed 0.418.
     pub peak_pressure_printed: f64,
+    /// Mean pressure of the contact.
     pub mean_pressure: f64,
     /// Full contact width 2a: exact, and by (2-47) with its printed 2.263.
     pub contact_width: f64,
+    /// By (2-47) with its printed 2.263.
     pub contact_width_printed: f64,
+    /// Below the contact, in the roller.
     pub roller: Below,
+    /// Below the contact, in the plate.
     pub plate: Below,
+    /// Where yielding begins.
     pub first_yield: FirstYield,
+    /// The design rules.
     pub rules: Rules,
+    /// The bore of a hollow roller.
     pub bore: Option<HandbookBore>,
+    /// The V groove, where the roller lies in one.
     pub groove: Option<Groove>,
+    /// Off the centre, where it is.
     pub displaced: Option<Displaced>,
     /// The contact is small against radius, wall and plate ([`HALF_SPACE_SHARE`](super::HALF_SPACE_SHARE)).
     pub half_space_valid: bool,

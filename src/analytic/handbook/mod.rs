@@ -29,8 +29,11 @@ const SMALLEST_HALF_ANGLE: f64 = 1e-3;
 /// One body's steel.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Metal {
+    /// Young's modulus.
     pub youngs_modulus: f64,
+    /// Poisson's ratio.
     pub poissons_ratio: f64,
+    /// Yield stress.
     pub yield_stress: f64,
 }
 
@@ -45,7 +48,9 @@ pub struct Handbook {
     pub length: f64,
     /// Load P on the roller.
     pub load: f64,
+    /// Steel of the roller.
     pub roller: Metal,
+    /// Steel of the plate.
     pub plate: Metal,
     /// Thickness of the plate, for the check of the half space.
     pub plate_thickness: Option<f64>,

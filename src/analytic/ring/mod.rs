@@ -19,7 +19,10 @@ pub enum RingLoad {
     /// On a line (a point of the cross-section).
     Point,
     /// As the semi-elliptic pressure of a Hertz contact of this half angle, a/R in radians.
-    SemiElliptic { half_angle: f64 },
+    SemiElliptic {
+        /// Half of the angle that it covers, rad.
+        half_angle: f64,
+    },
 }
 
 /// What happens along the roller.

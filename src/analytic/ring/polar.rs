@@ -5,9 +5,13 @@ use crate::analytic::Stress;
 /// Stress in polar components, tension positive; θ runs from the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PolarStress {
+    /// Along the radius, tension positive.
     pub radial: f64,
+    /// Around the axis.
     pub hoop: f64,
+    /// Along the axis.
     pub axial: f64,
+    /// Shear between radius and hoop.
     pub shear: f64,
 }
 

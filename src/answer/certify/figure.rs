@@ -11,6 +11,7 @@ pub struct Figure {
     pub what: Quantity,
     /// Body or interface; "overall" for the scene.
     pub place: String,
+    /// In the unit of the scene.
     pub value: f64,
     /// By cause.
     pub error: Errors,
@@ -71,6 +72,7 @@ pub fn figure<'f>(figures: &'f [Figure], what: Quantity, place: &str) -> Option<
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
+    /// Travel of what loads the scene, along the load.
     Descent,
     /// Largest nodal Mises stress of a body.
     PeakMises,
@@ -78,6 +80,7 @@ pub enum Quantity {
     MisesAway,
     /// The same two of the elastic solution, where the body has yielded.
     ElasticPeakMises,
+    /// Away from loaded edges.
     ElasticMisesAway,
     /// Largest equivalent plastic strain at an integration point.
     PeakPlasticStrain,
@@ -89,6 +92,7 @@ pub enum Quantity {
     LineLoad,
     /// Half-width of the strip, or of the most heavily loaded line of contact.
     HalfWidth,
+    /// Area of a contact, of the whole.
     ContactArea,
     /// Length in contact of the most heavily loaded line.
     ContactLength,

@@ -31,14 +31,19 @@ pub use increments::DOUBLING;
 /// What is certified.
 #[derive(Debug, Clone, Copy)]
 pub struct Evidence<'a> {
+    /// The solved scene.
     pub scene: &'a Scene,
+    /// The state that is certified.
     pub state: &'a State,
+    /// Stresses at nodes and in elements of that state.
     pub recovered: &'a Recovered,
     /// Peaks of every body and scalars of every contact pair, in their orders.
     pub peaks: &'a [BodyPeaks],
+    /// Scalars of every contact pair, in their order.
     pub interfaces: &'a [Interface],
     /// The heaviest line of every pair, where it has lines.
     pub lines: &'a [Option<HeaviestLine>],
+    /// Where loaded surfaces end.
     pub edges: &'a LoadedEdges,
     /// Inner walls of rollers by body.
     pub bores: &'a [(String, BoreStress)],

@@ -9,6 +9,7 @@ use crate::model::state::State;
 /// What contact does to a body that nothing else touches.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Balance {
+    /// Name of the body.
     pub body: String,
     /// Sum of the contact forces on it, of the whole.
     pub force: [f64; 3],

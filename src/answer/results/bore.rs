@@ -32,11 +32,13 @@ pub struct BoreStress {
     /// Largest Mises stress under the load lines, from the surface strain with zero radial
     /// stress. `None` where the wall has yielded there, since Hooke's law no longer holds.
     pub mises: Option<f64>,
+    /// Undeformed position of that point.
     pub mises_at: Option<[f64; 3]>,
     /// Depth of the elements there over the radius of the bore.
     pub coarseness: f64,
     /// Largest nodal Mises stress on the bore.
     pub nodal: Option<f64>,
+    /// Undeformed position of that node.
     pub nodal_at: Option<[f64; 3]>,
 }
 

@@ -19,6 +19,7 @@ pub struct ContactLine {
     pub load: Vec<f64>,
     /// Length over which it carries and length over which it does not, in the whole.
     pub length: f64,
+    /// Length over which it has lifted off, in the whole.
     pub lifted_off: f64,
     /// How many such lines there are in the whole: mirror planes that do not cut it double it.
     pub images: usize,
@@ -31,6 +32,7 @@ pub struct ContactLine {
 pub struct StripRow {
     /// Its index among the rows of the line, and the coordinate along.
     pub row: usize,
+    /// Coordinate of the row along the surface.
     pub at: f64,
     /// Distance of its nodes along the surface from the centre of pressure, ascending, and the
     /// coefficients of their hat functions: from the open node on one side to that on the other, or

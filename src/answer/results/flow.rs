@@ -11,6 +11,7 @@ use crate::model::state::State;
 pub struct BodyFlow {
     /// Beside loaded edges of contact surfaces, such as square ends of rollers.
     pub at_edges: f64,
+    /// Away from such edges.
     pub away: f64,
     /// Largest Mises stress of the mean stress of an element that flows away from edges; zero where
     /// none does.

@@ -19,6 +19,7 @@ use crate::model::state::State;
 /// The line of a pair that carries most per length, and what Hertz says of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeaviestLine {
+    /// The line.
     pub line: ContactLine,
     /// The axis along it.
     pub axis: usize,

@@ -10,8 +10,11 @@ use crate::model::state::{ContactField, State};
 /// How many nodes of the modelled part of a carrier surface are open, stick and slip.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct StatusCounts {
+    /// Nodes that are open.
     pub open: usize,
+    /// Nodes that stick.
     pub stick: usize,
+    /// Nodes that slip.
     pub slip: usize,
 }
 
@@ -28,6 +31,7 @@ pub struct Interface {
     pub pressure_integral: f64,
     /// Largest consistent nodal pressure and the undeformed position of its node.
     pub max_pressure: f64,
+    /// Undeformed position of the node with the largest pressure.
     pub max_pressure_at: Option<[f64; 3]>,
     /// Deepest overlap of the two true surfaces, zero or positive, see [`ContactField::penetration`].
     pub max_penetration: f64,
@@ -37,6 +41,7 @@ pub struct Interface {
     pub contact_error: f64,
     /// Area of the nodes in contact.
     pub area: f64,
+    /// Nodes of the modelled part by status.
     pub status_counts: StatusCounts,
     /// Largest tangential traction beyond μ p, relative to μ times the largest pressure; zero
     /// without friction.

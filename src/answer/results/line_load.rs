@@ -22,6 +22,7 @@ pub struct Slices {
 /// Load per length in slices along the carrier body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineLoad {
+    /// Where the load is summed.
     pub slices: Slices,
     /// Mean load per length of each slice, along the applied load, compression positive; both
     /// lines of a V together.

@@ -15,7 +15,12 @@ pub enum Place {
     /// The centre of an element.
     Element(usize),
     /// An integration point of an element.
-    IntegrationPoint { element: usize, point: usize },
+    IntegrationPoint {
+        /// Index of the element.
+        element: usize,
+        /// Index of the point in it.
+        point: usize,
+    },
     /// A node of the mesh.
     Node(usize),
 }
@@ -23,7 +28,9 @@ pub enum Place {
 /// A largest value and where it is. Of equal values the one with the lowest index counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
+    /// The value, in the stress unit of the scene.
     pub value: f64,
+    /// What it was read from.
     pub place: Place,
     /// Undeformed coordinates of the place.
     pub at: [f64; 3],
@@ -32,6 +39,7 @@ pub struct Peak {
 /// The peaks of one body; `None` for a body without elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyPeaks {
+    /// Name of the body.
     pub name: String,
     /// Mises stress of the mean stress tensor of an element.
     pub centroid: Option<Peak>,

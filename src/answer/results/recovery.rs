@@ -66,6 +66,7 @@ impl BodyPoints {
 /// Fields for reading, recovered from integration points.
 #[derive(Debug, Clone, Default)]
 pub struct Recovered {
+    /// What carries the nodal values.
     pub points: BodyPoints,
     /// Stress xx yy zz xy yz zx at each of [`BodyPoints`]: extrapolated in each element, averaged
     /// over the elements of one body; zero where no element uses the node.

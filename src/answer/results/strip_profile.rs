@@ -12,6 +12,7 @@ use crate::model::state::State;
 pub struct StripProfile {
     /// Coordinate of the row along the line, and its force normal to the surface per length.
     pub at: f64,
+    /// Force per length of the strip.
     pub line_load: f64,
     /// Distance along the surface from the centre of pressure, ascending, and the pressure there;
     /// from the open node on one side to that on the other. The other half of a line that a mirror
@@ -19,6 +20,7 @@ pub struct StripProfile {
     pub points: Vec<(f64, f64)>,
     /// The centre of pressure on the undeformed carrier, and the unit normal that points out of it.
     pub centre: [f64; 3],
+    /// Unit normal of the surface there.
     pub normal: [f64; 3],
 }
 

@@ -19,7 +19,9 @@ use crate::ground::units::Dimension;
 /// A bearing, in the units of its case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BearingCase {
+    /// Dimensions of the bearing.
     pub geometry: BearingGeometry,
+    /// What mesh is asked for.
     pub mesh: MeshRequest,
     /// Vertical, on the whole bearing.
     pub load: f64,
@@ -29,6 +31,7 @@ pub struct BearingCase {
     pub stages: Vec<f64>,
     /// The share of the load that is left after unloading; `None` where it stays on.
     pub unload_to: Option<f64>,
+    /// Steels by body.
     pub steels: Steels,
 }
 

@@ -22,7 +22,9 @@ pub struct BearingGeometry {
     pub offset: f64,
     /// t, where the two valley lines cross.
     pub intermediate_thickness: f64,
+    /// Thickness of the upper plate.
     pub upper_thickness: f64,
+    /// Thickness of the lower plate.
     pub lower_thickness: f64,
     /// Plates along x and along y.
     pub plan: [f64; 2],

@@ -11,6 +11,7 @@ use super::strips::{FoundLine, Strips};
 /// How a bearing is to be meshed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshRequest {
+    /// Which choice of element sizes.
     pub preset: Preset,
     /// What `auto` is sized by; `None` where nothing is known of the load.
     pub strips: Option<Strips>,

@@ -48,8 +48,11 @@ pub struct Sizes {
 /// What a number of [`Sizes`] measures, which decides how it scales.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SizeKind {
+    /// A length.
     Length,
+    /// A number of elements.
     Count,
+    /// A ratio.
     Ratio,
 }
 
@@ -60,6 +63,7 @@ pub struct MeshKey {
     pub key: &'static str,
     /// In the template.
     pub parameter: &'static str,
+    /// What is measured.
     pub kind: SizeKind,
 }
 

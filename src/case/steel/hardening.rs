@@ -13,7 +13,9 @@ pub(super) const HARDENING_KEYS: &[&str] = &["hardening", "hardening_modulus", "
 /// What the strain of the second point of the hardening line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StrainIs {
+    /// Elastic and plastic strain together.
     Total,
+    /// Plastic strain alone.
     Plastic,
 }
 

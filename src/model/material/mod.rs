@@ -1,5 +1,6 @@
 //! Steel: isotropic elasticity and J2 plasticity with linear isotropic hardening.
 
+#[doc(hidden)]
 pub mod j2;
 
 use serde::Serialize;

@@ -14,27 +14,51 @@ const FACE_NAMES: [&str; 6] = ["z_min", "z_max", "y_min", "x_max", "y_max", "x_m
 /// What is wrong with a structured mesh.
 #[derive(Debug, Error, Diagnostic, PartialEq)]
 pub enum BlockError {
+    /// Coordinates do not ascend.
     #[error("block `{block}`: the {axis} coordinates are not two or more ascending numbers")]
     #[diagnostic(
         code(brinell::mesh::block_coordinates),
         help("give each axis finite coordinates in strictly ascending order")
     )]
-    Coordinates { block: String, axis: char },
+    Coordinates {
+        /// Name of the block.
+        block: String,
+        /// The axis: x, y or z.
+        axis: char,
+    },
+    /// There are too many nodes or elements.
     #[error("block `{block}`: {count} nodes or elements are too many")]
     #[diagnostic(code(brinell::mesh::block_size), help("use fewer coordinates"))]
-    TooLarge { block: String, count: usize },
+    TooLarge {
+        /// Name of the block.
+        block: String,
+        /// How many.
+        count: usize,
+    },
+    /// The map spoils an element.
     #[error("block `{block}`: the map turns element {element} inside out or flattens it")]
     #[diagnostic(
         code(brinell::mesh::block_map),
         help("the map must keep the handedness of (x, y, z): exchange two axes or turn one round")
     )]
-    Map { block: String, element: usize },
+    Map {
+        /// Name of the block.
+        block: String,
+        /// Index of the element.
+        element: usize,
+    },
+    /// A face does not exist.
     #[error("block `{block}` has no face `{face}`")]
     #[diagnostic(
         code(brinell::mesh::block_face),
         help("the faces are x_min, x_max, y_min, y_max, z_min and z_max")
     )]
-    Face { block: String, face: String },
+    Face {
+        /// Name of the block.
+        block: String,
+        /// Name of the face.
+        face: String,
+    },
 }
 
 type Map<'a> = Box<dyn Fn([f64; 3]) -> [f64; 3] + 'a>;

@@ -8,15 +8,25 @@ use super::Mesh;
 /// Why parts do not make one mesh.
 #[derive(Debug, Error, Diagnostic, PartialEq, Eq)]
 pub enum JoinError {
+    /// Two bodies or surfaces have one name.
     #[error("two {what} are called `{name}`")]
     #[diagnostic(
         code(brinell::mesh::join_names),
         help("give the parts different names, for example with `Mesh::prefixed`")
     )]
-    SameName { what: &'static str, name: String },
+    SameName {
+        /// What is meant, in words.
+        what: &'static str,
+        /// Its name.
+        name: String,
+    },
+    /// There are too many nodes or elements.
     #[error("{count} nodes or elements are too many for one mesh")]
     #[diagnostic(code(brinell::mesh::join_size), help("use coarser parts"))]
-    TooLarge { count: usize },
+    TooLarge {
+        /// How many.
+        count: usize,
+    },
 }
 
 impl Mesh {

@@ -2,17 +2,23 @@
 
 pub mod block;
 pub mod family;
+#[doc(hidden)]
 pub mod gmsh;
+#[doc(hidden)]
 pub mod hexahedron;
 pub mod join;
 pub mod merge;
 pub mod msh;
+#[doc(hidden)]
 pub mod pieces;
 pub mod quadrilateral;
 pub mod quality;
+#[doc(hidden)]
 pub mod shape;
+#[doc(hidden)]
 pub mod split;
 pub mod surface;
+#[doc(hidden)]
 pub mod unfold;
 
 use serde::Serialize;

@@ -3,6 +3,7 @@
 //! A scene knows nothing of bearings, case files or units: all numbers are in one consistent
 //! unit system, whatever it is.
 
+pub mod carrier;
 mod controls;
 mod loads;
 mod pair;

@@ -39,7 +39,12 @@ pub enum Partner {
     /// A named surface of the mesh.
     Surface(String),
     /// A rigid half space behind the plane through `point`; `normal` is the outward unit normal.
-    Plane { point: [f64; 3], normal: [f64; 3] },
+    Plane {
+        /// Any point of it.
+        point: [f64; 3],
+        /// Unit normal, out of the half space that it bounds.
+        normal: [f64; 3],
+    },
 }
 
 impl Partner {
@@ -61,7 +66,9 @@ impl Partner {
 /// Which partner of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Side {
+    /// The upper one.
     Upper,
+    /// The lower one.
     Lower,
 }
 

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 pub struct State {
     /// Step index and share of the step that is done, in (0, 1].
     pub step: usize,
+    /// Share of the step that is done, in (0, 1].
     pub time: f64,
     /// Displacement of every node.
     pub displacement: Vec<[f64; 3]>,

@@ -10,32 +10,41 @@ use crate::render::inp::InpError;
 use crate::solver::solve::SolveError;
 use std::path::{Path, PathBuf};
 
+/// What can stop a job.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum JobError {
+    /// The case is wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
+    /// The mesh file is wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Mesh(Box<MeshError>),
+    /// Gmsh made no mesh.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Gmsh(#[from] GmshError),
+    /// The scene could not be solved.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Solve(#[from] SolveError),
+    /// A file could not be written.
     #[error(transparent)]
     #[diagnostic(
         code(brinell::job::output),
         help("name another folder with --out, or make room and give write permission")
     )]
     Output(#[from] OutputError),
+    /// The deck could not be written.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Export(#[from] InpError),
+    /// A built-in mesh could not be made.
     #[error(transparent)]
     #[diagnostic(transparent)]
     BuiltIn(#[from] FamilyError),
+    /// An earlier run cannot be gone on from.
     #[error("{} cannot be gone on from: {why}", path.display())]
     #[diagnostic(
         code(brinell::job::checkpoint),
@@ -43,22 +52,43 @@ pub enum JobError {
             "run it from the start, without --resume, or name the folder of the earlier run with --out"
         )
     )]
-    Checkpoint { path: PathBuf, why: String },
+    Checkpoint {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why, in words.
+        why: String,
+    },
+    /// Another run writes into the folder.
     #[error("another run writes into {}", path.display())]
     #[diagnostic(
         code(brinell::job::busy),
         help("wait for it, or name another folder with --out")
     )]
-    Busy { path: PathBuf },
+    Busy {
+        /// The file or folder.
+        path: PathBuf,
+    },
+    /// Stopped before there was anything to tell.
     #[error("interrupted before the first increment was done")]
     #[diagnostic(code(brinell::job::interrupted))]
     Interrupted,
+    /// A closed form does not apply.
     #[error("the closed form for {what} does not apply: {why}")]
     #[diagnostic(code(brinell::job::closed_form))]
-    ClosedForm { what: String, why: String },
+    ClosedForm {
+        /// What is meant, in words.
+        what: String,
+        /// Why, in words.
+        why: String,
+    },
+    /// Only bearings have a template to mesh.
     #[error("the case `{case}` is a general scene on a mesh file: there is no template to mesh")]
     #[diagnostic(code(brinell::job::no_template), help("mesh it with gmsh itself"))]
-    NoTemplate { case: String },
+    NoTemplate {
+        /// Title of the case.
+        case: String,
+    },
+    /// The mesh would be far too large.
     #[error(
         "the mesh would have about {elements:.2e} elements, which takes {seconds:.0e} s to make and at least \
          {:.3} GB to solve; {:.3} GB are there",
@@ -73,18 +103,25 @@ pub enum JobError {
         )
     )]
     MeshSize {
+        /// Number of elements.
         elements: f64,
+        /// Seconds that meshing takes.
         seconds: f64,
+        /// Bytes that are needed.
         needed: f64,
+        /// Bytes that are left.
         available: f64,
     },
+    /// A folder cannot be used.
     #[error("{} cannot be used: {error}", path.display())]
     #[diagnostic(
         code(brinell::job::folder),
         help("name another folder with --out, or make room and give write permission")
     )]
     Folder {
+        /// The file or folder.
         path: PathBuf,
+        /// What the system says.
         error: std::io::Error,
     },
 }

@@ -14,8 +14,11 @@ use std::path::{Path, PathBuf};
 /// A deck that was written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exported {
+    /// The file.
     pub path: PathBuf,
+    /// Number of nodes in it.
     pub nodes: usize,
+    /// Number of elements in it.
     pub elements: usize,
 }
 

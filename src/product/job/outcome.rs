@@ -14,6 +14,7 @@ use crate::solver::solve::Solution;
 pub struct Outcome {
     /// The scene as solved, its bodies in touch.
     pub scene: Scene,
+    /// States at the ends of all steps, and what they cost.
     pub solution: Solution,
     /// Of the end of the last step, or, where the last steps unload, of the step before them.
     pub summary: Summary,

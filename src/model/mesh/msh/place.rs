@@ -9,6 +9,7 @@ pub struct Place {
     pub source: String,
     /// The section, without the dollar sign; empty between sections.
     pub section: String,
+    /// The line of a text, or the byte of a binary.
     pub at: At,
 }
 

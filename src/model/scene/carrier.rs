@@ -13,17 +13,17 @@
 //! carrier and 6.0 % with the finer one; 1:2, 0.6 and 3.6 %; 1:1.1, 0.5 and 0.5 %. A block that is finer by 4
 //! and softer by 2, 4, 10: 2.5, 0.7, 0.1 % with the block as carrier, 0.6, 0.6, 0.7 % with the cylinder.
 
+use super::{Partner, Side};
 use crate::ground::geometry::{norm, sub};
 use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::{Partner, Side};
 
 /// Ratio of stiffnesses up to which they count as equal: of facets 1:1.1 either side serves as carrier.
 const EQUAL_STIFFNESS_RATIO: f64 = 1.1;
 
-/// The carrier of a pair `[upper, lower]` on `mesh`, whose bodies are of `steels`; `preferred` where
-/// both serve alike.
-pub(super) fn choose(
+/// The carrier of a pair `[upper, lower]` on `mesh`, whose bodies are of `steels`, one a body in the order
+/// of the mesh; `preferred` where both serve alike.
+pub fn choose(
     mesh: &Mesh,
     steels: &[Steel],
     [upper, lower]: [&Partner; 2],

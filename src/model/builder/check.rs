@@ -1,0 +1,171 @@
+//! What a scene is asked before it is one.
+
+use super::axis::Axis;
+use super::error::BuildError;
+use super::load::Load;
+use crate::model::material::Steel;
+use crate::model::mesh::Mesh;
+use crate::model::scene::{Step, Support};
+
+/// The steel of every body, in the order of the mesh; of several for one body the last.
+pub(super) fn check_steels(
+    mesh: &Mesh,
+    steels: &[(String, Steel)],
+) -> Result<Vec<Steel>, BuildError> {
+    for (body, steel) in steels {
+        if mesh.body(body).is_none() {
+            let user = format!("the steel of `{body}`");
+            return Err(unknown(
+                &user,
+                "body",
+                body,
+                mesh.bodies.iter().map(|b| &b.name),
+            ));
+        }
+        let (e, nu) = (steel.youngs_modulus, steel.poissons_ratio);
+        let (y, h) = (steel.yield_stress, steel.hardening_modulus);
+        let numbers = [
+            ("Young's modulus", e, e > 0.0 && e.is_finite(), "positive"),
+            (
+                "Poisson's ratio",
+                nu,
+                nu > -1.0 && nu < 0.5,
+                "above -1 and below 0.5",
+            ),
+            ("the yield stress", y, y > 0.0, "positive, or infinite"),
+            (
+                "the hardening modulus",
+                h,
+                h >= 0.0 && h.is_finite(),
+                "zero or positive",
+            ),
+        ];
+        if let Some((what, value, _, allowed)) = numbers.into_iter().find(|number| !number.2) {
+            return Err(BuildError::Number {
+                what,
+                of: body.clone(),
+                value,
+                allowed,
+            });
+        }
+    }
+    let of = |name: &String| {
+        let last = steels.iter().rev().find(|(body, _)| body == name);
+        last.map(|(_, steel)| *steel)
+            .ok_or_else(|| BuildError::NoSteel { body: name.clone() })
+    };
+    mesh.bodies.iter().map(|body| of(&body.name)).collect()
+}
+
+/// Is there a surface called `name`, and has it faces?
+pub(super) fn check_surface(mesh: &Mesh, user: &str, name: &str) -> Result<(), BuildError> {
+    match mesh.surface(name) {
+        Some(surface) if surface.faces.is_empty() => Err(BuildError::NoFaces { name: name.into() }),
+        Some(_) => Ok(()),
+        None => {
+            let names = mesh.surfaces.iter().map(|s| &s.name);
+            Err(unknown(user, "surface", name, names))
+        }
+    }
+}
+
+pub(super) fn check_loads(mesh: &Mesh, loads: &[Load]) -> Result<(), BuildError> {
+    for load in loads {
+        check_surface(mesh, &format!("the load `{}`", load.name), &load.surface)?;
+        if let Some(value) = load.numbers().into_iter().find(|x| !x.is_finite()) {
+            return Err(BuildError::Number {
+                what: "a component",
+                of: load.name.clone(),
+                value,
+                allowed: "finite",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Steps call loads and supports by name.
+pub(super) fn check_steps(
+    steps: &[Step],
+    loads: &[Load],
+    supports: &[Support],
+) -> Result<(), BuildError> {
+    let names = || {
+        loads
+            .iter()
+            .map(|l| &l.name)
+            .chain(supports.iter().map(|s| &s.name))
+    };
+    for step in steps {
+        let user = format!("the step `{}`", step.name);
+        for (name, _) in &step.factors {
+            if !names().any(|known| known == name) {
+                return Err(unknown(&user, "load", name, names()));
+            }
+        }
+        let mut factors = step
+            .factors
+            .iter()
+            .map(|(_, factor)| *factor)
+            .chain([step.factor]);
+        if let Some(value) = factors.find(|f| !f.is_finite()) {
+            return Err(BuildError::Number {
+                what: "a factor",
+                of: step.name.clone(),
+                value,
+                allowed: "finite",
+            });
+        }
+    }
+    Ok(())
+}
+
+fn unknown<'n>(
+    user: &str,
+    kind: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'n String>,
+) -> BuildError {
+    let known: Vec<&str> = known.map(String::as_str).collect();
+    BuildError::Unknown {
+        user: user.into(),
+        kind,
+        name: name.into(),
+        known: known.join(", "),
+    }
+}
+
+/// Marks the outer faces in the plane of symmetry across `axis`, and says what they are called.
+///
+/// A model that lies on both sides of the plane, or has no face in it, is no half of anything.
+pub(super) fn mirror_plane(mesh: &mut Mesh, axis: Axis, scene: &str) -> Result<String, BuildError> {
+    let name = format!("{}_mirror", axis.letter());
+    let along = |p: &[f64; 3]| p[axis.index()];
+    let low = mesh.points.iter().map(along).fold(f64::INFINITY, f64::min);
+    let high = mesh
+        .points
+        .iter()
+        .map(along)
+        .fold(f64::NEG_INFINITY, f64::max);
+    // Files have rounded coordinates.
+    let near = 1e-6 * (high - low);
+    for body in mesh
+        .bodies
+        .iter()
+        .map(|b| b.name.clone())
+        .collect::<Vec<_>>()
+    {
+        mesh.mark(&name, &body, |p| along(&p).abs() <= near);
+    }
+    let faces = mesh.surface(&name).map_or(0, |surface| surface.faces.len());
+    match faces > 0 && (low >= -near || high <= near) {
+        true => Ok(name),
+        false => Err(BuildError::Mirror {
+            scene: scene.into(),
+            axis: axis.letter(),
+            low,
+            high,
+            faces,
+        }),
+    }
+}

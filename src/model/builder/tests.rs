@@ -1,0 +1,121 @@
+use super::*;
+use crate::model::material::Steel;
+use crate::model::mesh::block::{Block, uniform};
+use crate::model::scene::Side;
+
+fn steel() -> Steel {
+    Steel::elastic(210e3, 0.3)
+}
+
+fn cube(name: &str) -> Block<'static> {
+    let side = || uniform(0.0, 1.0, 2);
+    Block::new(name, side(), side(), side())
+}
+
+fn text(built: Result<crate::model::scene::Scene, BuildError>) -> String {
+    built.unwrap_err().to_string()
+}
+
+#[test]
+fn wrong_names_and_numbers_are_told() {
+    let new = || SceneBuilder::new("test").body(cube("a"), steel());
+    assert!(text(SceneBuilder::new("test").build()).contains("no bodies"));
+    assert!(text(new().fix("a_top").build()).contains("`a_top`"));
+    assert!(text(new().steel("b", steel()).build()).contains("body `b`"));
+    assert!(text(new().body(cube("a"), steel()).build()).contains("called `a`"));
+    let soft = Steel::elastic(-1.0, 0.3);
+    assert!(text(new().steel("a", soft).build()).contains("Young's modulus of `a` is -1"));
+    let load = Load::pressure("a_z_max", f64::NAN);
+    assert!(text(new().load(load).build()).contains("`a_z_max` is NaN"));
+    let step = new().step_but("go", 1.0, &[("push", 2.0)]);
+    assert!(text(step.build()).contains("the load `push`"));
+    let contact = Contact::between("a_z_max", "b_z_min");
+    assert!(text(new().contact(contact).build()).contains("contact `a_z_max-b_z_min`"));
+    let rough = Contact::on_plane("a_z_min", [0.0; 3], [0.0, 0.0, 2.0]).friction(-0.1);
+    assert!(text(new().contact(rough).build()).contains("friction"));
+    let level = Contact::on_plane("a_z_min", [0.0; 3], [0.0; 3]);
+    assert!(text(new().contact(level).build()).contains("coordinate"));
+}
+
+#[test]
+fn a_mirrored_model_lies_on_one_side_and_is_held_there() {
+    let scene = SceneBuilder::new("test").body(cube("a"), steel());
+    let scene = scene.mirror(Axis::Y).mirror(Axis::X).build().unwrap();
+    assert_eq!(scene.mirrors, [0, 1]);
+    let surface = scene.mesh.surface("x_mirror").unwrap();
+    assert_eq!(surface.faces.len(), 4);
+    assert_eq!(scene.supports[1].components, [None, Some(0.0), None]);
+    let away = Block::new(
+        "a",
+        uniform(-1.0, 1.0, 2),
+        uniform(0.0, 1.0, 1),
+        uniform(0.0, 1.0, 1),
+    );
+    let both = SceneBuilder::new("test")
+        .body(away, steel())
+        .mirror(Axis::X);
+    assert!(text(both.build()).contains("cannot be mirrored along x"));
+}
+
+#[test]
+fn a_force_is_spread_over_its_surface() {
+    let load = Load::force("a_z_max", [0.0, 0.0, -6.0]).named("weight");
+    let block = Block::new(
+        "a",
+        uniform(0.0, 2.0, 2),
+        uniform(0.0, 1.5, 2),
+        uniform(0.0, 1.0, 1),
+    );
+    let scene = SceneBuilder::new("test").body(block, steel()).load(load);
+    let scene = scene
+        .step_but("on", 1.0, &[("weight", 0.5)])
+        .build()
+        .unwrap();
+    let traction = &scene.tractions[0];
+    assert_eq!(traction.name, "weight");
+    let crate::model::scene::TractionValue::Vector(t) = traction.value else {
+        panic!("a vector")
+    };
+    assert!((t[2] + 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn the_softer_side_carries_unless_asked_otherwise() {
+    let carrier = |contact, modulus| {
+        let soft = Steel::elastic(modulus, 0.3);
+        let scene = SceneBuilder::new("test").body(cube("a"), steel());
+        let scene = scene.body(cube("c"), soft).contact(contact);
+        scene.build().unwrap().contacts[0].carrier
+    };
+    let contact = Contact::between("a_z_min", "c_z_max");
+    assert_eq!(carrier(contact.clone(), 210e3), Side::Upper);
+    assert_eq!(carrier(contact.clone(), 70e3), Side::Lower);
+    assert_eq!(carrier(contact.carried_by(Side::Upper), 70e3), Side::Upper);
+}
+
+#[test]
+fn cylinders_are_sound_and_marked() {
+    let solid = [
+        Cylinder::quarter("r", 2.0, 0.5),
+        Cylinder::half("r", 2.0, 0.5).below(),
+        Cylinder::whole("r", 2.0, 0.5).layers(2),
+    ];
+    let hollow = solid.clone().map(|shape| shape.bore(1.0));
+    for shape in solid.into_iter().chain(hollow) {
+        let mesh = shape.clone().mesh().unwrap();
+        for part in mesh.quality() {
+            assert!(part.min_scaled_jacobian > 0.2, "{shape:?}: {part:?}");
+        }
+        for name in ["r_contact", "r_top", "r_back", "r_front"] {
+            let faces = mesh.surface(name).map_or(0, |s| s.faces.len());
+            assert!(faces > 4, "{shape:?}: {name} {faces}");
+        }
+    }
+    let wide = Cylinder::half("r", 2.0, 0.5).bore(2.5).mesh().unwrap_err();
+    assert!(wide.to_string().contains("the bore of `r` is 2.5"));
+    let fine = Cylinder::half("r", 2.0, 0.5)
+        .fine(0.2, 0.1)
+        .mesh()
+        .unwrap_err();
+    assert!(fine.to_string().contains("element size"));
+}

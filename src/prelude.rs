@@ -1,0 +1,21 @@
+//! What a program that builds, solves and reads scenes needs, in one line: `use brinell::prelude::*;`.
+
+pub use crate::analytic::hertz::LineContact;
+pub use crate::analytic::{Elastic, contact_compliance};
+pub use crate::answer::Solved;
+pub use crate::answer::certify::{Figure, Quantity};
+pub use crate::answer::results::interface::Interface;
+pub use crate::answer::results::peaks::{BodyPeaks, Peak};
+pub use crate::model::builder::{
+    Axis, BuildError, Contact, Cylinder, Load, MeshFile, SceneBuilder, Shape,
+};
+pub use crate::model::material::Steel;
+pub use crate::model::mesh::Mesh;
+pub use crate::model::mesh::block::{Block, cylindrical, graded, uniform};
+pub use crate::model::mesh::family::grading::Grading;
+pub use crate::model::scene::{
+    Controls, ElementKind, PlaneMotion, Scene, Side, SolverKind, Step, Support,
+};
+pub use crate::model::state::{ContactField, State};
+pub use crate::proof::closed_forms::hertz::PointContact;
+pub use crate::solver::solve::{Observer, Silent, SolveError, solve};

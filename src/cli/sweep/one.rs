@@ -6,7 +6,7 @@ use crate::cli::run::set_threads;
 use crate::cli::{Status, say};
 use crate::model::state::State;
 use crate::product::sweep::{self, Place, Sweep, SweepError};
-use crate::render::table;
+use crate::render::terminal;
 use crate::solver::solve::{Iteration, Observer};
 use std::io::Read;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub fn run(
     observer.console.finish();
     let (record, outcome) = ended?;
     if let Some(outcome) = outcome {
-        say(&table::render(&outcome.summary, false));
+        say(&terminal::render(&outcome.summary, false));
     }
     say(&format!("{} {}", record.status.name(), record.message));
     Ok(match record.status {

@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 /// Names longer than this are cut: programs take 80 characters.
 const LONGEST: usize = 60;
 
-pub(super) struct Names {
+/// The names of a deck.
+pub struct Names {
     bodies: Vec<String>,
     surfaces: Vec<String>,
     taken: BTreeSet<String>,

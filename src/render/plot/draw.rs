@@ -1,7 +1,7 @@
 //! Drawing of figures.
 
 use super::axis::{between, decades, from_zero, plain, power};
-use super::{Figure, Panel, Scale};
+use super::data::{Figure, Panel, Scale};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;

@@ -39,9 +39,10 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
     let unit = 10f64.powi(place);
     let decimals = usize::try_from(-place).unwrap_or(0);
     let [value, error] = [value, error].map(|v| (v / unit).round() * unit);
-    match error > 0.0 {
-        true => format!("{value:.decimals$} ± {error:.decimals$}"),
-        false => format!("{value:.decimals$} ± < {unit:.decimals$}"),
+    if error > 0.0 {
+        format!("{value:.decimals$} ± {error:.decimals$}")
+    } else {
+        format!("{value:.decimals$} ± < {unit:.decimals$}")
     }
 }
 

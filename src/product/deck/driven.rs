@@ -2,13 +2,12 @@
 
 use super::bounds::span;
 use super::error::InpError;
+use crate::ground::geometry::AXES;
 use crate::model::mesh::Surface;
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
 use crate::render::inp::Driven;
 use crate::solver::fem::loads::area;
 use std::collections::BTreeMap;
-
-const AXES: [char; 3] = ['x', 'y', 'z'];
 
 fn surface<'a>(scene: &'a Scene, user: &str, name: &str) -> Result<&'a Surface, InpError> {
     let missing = || InpError::NoSurface {

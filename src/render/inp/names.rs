@@ -43,9 +43,12 @@ impl Names {
 
     /// A name for `wanted` that nothing else has.
     pub fn unused(&mut self, wanted: &str) -> String {
-        let plain = |c: char| match c.is_ascii_alphanumeric() {
-            true => c.to_ascii_uppercase(),
-            false => '_',
+        let plain = |c: char| {
+            if c.is_ascii_alphanumeric() {
+                c.to_ascii_uppercase()
+            } else {
+                '_'
+            }
         };
         let mut base: String = wanted.chars().take(LONGEST).map(plain).collect();
         if !base.starts_with(|c: char| c.is_ascii_alphabetic()) {

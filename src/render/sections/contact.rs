@@ -41,7 +41,7 @@ pub fn contact(summary: &Summary) -> Vec<Table> {
             Cell::Place(i.max_pressure_at),
             Cell::figure(i.hertz_p0),
             certified(Some(i.area), Quantity::ContactArea),
-            Cell::figure(i.half_width),
+            certified(i.half_width, Quantity::HalfWidth),
             Cell::rough(i.max_penetration),
             Cell::Share(descent.map(|d| i.max_penetration / d.abs())),
             Cell::rough(i.max_slip),

@@ -71,9 +71,10 @@ fn settings(inputs: &Inputs) -> Markup {
         ],
         [
             "symmetric about".into(),
-            match symmetry.is_empty() {
-                true => "nothing: the whole is modelled".to_string(),
-                false => symmetry.join(" and "),
+            if symmetry.is_empty() {
+                "nothing: the whole is modelled".to_string()
+            } else {
+                symmetry.join(" and ")
             },
         ],
         ["friction".into(), friction.join(", ")],

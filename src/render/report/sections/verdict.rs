@@ -2,7 +2,7 @@
 
 use super::utilisation::{Utilisation, largest, utilisations};
 use crate::answer::certify::{Figure, Quantity, unresolved};
-use crate::render::figures::{DIGITS, NOT_RESOLVED, share, with_error};
+use crate::render::figures::{DASH, DIGITS, NOT_RESOLVED, share, with_error};
 use crate::render::report::Inputs;
 use crate::render::report::html::list;
 use crate::render::summary::Summary;
@@ -176,9 +176,10 @@ fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
 fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     let summary = inputs.summary;
     let units = &summary.units;
-    let (solution, grade) = match summary.answer.converged {
-        true => ("converged", Grade::Good),
-        false => ("NOT CONVERGED", Grade::Bad),
+    let (solution, grade) = if summary.answer.converged {
+        ("converged", Grade::Good)
+    } else {
+        ("NOT CONVERGED", Grade::Bad)
     };
     let checks = &summary.answer.checks;
     let balance = checks.force_balance.map_or_else(String::new, |b| {
@@ -189,21 +190,23 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
         .map_or_else(String::new, |p| {
             format!("penetration {p:.0e} of the descent")
         });
-    let (limits, limits_grade) = match inputs.missed.is_empty() {
-        true => ("within limits".to_string(), Grade::Good),
-        false => (format!("{} missed", inputs.missed.len()), Grade::Bad),
+    let (limits, limits_grade) = if inputs.missed.is_empty() {
+        ("within limits".to_string(), Grade::Good)
+    } else {
+        (format!("{} missed", inputs.missed.len()), Grade::Bad)
     };
     let descent = summary.answer.descent.map_or_else(
-        || "–".to_string(),
+        || DASH.to_string(),
         |value| {
             let error = summary.answer.figure(Quantity::Descent, "overall");
-            match error.is_some_and(|c| !c.is_resolved()) {
-                true => NOT_RESOLVED.to_string(),
-                false => format!(
+            if error.is_some_and(|c| !c.is_resolved()) {
+                NOT_RESOLVED.to_string()
+            } else {
+                format!(
                     "{} {}",
                     with_error(value, error.and_then(Figure::bar)),
                     units.length
-                ),
+                )
             }
         },
     );
@@ -229,9 +232,10 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
 
 /// Of which step, where there are several.
 fn at_end_of(summary: &Summary) -> String {
-    match summary.answer.steps.len() > 1 {
-        true => format!(", step “{}”", summary.answer.step),
-        false => String::new(),
+    if summary.answer.steps.len() > 1 {
+        format!(", step “{}”", summary.answer.step)
+    } else {
+        String::new()
     }
 }
 

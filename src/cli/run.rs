@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::product::target::{self, Level, Limits, Target, Verdict};
-use crate::render::table;
+use crate::render::terminal;
 use crate::solver::solve::{Counters, Phase};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -95,7 +95,7 @@ pub fn run(args: &RunArgs) -> CommandResult {
     console.finish();
     match result {
         Ok((outcome, missed_target)) => {
-            say(&table::render(&outcome.summary, args.explain));
+            say(&terminal::render(&outcome.summary, args.explain));
             say(&timer_table(&outcome.solution.counters));
             if let Some(out) = &options.out {
                 say(&format!("written to {}", out.display()));

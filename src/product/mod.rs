@@ -2,6 +2,7 @@
 
 #[doc(hidden)]
 pub mod converge;
+pub mod deck;
 pub mod job;
 #[doc(hidden)]
 pub mod size;

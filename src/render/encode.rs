@@ -10,10 +10,10 @@ use flate2::write::ZlibEncoder;
 use rayon::prelude::*;
 
 /// Bytes in a block before compression; blocks are compressed independently.
-const BLOCK: usize = 1 << 17;
+const BLOCK_BYTES: usize = 1 << 17;
 
 /// Faster by far than the default level, at nearly its size on doubles.
-const LEVEL: u32 = 3;
+const COMPRESSION_LEVEL: u32 = 3;
 
 /// The values of an array, one after the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,8 +76,8 @@ impl Values<'_> {
         // compressed bytes of each.
         let mut header = vec![
             blocks.len() as u64,
-            BLOCK as u64,
-            (self.bytes() % BLOCK) as u64,
+            BLOCK_BYTES as u64,
+            (self.bytes() % BLOCK_BYTES) as u64,
         ];
         header.extend(blocks.iter().map(|b| b.len() as u64));
         let header: Vec<u8> = header.iter().flat_map(|n| n.to_le_bytes()).collect();
@@ -97,10 +97,10 @@ fn compress<T: Sync, const N: usize>(
     bytes: impl Fn(&T) -> [u8; N] + Sync,
 ) -> io::Result<Vec<Vec<u8>>> {
     values
-        .par_chunks(BLOCK / N)
+        .par_chunks(BLOCK_BYTES / N)
         .map(|chunk| {
             let raw: Vec<u8> = chunk.iter().flat_map(&bytes).collect();
-            let mut encoder = ZlibEncoder::new(Vec::new(), Compression::new(LEVEL));
+            let mut encoder = ZlibEncoder::new(Vec::new(), Compression::new(COMPRESSION_LEVEL));
             encoder.write_all(&raw)?;
             encoder.finish()
         })

@@ -1,4 +1,4 @@
-//! What people and other programs read: the terminal table, `summary.json`, line loads, plots, VTK
+//! What people and other programs read: tables on the terminal, `summary.json`, line loads, plots, VTK
 //! files, a page for browsers, and decks for other solvers.
 //!
 //! Nothing here knows how a scene is solved. Fields and scalars come from
@@ -8,6 +8,7 @@ pub mod check;
 pub mod encode;
 mod error;
 pub mod fields;
+pub mod figures;
 pub mod grid;
 pub mod inp;
 pub mod left_out;
@@ -17,9 +18,11 @@ pub mod paraview;
 pub mod plot;
 pub mod pvd;
 pub mod report;
+pub mod sections;
 pub mod series;
 pub mod summary;
 pub mod table;
+pub mod terminal;
 pub mod text;
 pub mod warnings;
 

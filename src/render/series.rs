@@ -92,9 +92,10 @@ impl Series {
             "",
             Some(fields::bodies(scene, state, recovered)?),
         );
-        let contacts = match scene.contacts.is_empty() {
-            true => None,
-            false => Some(fields::contacts(scene, state)?),
+        let contacts = if scene.contacts.is_empty() {
+            None
+        } else {
+            Some(fields::contacts(scene, state)?)
         };
         for (part, name, infix, grid) in [bodies, (1, "contact surfaces", "_contact", contacts)] {
             let Some(grid) = grid else { continue };

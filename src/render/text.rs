@@ -1,8 +1,7 @@
-//! Numbers and columns of plain text.
+//! Numbers, places and lists in plain text.
 
 use crate::ground::units::Quantity;
 use std::borrow::Cow;
-use std::fmt::Write;
 
 /// `value` with `digits` significant digits, trailing zeros kept; a dash for what is no number.
 pub fn significant(value: f64, digits: usize) -> String {
@@ -43,57 +42,14 @@ pub fn place(at: [f64; 3]) -> String {
     format!("({x}, {y}, {z})")
 }
 
-/// Rows under a heading, the first column flush left and the others flush right.
-#[derive(Debug, Clone, Default)]
-pub struct Columns {
-    rows: Vec<Vec<String>>,
-}
-
-impl Columns {
-    /// A table with these column headings.
-    pub fn new(headings: &[&str]) -> Self {
-        Self {
-            rows: vec![headings.iter().map(|h| (*h).to_string()).collect()],
-        }
-    }
-
-    /// Adds a row; it may be shorter than the headings.
-    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
-        self.rows.push(cells.into_iter().collect());
-    }
-
-    /// Is there no row below the headings?
-    pub fn is_empty(&self) -> bool {
-        self.rows.len() < 2
-    }
-
-    /// The table, every line indented by two and ended.
-    pub fn render(&self) -> String {
-        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
-        let width = |c: usize| {
-            self.rows
-                .iter()
-                .filter_map(|r| r.get(c))
-                .map(|s| s.chars().count())
-                .max()
-                .unwrap_or(0)
-        };
-        let widths: Vec<usize> = (0..columns).map(width).collect();
-        let mut text = String::new();
-        for row in &self.rows {
-            let mut line = String::from("  ");
-            for (c, cell) in row.iter().enumerate() {
-                let width = widths[c];
-                // Writing to a string cannot fail.
-                let _ = match c {
-                    0 => write!(line, "{cell:<width$}"),
-                    _ => write!(line, "  {cell:>width$}"),
-                };
-            }
-            text.push_str(line.trim_end());
-            text.push('\n');
-        }
-        text
+/// Sentences below a heading; nothing where there are none.
+pub fn list<'a>(heading: &str, entries: impl IntoIterator<Item = &'a String>) -> String {
+    let entries = entries.into_iter();
+    let lines: String = entries.map(|entry| format!("  - {entry}\n")).collect();
+    if lines.is_empty() {
+        lines
+    } else {
+        format!("{heading}\n{lines}")
     }
 }
 
@@ -102,9 +58,10 @@ pub fn shown(text: &str) -> Cow<'_, str> {
     let is_number = || text.parse::<f64>().is_ok() || Quantity::parse(text).is_ok();
     let is_formula =
         text.starts_with(['=', '@', '\t', '\r']) || text.starts_with(['+', '-']) && !is_number();
-    match is_formula {
-        true => Cow::Owned(format!("'{text}")),
-        false => Cow::Borrowed(text),
+    if is_formula {
+        Cow::Owned(format!("'{text}"))
+    } else {
+        Cow::Borrowed(text)
     }
 }
 
@@ -147,13 +104,6 @@ mod tests {
         assert_eq!(of(f64::NAN), "-");
         assert_eq!(of(0.0), "0");
         assert_eq!(significant(123.4, 2), "123");
-    }
-
-    #[test]
-    fn columns_line_up_by_characters() {
-        let mut columns = Columns::new(&["body", "in³"]);
-        columns.row(["roller".to_string(), "1.5".to_string()]);
-        assert_eq!(columns.render(), "  body    in³\n  roller  1.5\n");
     }
 
     #[test]

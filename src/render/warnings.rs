@@ -13,7 +13,7 @@ use crate::answer::certify::{Figure, unresolved};
 pub struct Warning(pub String);
 
 /// Small-strain theory is good to about this strain.
-const SMALL_STRAIN: f64 = 0.02;
+const SMALL_STRAIN_LIMIT: f64 = 0.02;
 
 /// Force that does not balance, or that stabilisation carries, is said from this share on.
 pub const NOTABLE_SHARE: f64 = 1e-3;
@@ -25,8 +25,8 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     if !answer.converged {
         warn("the solution has not converged: no figure here is an answer".to_string());
     }
-    if let Some(strain) = answer.max_strain.filter(|s| *s > SMALL_STRAIN) {
-        let (strain, limit) = (percent(strain), percent(SMALL_STRAIN));
+    if let Some(strain) = answer.max_strain.filter(|s| *s > SMALL_STRAIN_LIMIT) {
+        let (strain, limit) = (percent(strain), percent(SMALL_STRAIN_LIMIT));
         warn(format!(
             "largest strain {strain}: small-strain theory is in doubt above {limit}"
         ));

@@ -3,7 +3,8 @@
 use crate::block::{close, stack};
 use brinell::model::scene::TractionValue::{Pressure, Vector};
 use brinell::model::scene::{ElementKind, Partner, PlaneMotion, Scene, Step, Support, Traction};
-use brinell::render::inp::{ContactType, InpError, Settings, check};
+use brinell::product::deck::{InpError, check};
+use brinell::render::inp::{ContactType, Settings};
 
 /// A keyword with its parameters, and the lines of data below it.
 struct Card {

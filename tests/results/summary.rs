@@ -10,7 +10,7 @@ use brinell::model::scene::Scene;
 use brinell::model::state::State;
 use brinell::render::left_out::LeftOut;
 use brinell::render::summary::{Comparison, Counters, Reported, Summary, Timing};
-use brinell::render::table;
+use brinell::render::terminal;
 use brinell::render::warnings::warnings;
 use serde_json::Value;
 
@@ -230,7 +230,7 @@ fn the_checks_are_computed_where_they_are_not_given() {
 #[test]
 fn the_table_shows_the_figures_and_what_to_beware_of() {
     let (scene, state) = loaded();
-    let text = table::render(&summarise(&scene, &state), true);
+    let text = terminal::render(&summarise(&scene, &state), true);
     for part in [
         "initial-centre: converged",
         "65.00 kip",
@@ -263,7 +263,7 @@ fn the_table_shows_the_figures_and_what_to_beware_of() {
 fn the_slopes_of_a_load_in_stages() {
     let (scene, state) = loaded();
     let summary = summarise(&scene, &state);
-    let text = table::render(&summary, false);
+    let text = terminal::render(&summary, false);
     // 26 at 0.005, then 65 at 0.01.
     for slope in ["5200", "7800"] {
         let row = |line: &str| line.trim_end().ends_with(slope);
@@ -271,11 +271,11 @@ fn the_slopes_of_a_load_in_stages() {
     }
     let mut once = summary.clone();
     once.answer.load_line.remove(0);
-    assert!(!table::render(&once, false).contains("slope"));
+    assert!(!terminal::render(&once, false).contains("slope"));
     // Unloading alone is no load line.
     let mut unloaded = summary;
     unloaded.answer.load_line.swap(0, 1);
-    assert!(!table::render(&unloaded, false).contains("slope"));
+    assert!(!terminal::render(&unloaded, false).contains("slope"));
 }
 
 #[test]
@@ -283,7 +283,7 @@ fn an_unconverged_run_says_so_first() {
     let (scene, state) = loaded();
     let mut summary = summarise(&scene, &state);
     summary.answer.converged = false;
-    assert!(table::render(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
+    assert!(terminal::render(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
     let warnings = warnings(&summary.answer);
     assert!(warnings[0].0.contains("has not converged"));
 }

@@ -1,7 +1,9 @@
 //! A study as text.
 
 use super::study::{Curve, Level, Study};
-use crate::render::text::{Columns, significant};
+use crate::render::table::text::text;
+use crate::render::table::{Cell, Number, Table};
+use crate::render::text::significant;
 
 /// The head of the lines that `line` makes.
 pub fn head() -> String {
@@ -74,28 +76,24 @@ fn one(curve: &Curve, study: &Study) -> String {
         "" => String::new(),
         unit => format!(", {unit}"),
     };
-    let mut text = format!(
-        "{}{unit}, {}: {}\n",
-        curve.quantity,
-        curve.element,
-        reference(curve)
-    );
-    let mut columns = Columns::new(&["level", "unknowns", "size", "value", "error", "order"]);
+    let (quantity, element) = (&curve.quantity, curve.element);
+    let title = format!("{quantity}{unit}, {element}: {}", reference(curve));
+    let columns = ["level", "unknowns", "size", "value", "error", "order"];
+    let mut table = Table::new(title).figures(columns);
     for (i, level) in study.levels_of(curve.element).into_iter().enumerate() {
-        columns.row([
-            level.level.to_string(),
-            level.dofs.to_string(),
-            significant(level.size, 3),
-            significant(curve.values[i], 6),
-            signed_percent(curve.errors[i]),
-            order(curve.orders[i]),
+        table.row([
+            level.level.into(),
+            level.dofs.into(),
+            Cell::rough(level.size),
+            Cell::Figure(Number::new(curve.values[i], 6)),
+            signed_percent(curve.errors[i]).into(),
+            order(curve.orders[i]).into(),
         ]);
     }
-    text.push_str(&columns.render());
     if curve.at_singular_edge {
-        text.push_str("  beside a loaded edge, where elastic stress has no limit\n");
+        table.note("beside a loaded edge, where elastic stress has no limit");
     }
-    text
+    text(&table)
 }
 
 /// What the errors of a curve are measured from, and what the finest levels tend to.

@@ -5,8 +5,8 @@ use crate::ground::file::FileError;
 use crate::model::mesh::family::FamilyError;
 use crate::model::mesh::gmsh::GmshError;
 use crate::model::mesh::msh::MeshError;
+use crate::product::deck::InpError;
 use crate::render::OutputError;
-use crate::render::inp::InpError;
 use crate::solver::solve::SolveError;
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,8 @@ use crate::answer::results::load;
 use crate::case::Case;
 use crate::ground::file::write_atomically;
 use crate::model::scene::{PlaneMotion, Scene};
-use crate::render::inp::{self, Settings};
+use crate::product::deck;
+use crate::render::inp::Settings;
 use crate::solver::solve::close_gaps;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -52,7 +53,7 @@ pub fn export(
     let units = case.units;
     settings.title = case.title.clone();
     settings.units = [units.length(), units.force(), units.stress()].map(str::to_string);
-    let deck = inp::check(&scene, &settings)?;
+    let deck = deck::check(&scene, &settings)?;
     let stem = Path::new(case.source.name()).file_stem();
     let stem = stem.map_or_else(|| "case".into(), |s| s.to_string_lossy());
     let path = folder.join(format!("{stem}.inp"));

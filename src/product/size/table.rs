@@ -3,7 +3,9 @@
 use super::proposal::Proposal;
 use super::request::Rule;
 use crate::ground::units::Dimension;
-use crate::render::text::{Columns, percent, significant};
+use crate::render::table::text::text;
+use crate::render::table::{Cell, Table};
+use crate::render::text::{percent, significant};
 use std::fmt::Write;
 
 /// The table of candidates, the choice and the assumptions, every line ended.
@@ -45,7 +47,6 @@ fn digits(value: f64) -> String {
 
 fn lengths(proposal: &Proposal) -> String {
     let units = &proposal.units;
-    let in_unit = |name: &str| format!("{name} {}", units.length);
     let (printed, exact) = match proposal.candidates.first() {
         Some(c) => (
             significant(c.printed.constant, 4),
@@ -53,83 +54,73 @@ fn lengths(proposal: &Proposal) -> String {
         ),
         None => return String::new(),
     };
-    let mut table = Columns::new(&[
-        &in_unit("D"),
-        &in_unit("wall"),
-        &in_unit("plates"),
-        &format!("L by {printed}"),
-        &format!("L by {exact}"),
-        &format!("L' by {printed}"),
-        &format!("L' by {exact}"),
-        "L' eccentric",
-        &in_unit("L' taken"),
-        "L'/D",
-        &format!("steel {}", units.volume()),
-    ]);
+    let mut table = Table::new("")
+        .figure("D", &units.length)
+        .figure("wall", &units.length)
+        .figure("plates", &units.length)
+        .figures([format!("L by {printed}"), format!("L by {exact}")])
+        .figures([format!("L' by {printed}"), format!("L' by {exact}")])
+        .figures(["L' eccentric"])
+        .figure("L' taken", &units.length)
+        .figures(["L'/D"])
+        .figure("steel", units.volume());
     for (place, c) in proposal.candidates.iter().enumerate() {
         table.row([
-            digits(c.diameter),
-            digits(c.wall),
-            digits(c.plate),
-            significant(c.printed.initial, 4),
-            significant(c.exact.initial, 4),
-            significant(c.printed.final_length, 4),
-            significant(c.exact.final_length, 4),
-            significant(c.eccentric_length, 4),
-            digits(c.length),
-            significant(c.slenderness, 3),
-            significant(c.volume, 3) + marked(proposal, place),
+            digits(c.diameter).into(),
+            digits(c.wall).into(),
+            digits(c.plate).into(),
+            Cell::figure(c.printed.initial),
+            Cell::figure(c.exact.initial),
+            Cell::figure(c.printed.final_length),
+            Cell::figure(c.exact.final_length),
+            Cell::figure(c.eccentric_length),
+            digits(c.length).into(),
+            Cell::rough(c.slenderness),
+            (significant(c.volume, 3) + marked(proposal, place)).into(),
         ]);
     }
-    table.render()
-        + "  L: (2-50) with the constant as printed and as it follows from (2-48), (2-49); L' = L + 2 D_r: \
-           (2-51);\n  eccentric: the load of a displaced roller, rising linearly to the end that it \
-           leans on, within (2-49)\n"
+    table.note(
+        "L: (2-50) with the constant as printed and as it follows from (2-48), (2-49); L' = L + 2 D_r: (2-51);",
+    );
+    table.note(
+        "eccentric: the load of a displaced roller, rising linearly to the end that it leans on, within (2-49)",
+    );
+    text(&table)
 }
 
 fn pressures(proposal: &Proposal) -> String {
     let units = &proposal.units;
-    let mut table = Columns::new(&[
-        &format!("D {}", units.length),
-        &format!("even {}", units.line_load()),
-        &format!("p0 {}", units.stress),
-        "of limit",
-        &format!("eccentric {}", units.line_load()),
-        &format!("p0 {}", units.stress),
-        "of limit",
-        "slope deg",
-        "at most",
-        "rolls",
-        "returns with",
-        "rolling friction",
-    ]);
-    let request = &proposal.request;
+    let mut table = Table::new("")
+        .figure("D", &units.length)
+        .figure("even", units.line_load())
+        .figure("p0", &units.stress)
+        .figures(["of limit"])
+        .figure("eccentric", units.line_load())
+        .figure("p0", &units.stress)
+        .figures(["of limit", "slope deg", "at most", "rolls"])
+        .figures(["returns with", "rolling friction"]);
     for (place, c) in proposal.candidates.iter().enumerate() {
-        let linear = |read: &dyn Fn(&super::candidate::PressureSpread) -> String| {
-            c.linear.as_ref().map_or_else(|| "-".to_string(), read)
-        };
+        let weight = |share: f64| format!("{} W", significant(share, 2));
         table.row([
-            digits(c.diameter),
-            significant(c.even.line_load, 4),
-            significant(c.even.pressure, 4),
-            percent(c.even.utilisation),
-            linear(&|p| significant(p.line_load, 4)),
-            linear(&|p| significant(p.pressure, 4)),
-            linear(&|p| percent(p.utilisation)),
-            significant(request.slope.value.to_degrees(), 3),
-            significant(c.largest_slope.to_degrees(), 3),
-            (if c.rolls() { "yes" } else { "NO" }).to_string(),
-            format!("{} W", significant(c.restoring_force, 2)),
-            format!(
-                "{} W{}",
-                significant(c.rolling_friction, 2),
-                marked(proposal, place)
-            ),
+            digits(c.diameter).into(),
+            Cell::figure(c.even.line_load),
+            Cell::figure(c.even.pressure),
+            Cell::Share(Some(c.even.utilisation)),
+            Cell::figure(c.linear.map(|p| p.line_load)),
+            Cell::figure(c.linear.map(|p| p.pressure)),
+            Cell::Share(c.linear.map(|p| p.utilisation)),
+            Cell::rough(proposal.request.slope.value.to_degrees()),
+            Cell::rough(c.largest_slope.to_degrees()),
+            Cell::Met(Some(c.rolls())),
+            weight(c.restoring_force).into(),
+            (weight(c.rolling_friction) + marked(proposal, place)).into(),
         ]);
     }
-    table.render()
-        + "  p0: (2-48) under the load itself, of the limit (2-49); even: over L' - 2 D_r; slope at most: \
-           (2-39);\n  returns with: (2-28); rolling friction: (2-3), (2-29); W: the weight carried\n"
+    table.note(
+        "p0: (2-48) under the load itself, of the limit (2-49); even: over L' - 2 D_r; slope at most: (2-39);",
+    );
+    table.note("returns with: (2-28); rolling friction: (2-3), (2-29); W: the weight carried");
+    text(&table)
 }
 
 fn choice(proposal: &Proposal) -> String {

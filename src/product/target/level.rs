@@ -4,7 +4,9 @@ use super::{Goal, Target};
 use crate::answer::certify::{self, Quantity};
 use crate::product::converge::cost::Cost;
 use crate::render::Summary;
-use crate::render::text::{Columns, significant};
+use crate::render::table::text::text;
+use crate::render::table::{Cell, Table};
+use crate::render::text::significant;
 
 /// A figure that the target is about, on one mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,34 +127,25 @@ fn figures(goal: Goal, certificate: &[certify::Figure]) -> Vec<&certify::Figure>
 
 /// Error against run time, mesh by mesh.
 pub fn table(levels: &[Level]) -> String {
-    let mut table = Columns::new(&[
-        "Mesh",
-        "unknowns",
-        "figure",
-        "where",
-        "value",
-        "± estimate",
-        "change",
-        "wall s",
-        "CPU s",
-    ]);
+    let mut table = Table::new("")
+        .words("Mesh")
+        .figures(["unknowns", "figure", "where", "value"])
+        .figures(["± estimate", "change", "wall s", "CPU s"]);
     for level in levels {
         for figure in &level.figures {
+            let estimate = figure.estimate.map(|_| figure.share(figure.estimate));
             table.row([
-                level.level.to_string(),
-                level.unknowns.to_string(),
-                figure.what.name().to_owned(),
-                figure.place.clone(),
-                significant(figure.value, 4),
-                match figure.estimate {
-                    Some(_) => figure.share(figure.estimate),
-                    None => "unresolved".to_owned(),
-                },
-                figure.share(figure.change),
-                significant(level.cost.wall_s, 3),
-                significant(level.cost.cpu_s, 3),
+                level.level.into(),
+                level.unknowns.into(),
+                figure.what.name().into(),
+                (&figure.place).into(),
+                Cell::figure(figure.value),
+                estimate.map_or("unresolved".into(), Cell::Text),
+                figure.share(figure.change).into(),
+                Cell::rough(level.cost.wall_s),
+                Cell::rough(level.cost.cpu_s),
             ]);
         }
     }
-    table.render().replacen("  Mesh", "Mesh", 1)
+    text(&table)
 }

@@ -1,7 +1,9 @@
 //! The check as a table on the terminal.
 
 use super::{Check, Cost, Machine};
-use crate::render::text::{Columns, percent, place, significant};
+use crate::render::table::text::text;
+use crate::render::table::{Cell, Number, Table};
+use crate::render::text::{list, significant};
 
 /// The whole table, every line ended.
 pub fn render(check: &Check) -> String {
@@ -23,9 +25,10 @@ pub fn render(check: &Check) -> String {
 }
 
 fn header(check: &Check) -> String {
-    let verdict = match check.problems.is_empty() {
-        true => "ready to run",
-        false => "a run would fail",
+    let verdict = if check.problems.is_empty() {
+        "ready to run"
+    } else {
+        "a run would fail"
     };
     format!(
         "{}: {verdict}\n  mesh  {}: {} nodes, {} elements\n",
@@ -34,92 +37,77 @@ fn header(check: &Check) -> String {
 }
 
 fn bodies(check: &Check) -> String {
-    let volume = format!("volume {}", check.units.volume());
-    let mut table = Columns::new(&[
-        "Bodies",
-        "elements",
-        "nodes",
-        &volume,
-        "scaled Jacobian >=",
-        "aspect ratio <=",
-    ]);
-    let mut held = String::from("Held by\n");
+    let mut table = Table::new("")
+        .words("Bodies")
+        .figures(["elements", "nodes"])
+        .figure("volume", check.units.volume())
+        .figures(["scaled Jacobian >=", "aspect ratio <="]);
+    let held = check.bodies.iter().map(|body| {
+        let by = body.held_by.join("; ");
+        let by = if by.is_empty() { "nothing" } else { &by };
+        format!("{}: {by}", body.name)
+    });
     for body in &check.bodies {
         table.row([
-            body.name.clone(),
-            body.elements.to_string(),
-            body.nodes.to_string(),
-            significant(body.volume, 4),
-            format!("{:.3}", body.min_scaled_jacobian),
-            format!("{:.1}", body.max_aspect_ratio),
+            (&body.name).into(),
+            body.elements.into(),
+            body.nodes.into(),
+            Cell::figure(body.volume),
+            format!("{:.3}", body.min_scaled_jacobian).into(),
+            format!("{:.1}", body.max_aspect_ratio).into(),
         ]);
-        let by = match body.held_by.is_empty() {
-            true => "nothing".to_string(),
-            false => body.held_by.join("; "),
-        };
-        held.push_str(&format!("  - {}: {by}\n", body.name));
     }
-    format!("{}\n{held}", headed(&table, "Bodies"))
+    let held: Vec<String> = held.collect();
+    format!("{}\n{}", text(&table), list("Held by", &held))
 }
 
 fn contacts(check: &Check) -> String {
     let length = &check.units.length;
     let [meshed, touch] = ["gap as meshed", "at first touch"].map(|h| format!("{h}, {length}"));
-    let mut table = Columns::new(&[
-        "Contacts",
-        "friction",
-        &meshed,
-        &touch,
-        "there",
-        "nodes likely to close",
-        "of",
-    ]);
-    let gap = |gap: Option<f64>| gap.map_or_else(|| "-".to_string(), |gap| significant(gap, 2));
+    let mut table = Table::new("")
+        .words("Contacts")
+        .figures(["friction", &meshed, &touch])
+        .figures(["there", "nodes likely to close", "of"]);
+    let gap = |gap: Option<f64>| Cell::Figure(Number::new(gap, 2));
     for contact in &check.contacts {
         table.row([
-            contact.name.clone(),
-            significant(contact.friction, 3),
+            (&contact.name).into(),
+            Cell::rough(contact.friction),
             gap(contact.gap),
             gap(contact.gap_at_touch),
-            contact.at.map_or_else(|| "-".to_string(), place),
-            contact.likely.to_string(),
-            contact.within_reach.to_string(),
+            Cell::Place(contact.at),
+            contact.likely.into(),
+            contact.within_reach.into(),
         ]);
     }
-    match table.is_empty() {
-        true => String::new(),
-        false => headed(&table, "Contacts"),
-    }
+    text(&table)
 }
 
 fn strips(check: &Check) -> String {
     let units = &check.units;
-    let mut table = Columns::new(&[
-        "Lines of contact, Hertz, load spread evenly",
-        "lines",
-        &units.line_load(),
-        &format!("p0, {}", units.stress),
-        &format!("half-width a, {}", units.length),
-        &format!("nodes every h, {}", units.length),
-        "a/h",
-        "error of p0",
-    ]);
+    let mut table = Table::new("")
+        .words("Lines of contact, Hertz, load spread evenly")
+        .figures(["lines", &units.line_load()])
+        .figures([
+            format!("p0, {}", units.stress),
+            format!("half-width a, {}", units.length),
+            format!("nodes every h, {}", units.length),
+        ])
+        .figures(["a/h", "error of p0"]);
     for strip in &check.strips {
+        let error = strip.pressure_error;
         table.row([
-            strip.contact.clone(),
-            strip.lines.to_string(),
-            significant(strip.line_load, 4),
-            significant(strip.peak_pressure, 4),
-            significant(strip.half_width, 4),
-            significant(strip.spacing, 3),
-            significant(strip.elements, 2),
-            (strip.pressure_error).map_or_else(|| "unresolved".to_string(), percent),
+            (&strip.contact).into(),
+            strip.lines.into(),
+            Cell::figure(strip.line_load),
+            Cell::figure(strip.peak_pressure),
+            Cell::figure(strip.half_width),
+            Cell::rough(strip.spacing),
+            Cell::Figure(Number::new(strip.elements, 2)),
+            error.map_or("unresolved".into(), |error| Cell::Share(Some(error))),
         ]);
     }
-    match table.is_empty() {
-        true => String::new(),
-        false => headed(&table, "Lines of contact"),
-    }
+    text(&table)
 }
 
 fn cost(cost: &Cost, machine: &Machine) -> String {
@@ -128,9 +116,10 @@ fn cost(cost: &Cost, machine: &Machine) -> String {
         None => "what is left is not known".to_string(),
     };
     let [least, most] = cost.wall_s.map(seconds);
-    let time = match least == most {
-        true => format!("about {most}"),
-        false => format!("{least} to {most}"),
+    let time = if least == most {
+        format!("about {most}")
+    } else {
+        format!("{least} to {most}")
     };
     format!(
         "Cost, estimated\n  \
@@ -158,20 +147,4 @@ fn seconds(seconds: f64) -> String {
         s if s < 5400.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.0} h", s / 3600.0),
     }
-}
-
-fn list(heading: &str, entries: &[String]) -> String {
-    let lines: String = entries
-        .iter()
-        .map(|entry| format!("  - {entry}\n"))
-        .collect();
-    match lines.is_empty() {
-        true => lines,
-        false => format!("{heading}\n{lines}"),
-    }
-}
-
-/// The table, its first heading flush with the margin.
-fn headed(table: &Columns, heading: &str) -> String {
-    (table.render()).replacen(&format!("  {heading}"), heading, 1)
 }

@@ -1,6 +1,7 @@
 //! Nodes, elements, node sets, and faces by the number that decks give them.
 
-use super::{Deck, list, number};
+use super::deck::Deck;
+use super::format::{list, number};
 use crate::model::mesh::surface::faces_of;
 use crate::model::mesh::{Face, Mesh};
 use std::io::{self, Write};

@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 /// Names longer than this are cut: programs take 80 characters.
 const LONGEST: usize = 60;
 
-pub(super) struct Names {
+/// The names of a deck.
+pub struct Names {
     bodies: Vec<String>,
     surfaces: Vec<String>,
     taken: BTreeSet<String>,
@@ -42,9 +43,12 @@ impl Names {
 
     /// A name for `wanted` that nothing else has.
     pub fn unused(&mut self, wanted: &str) -> String {
-        let plain = |c: char| match c.is_ascii_alphanumeric() {
-            true => c.to_ascii_uppercase(),
-            false => '_',
+        let plain = |c: char| {
+            if c.is_ascii_alphanumeric() {
+                c.to_ascii_uppercase()
+            } else {
+                '_'
+            }
         };
         let mut base: String = wanted.chars().take(LONGEST).map(plain).collect();
         if !base.starts_with(|c: char| c.is_ascii_alphabetic()) {

@@ -1,15 +1,16 @@
 //! The steps: closing the contact by motion, then the loads of the scene; and what to put out.
 
-use super::hold::Driven;
+use super::deck::{Deck, Driven, NodalForce};
+use super::format::{number, one_line};
 use super::mesh::face_number;
-use super::{ContactType, Deck, number};
+use super::settings::ContactType;
 use crate::model::scene::{Step, TractionValue};
 use std::io::{self, Write};
 
 /// First increment of the closing step, as a share of it.
 const CLOSING_INCREMENT: f64 = 0.25;
 /// Smallest increment, as a share of a step.
-const SMALLEST: f64 = 1e-5;
+const SMALLEST_INCREMENT: f64 = 1e-5;
 
 impl Deck<'_> {
     pub(super) fn steps(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -36,11 +37,11 @@ impl Deck<'_> {
         }
         let increment = self.settings.increment;
         let increment = increment.unwrap_or(self.scene.controls.first_increment);
-        for step in &self.scene.steps {
-            writeln!(out, "** {}", super::one_line(&step.name))?;
+        for (step, nodal_forces) in self.scene.steps.iter().zip(&self.nodal_forces) {
+            writeln!(out, "** {}", one_line(&step.name))?;
             self.begin(out, increment.min(1.0))?;
             self.boundary(out, |name| step.factor_of(name))?;
-            self.loads(out, step)?;
+            self.loads(out, step, nodal_forces)?;
             self.requests(out)?;
             writeln!(out, "*END STEP")?;
         }
@@ -53,17 +54,22 @@ impl Deck<'_> {
             Some(solver) => writeln!(out, "*STATIC,SOLVER={solver}")?,
             None => writeln!(out, "*STATIC")?,
         }
-        writeln!(out, "{increment},1.,{SMALLEST:e},1.")
+        writeln!(out, "{increment},1.,{SMALLEST_INCREMENT:e},1.")
     }
 
-    fn loads(&self, out: &mut dyn Write, step: &Step) -> io::Result<()> {
+    fn loads(
+        &self,
+        out: &mut dyn Write,
+        step: &Step,
+        nodal_forces: &[Vec<NodalForce>],
+    ) -> io::Result<()> {
         let mesh = &self.scene.mesh;
         for plane in &self.driven {
             let force = plane.force * step.factor_of(&plane.plane);
             let (node, dof) = (plane.reference + 1, plane.axis + 1);
             writeln!(out, "*CLOAD\n{node},{dof},{}", number(force))?;
         }
-        for traction in &self.scene.tractions {
+        for (traction, nodal_forces) in self.scene.tractions.iter().zip(nodal_forces) {
             let Some(surface) = mesh.surface(&traction.surface) else {
                 continue;
             };
@@ -77,22 +83,10 @@ impl Deck<'_> {
                         writeln!(out, "{},P{side},{pressure}", face.element + 1)?;
                     }
                 }
-                value @ TractionValue::Vector(_) => {
-                    let mut forces = vec![[0.0; 3]; mesh.points.len()];
-                    crate::solver::fem::loads::add_traction(
-                        mesh,
-                        surface,
-                        value,
-                        factor,
-                        &mut forces,
-                    );
+                TractionValue::Vector(_) => {
                     writeln!(out, "*CLOAD")?;
-                    for node in surface.nodes() {
-                        for (axis, force) in forces[node as usize].iter().enumerate() {
-                            if *force != 0.0 {
-                                writeln!(out, "{},{},{}", node + 1, axis + 1, number(*force))?;
-                            }
-                        }
+                    for NodalForce { node, axis, force } in nodal_forces {
+                        writeln!(out, "{},{},{}", node + 1, axis + 1, number(*force))?;
                     }
                 }
             }

@@ -25,9 +25,10 @@ pub fn csv(lines: &[WholeLine], units: &UnitLabels) -> String {
 /// A text as one field (RFC 4180).
 fn field(text: &str) -> String {
     let text = shown(text);
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.into_owned(),
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.into_owned()
     }
 }
 

@@ -56,12 +56,13 @@ pub fn whole_lines(summary: &Summary) -> Vec<WholeLine<'_>> {
 fn whole_rows(line: &LineFigures) -> Vec<(f64, f64)> {
     let rows = || line.at.iter().copied().zip(line.load.iter().copied());
     let reach = line.at.iter().fold(0.0f64, |most, at| most.max(at.abs()));
-    let images: Vec<(f64, f64)> = match line.mirrored {
-        true => rows()
+    let images: Vec<(f64, f64)> = if line.mirrored {
+        rows()
             .filter(|(at, _)| at.abs() > 1e-6 * reach)
             .map(|(at, load)| (-at, load))
-            .collect(),
-        false => Vec::new(),
+            .collect()
+    } else {
+        Vec::new()
     };
     images.into_iter().rev().chain(rows()).collect()
 }

@@ -31,9 +31,10 @@ pub fn write(
     let here = std::path::absolute(folder).unwrap_or_else(|_| folder.to_path_buf());
     let (up, sign) = upward(scene);
     let full_load = scene.reported_step() + 1;
-    let contact = match scene.contacts.is_empty() {
-        true => "False",
-        false => "True",
+    let contact = if scene.contacts.is_empty() {
+        "False"
+    } else {
+        "True"
     };
     write_atomically(&path, |out| {
         writeln!(out, "# The useful views of {name}.pvd in ParaView.")?;

@@ -36,13 +36,17 @@ pub fn between(values: impl Iterator<Item = f64>) -> Range<f64> {
     }
 }
 
+/// Room above the largest value, as a share of the range.
+const ABOVE: f64 = 0.08;
+
 /// From zero, or below where values are, to a little above the largest.
 pub fn from_zero(values: impl Iterator<Item = f64>) -> Range<f64> {
     let (low, high) = extent(values).unwrap_or((0.0, 0.0));
     let (low, high) = (low.min(0.0), high.max(0.0));
-    match high > low {
-        true => low..high + 0.08 * (high - low),
-        false => 0.0..1.0,
+    if high > low {
+        low..high + ABOVE * (high - low)
+    } else {
+        0.0..1.0
     }
 }
 

@@ -1,7 +1,7 @@
 //! Drawing of figures.
 
 use super::axis::{between, decades, from_zero, plain, power};
-use super::{Figure, Panel, Scale};
+use super::data::{Figure, Panel, Scale};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;
@@ -18,9 +18,9 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 0, 0),
 ];
 const GREY: RGBColor = RGBColor(120, 120, 120);
-const WIDTH: u32 = 960;
-const PANEL: u32 = 330;
-const LEGEND_LINE: u32 = 20;
+const FIGURE_WIDTH: u32 = 960;
+const PANEL_HEIGHT: u32 = 330;
+const LEGEND_LINE_HEIGHT: u32 = 20;
 /// Widths of a line, and of one that another may hide.
 const STROKES: [u32; 2] = [2, 5];
 
@@ -31,10 +31,11 @@ type Tick<'t> = &'t dyn Fn(&f64) -> String;
 
 pub fn draw(figure: &Figure, text: &mut String) -> Outcome {
     let rows = figure.panels.len().div_ceil(2).max(1) as u32;
-    let below = LEGEND_LINE * (figure.legend.len() as u32 + 2);
-    let root = SVGBackend::with_string(text, (WIDTH, rows * PANEL + below)).into_drawing_area();
+    let below = LEGEND_LINE_HEIGHT * (figure.legend.len() as u32 + 2);
+    let root = SVGBackend::with_string(text, (FIGURE_WIDTH, rows * PANEL_HEIGHT + below))
+        .into_drawing_area();
     root.fill(&WHITE)?;
-    let (upper, lower) = root.split_vertically(rows * PANEL);
+    let (upper, lower) = root.split_vertically(rows * PANEL_HEIGHT);
     let places = upper.split_evenly((rows as usize, 2));
     for (panel, place) in figure.panels.iter().zip(&places) {
         diagram(panel, place)?;
@@ -124,7 +125,7 @@ where
 
 fn legend(figure: &Figure, place: &Area) -> Outcome {
     let font = || ("sans-serif", 14).into_font();
-    let row = |k: usize| LEGEND_LINE as i32 * k as i32 + 10;
+    let row = |k: usize| LEGEND_LINE_HEIGHT as i32 * k as i32 + 10;
     for (k, name) in figure.legend.iter().enumerate() {
         let (y, colour) = (row(k), colour(k));
         let ends = vec![(64, y), (94, y)];

@@ -5,7 +5,6 @@
 //! access to the network.
 
 mod drawing;
-mod figures;
 pub mod history;
 mod html;
 mod inputs;

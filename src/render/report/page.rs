@@ -3,10 +3,15 @@
 use super::Inputs;
 use super::html::in_script;
 use super::sections::{
-    bodies, certificate, compared, contact, convergence, depth, input, line_load, loading,
-    pictures, pressure_map, run, sizing, space, strip, verdict,
+    convergence, depth, input, line_load, pictures, pressure_map, run, space, strip, verdict,
 };
 use crate::render::OutputError;
+use crate::render::sections::{
+    bodies, certificate, checks, compared, contact, lines, load_line, sizing, statics, steps,
+    unloaded,
+};
+use crate::render::table::Table;
+use crate::render::table::html::{table, tables};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// Nothing from elsewhere, nothing sent: only what stands in the page itself.
@@ -41,16 +46,27 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
         content,
     };
     let space = space::space(inputs)?;
+    let mut loading: Vec<Table> = vec![load_line(summary), steps(summary)];
+    loading.extend(unloaded(summary));
     let sections = [
-        section("peaks", "Peak stresses", bodies::bodies(inputs)),
-        section("sizing", "Sizing rules", sizing::sizing(summary)),
+        section("peaks", "Peak stresses", tables(&bodies(summary))),
+        section("sizing", "Sizing rules", tables(&sizing(summary))),
         section("space", "The parts in space", space.view),
         section(
             "pictures",
             "Mises stress in section",
             pictures::pictures(inputs)?,
         ),
-        section("contact", "Contact", contact::contact(summary)),
+        section(
+            "contact",
+            "Contact",
+            html! {
+                (tables(&contact(summary)))
+                (table(&lines(summary)))
+                (tables(&statics(summary)))
+                (table(&checks(summary)))
+            },
+        ),
         section(
             "pressure",
             "Pressure on the contact surfaces",
@@ -66,13 +82,13 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
             "Load along the lines of contact",
             line_load::charts(summary),
         ),
-        section("compared", "Compared", compared::compared(summary)),
+        section("compared", "Compared", table(&compared(summary))),
         section(
             "certificate",
             "What the figures are worth",
-            certificate::certificate(summary),
+            table(&certificate(summary)),
         ),
-        section("loading", "Load and descent", loading::loading(summary)),
+        section("loading", "Load and descent", tables(&loading)),
         section(
             "convergence",
             "Convergence",

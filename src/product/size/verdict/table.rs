@@ -5,7 +5,10 @@ use super::design::DesignVerdict;
 use super::position::Placed;
 use super::standing::Standing;
 use crate::product::size::table::wrapped;
-use crate::render::text::{Columns, percent, significant};
+use crate::render::figures::MESH_DIGITS;
+use crate::render::table::text::text as table_text;
+use crate::render::table::{Cell, Number, Table};
+use crate::render::text::{percent, significant};
 use std::fmt::Write;
 
 /// Everything, every line ended.
@@ -86,10 +89,19 @@ fn what(check: &LimitCheck, verdict: &DesignVerdict) -> String {
 
 fn position(verdict: &DesignVerdict, placed: &Placed) -> String {
     let units = &verdict.units;
-    let dash = || "-".to_string();
-    let mut table = Columns::new(&[
-        "where", "what", "value", "± error", "limit", "of limit", "met",
-    ]);
+    let number = |value: Option<f64>| value.map_or("-".to_string(), |v| significant(v, 4));
+    let mut table = Table::new(format!(
+        "{}: rollers at s = {} {}, {} unknowns, {:.0} s, descent {} {}",
+        placed.position,
+        significant(placed.offset, 4),
+        units.length,
+        placed.unknowns,
+        placed.seconds,
+        number(placed.descent),
+        units.length,
+    ))
+    .words("where")
+    .figures(["what", "value", "± error", "limit", "of limit", "met"]);
     let mut remarks: Vec<(&str, Vec<&str>)> = Vec::new();
     for check in &placed.checks {
         // The star is for peaks beside loaded edges alone; remarks go by numbers.
@@ -103,33 +115,18 @@ fn position(verdict: &DesignVerdict, placed: &Placed) -> String {
             remarks[index].1.push(&check.place);
             format!(" [{}]", index + 1)
         });
-        let number =
-            |value: Option<f64>, digits| value.map_or_else(dash, |v| significant(v, digits));
+        let remark = remark.unwrap_or_default();
         table.row([
-            check.place.clone(),
-            what(check, verdict),
-            format!(
-                "{}{star}{}",
-                number(check.value, 4),
-                remark.unwrap_or_default()
-            ),
-            number(check.error, 2),
-            number(check.limit, 4),
-            check.utilisation.map_or_else(dash, percent),
-            said(check.standing).to_string(),
+            (&check.place).into(),
+            what(check, verdict).into(),
+            format!("{}{star}{remark}", number(check.value)).into(),
+            Cell::Figure(Number::new(check.error, MESH_DIGITS)),
+            Cell::figure(check.limit),
+            Cell::Share(check.utilisation),
+            said(check.standing).into(),
         ]);
     }
-    let mut text = format!(
-        "{}: rollers at s = {} {}, {} unknowns, {:.0} s, descent {} {}\n{}",
-        placed.position,
-        significant(placed.offset, 4),
-        units.length,
-        placed.unknowns,
-        placed.seconds,
-        placed.descent.map_or_else(dash, |d| significant(d, 4)),
-        units.length,
-        table.render()
-    );
+    let mut text = table_text(&table);
     for ((remark, places), number) in remarks.into_iter().zip(1..) {
         text += &wrapped(&format!("[{number}] {}: {remark}", places.join(", ")), 2);
     }

@@ -105,9 +105,9 @@ fn power_of_ten(power: i32) -> String {
     format!("10{digits}")
 }
 
-/// A tick every so many units of the picture.
-const ALONG: f64 = 75.0;
-const UP: f64 = 45.0;
+/// Least distance between ticks, in units of the picture.
+const TICK_DISTANCE_ALONG: f64 = 75.0;
+const TICK_DISTANCE_UP: f64 = 45.0;
 
 impl Place {
     /// Where the values stand in the picture.
@@ -131,13 +131,13 @@ impl Place {
         let at = |values| self.at(axes, values);
         html! {
             g class="axes" {
-                @for (value, name) in x.ticks((width / ALONG) as usize) {
+                @for (value, name) in x.ticks((width / TICK_DISTANCE_ALONG) as usize) {
                     @let [u, _] = at((value, y.range.start));
                     @if grid { path class="grid" d=(format!("M{u:.1} {top}V{bottom}")) {} }
                     path d=(format!("M{u:.1} {bottom}v4")) {}
                     text x=(format!("{u:.1}")) y=(bottom + 17.0) text-anchor="middle" { (name) }
                 }
-                @for (value, name) in y.ticks((height / UP).max(2.0) as usize) {
+                @for (value, name) in y.ticks((height / TICK_DISTANCE_UP).max(2.0) as usize) {
                     @let [_, v] = at((x.range.start, value));
                     @if grid { path class="grid" d=(format!("M{left} {v:.1}h{width}")) {} }
                     path d=(format!("M{left} {v:.1}h-4")) {}

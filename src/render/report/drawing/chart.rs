@@ -35,7 +35,7 @@ pub struct Chart {
 
 /// As many colours have the style sheet.
 const COLOURS: usize = 6;
-const SIZE: [f64; 2] = [560.0, 330.0];
+const CHART_SIZE: [f64; 2] = [560.0, 330.0];
 const PLACE: Place = Place {
     left: 66.0,
     top: 10.0,
@@ -46,7 +46,7 @@ const PLACE: Place = Place {
 impl Chart {
     /// The figure: title, legend and drawing.
     pub fn draw(&self) -> Markup {
-        let [width, height] = SIZE;
+        let [width, height] = CHART_SIZE;
         let [x, y] = &self.axes;
         html! {
             figure class="chart" {

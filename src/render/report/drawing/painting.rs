@@ -33,14 +33,14 @@ pub struct Painting {
     pub width: f64,
 }
 
-const LEFT: f64 = 66.0;
-const TOP: f64 = 12.0;
-const BELOW: f64 = 44.0;
+const LEFT_MARGIN: f64 = 66.0;
+const TOP_MARGIN: f64 = 12.0;
+const BOTTOM_MARGIN: f64 = 44.0;
 const SCALE_GAP: f64 = 22.0;
 const SCALE_WIDTH: f64 = 14.0;
 const SCALE_WORDS: f64 = 66.0;
 /// Pixels a unit of the picture.
-const FINENESS: f64 = 1.5;
+const PIXELS_PER_UNIT: f64 = 1.5;
 
 impl Painting {
     /// The figure.
@@ -49,16 +49,16 @@ impl Painting {
     /// Where the picture cannot be encoded.
     pub fn draw(&self, name: &str) -> Result<Markup, OutputError> {
         let place = Place {
-            left: LEFT,
-            top: TOP,
+            left: LEFT_MARGIN,
+            top: TOP_MARGIN,
             width: self.width,
             height: (self.width * self.shape).round(),
         };
         let axes = [&self.axes[0], &self.axes[1]];
         let image = self.image(&place).address()?;
         let (width, height) = (
-            LEFT + self.width + SCALE_GAP + SCALE_WIDTH + SCALE_WORDS,
-            TOP + place.height + BELOW,
+            LEFT_MARGIN + self.width + SCALE_GAP + SCALE_WIDTH + SCALE_WORDS,
+            TOP_MARGIN + place.height + BOTTOM_MARGIN,
         );
         let clip = format!("clip-{name}");
         Ok(html! {
@@ -86,7 +86,7 @@ impl Painting {
     }
 
     fn image(&self, place: &Place) -> Raster {
-        let pixels = |units: f64| (FINENESS * units).round().max(1.0);
+        let pixels = |units: f64| (PIXELS_PER_UNIT * units).round().max(1.0);
         let (width, height) = (pixels(place.width), pixels(place.height));
         let mut raster = Raster::new(width as usize, height as usize);
         let [x, y] = &self.axes;

@@ -59,9 +59,10 @@ impl Packed {
 
 /// `value` between `low` and `high`, as one of 65536 steps.
 pub fn quantised(value: f64, low: f64, high: f64) -> u16 {
-    let share = match high > low {
-        true => (value - low) / (high - low),
-        false => 0.0,
+    let share = if high > low {
+        (value - low) / (high - low)
+    } else {
+        0.0
     };
     // What is not a number becomes zero.
     (share.clamp(0.0, 1.0) * 65535.0).round() as u16

@@ -93,9 +93,10 @@ pub fn shape(
     for (body, skin) in mesh.bodies.iter().zip(&skins) {
         let first = faces.len();
         faces.extend(skin.iter().map(|face| as_points(face, mesh, recovered)));
-        let elements = match cuttable {
-            true => [body.elements.start, body.elements.end],
-            false => [0, 0],
+        let elements = if cuttable {
+            [body.elements.start, body.elements.end]
+        } else {
+            [0, 0]
         };
         bodies.push(Part {
             name: body.name.clone(),
@@ -103,9 +104,10 @@ pub fn shape(
             elements,
         });
     }
-    let mut elements: Vec<[u32; 8]> = match cuttable {
-        true => recovered.points.cells.clone(),
-        false => Vec::new(),
+    let mut elements: Vec<[u32; 8]> = if cuttable {
+        recovered.points.cells.clone()
+    } else {
+        Vec::new()
     };
     let points = renumber(&mut faces, &mut elements, recovered.points.node.len());
     let node = |point: &u32| recovered.points.node[*point as usize] as usize;
@@ -193,9 +195,10 @@ fn bounds(points: impl Iterator<Item = [f64; 3]>) -> ([f64; 3], [f64; 3]) {
             [0, 1, 2].map(|k| high[k].max(p[k])),
         )
     });
-    match low[0] <= high[0] {
-        true => (low, high),
-        false => ([0.0; 3], [1.0; 3]),
+    if low[0] <= high[0] {
+        (low, high)
+    } else {
+        ([0.0; 3], [1.0; 3])
     }
 }
 

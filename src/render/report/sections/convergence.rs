@@ -4,7 +4,8 @@ use crate::render::report::Inputs;
 use crate::render::report::drawing::axes::Axis;
 use crate::render::report::drawing::chart::{Chart, Mark, Series, decades, from_zero};
 use crate::render::report::history::Iterate;
-use crate::render::report::html::{row, table};
+use crate::render::table::html::table;
+use crate::render::table::{Cell, Table};
 use maud::{Markup, html};
 
 pub fn convergence(inputs: &Inputs) -> Markup {
@@ -18,7 +19,7 @@ pub fn convergence(inputs: &Inputs) -> Markup {
              second solution without plasticity is not among them."
         }
         div class="pair" { (residuals(history).draw()) (contact(history).draw()) }
-        details { summary { (history.len()) " iterations, as they were printed" } (rows(history)) }
+        details { summary { (history.len()) " iterations, as they were printed" } (table(&rows(history))) }
     }
 }
 
@@ -88,30 +89,8 @@ fn contact(history: &[Iterate]) -> Chart {
     }
 }
 
-fn rows(history: &[Iterate]) -> Markup {
-    let rows: Vec<Vec<Markup>> = (history.iter())
-        .map(|i| {
-            row([
-                format!("{:.3}", i.load),
-                i.iteration.to_string(),
-                format!("{:.2e}", i.residual),
-                format!("{:.2e}", i.energy),
-                i.active.to_string(),
-                i.sticking.to_string(),
-                i.slipping.to_string(),
-                i.changed.to_string(),
-                format!("{:.2e}", i.violation),
-                i.flowing.to_string(),
-                format!(
-                    "{}{}",
-                    i.directions,
-                    if i.refactored { ", new factor" } else { "" }
-                ),
-                format!("{:.2}", i.line_search),
-            ])
-        })
-        .collect();
-    let headings = [
+fn rows(history: &[Iterate]) -> Table {
+    let mut table = Table::new("").figures([
         "load",
         "iteration",
         "residual",
@@ -124,6 +103,23 @@ fn rows(history: &[Iterate]) -> Markup {
         "flowing",
         "directions",
         "line search",
-    ];
-    table("", &headings, &rows)
+    ]);
+    for i in history {
+        let factor = if i.refactored { ", new factor" } else { "" };
+        table.row([
+            format!("{:.3}", i.load).into(),
+            i.iteration.into(),
+            Cell::Tiny(i.residual),
+            Cell::Tiny(i.energy),
+            i.active.into(),
+            i.sticking.into(),
+            i.slipping.into(),
+            i.changed.into(),
+            Cell::Tiny(i.violation),
+            i.flowing.into(),
+            format!("{}{factor}", i.directions).into(),
+            format!("{:.2}", i.line_search).into(),
+        ]);
+    }
+    table
 }

@@ -11,8 +11,8 @@ use crate::render::text::significant;
 use maud::{Markup, html};
 
 /// Half of the width of a close-up, in half-widths of the contact.
-const CLOSE: f64 = 7.0;
-const WIDTH: f64 = 420.0;
+const CLOSE_UP_HALF_WIDTHS: f64 = 7.0;
+const PICTURE_WIDTH: f64 = 420.0;
 
 /// # Errors
 /// Where a picture cannot be encoded.
@@ -27,9 +27,10 @@ pub fn pictures(inputs: &Inputs) -> Result<Markup, OutputError> {
     if figures.is_empty() {
         return Ok(Markup::default());
     }
-    let note = match inputs.scene.mirrors.is_empty() {
-        true => "",
-        false => " What is symmetric is drawn with its image.",
+    let note = if inputs.scene.mirrors.is_empty() {
+        ""
+    } else {
+        " What is symmetric is drawn with its image."
     };
     Ok(html! {
         p class="note" { "Nodal averages of each body; each picture has its own scale of colours, from zero to the \
@@ -80,7 +81,7 @@ fn stack(inputs: &Inputs, view: &View) -> Painting {
 
 fn closely(inputs: &Inputs, view: &View) -> Option<Painting> {
     let (_, [u, v], half_width) = view.contact.as_ref()?;
-    let half = CLOSE * half_width;
+    let half = CLOSE_UP_HALF_WIDTHS * half_width;
     if half <= 0.0 {
         return None;
     }
@@ -121,7 +122,7 @@ fn painting(
         .collect(),
         labels: Vec::new(),
         // A tall stack is drawn narrower, lest it fill the page.
-        width: (WIDTH / shape.max(1.0)).round(),
+        width: (PICTURE_WIDTH / shape.max(1.0)).round(),
         shape,
         axes: [Axis::linear(name(0), x), Axis::linear(name(1), y)],
     }

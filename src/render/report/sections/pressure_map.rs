@@ -11,9 +11,9 @@ use crate::render::text::significant;
 use maud::{Markup, html};
 use std::ops::Range;
 
-const WIDTH: f64 = 480.0;
+const MAP_WIDTH: f64 = 480.0;
 /// Least and largest height over width of a map; a strip is stretched across.
-const SHAPES: [f64; 2] = [0.3, 1.0];
+const ASPECTS: [f64; 2] = [0.3, 1.0];
 
 /// # Errors
 /// Where a picture cannot be encoded.
@@ -39,14 +39,15 @@ fn painting(inputs: &Inputs, map: &PressureMap) -> Painting {
     };
     let ranges: [Range<f64>; 2] = [range(0), range(1)];
     let [width, height] = [&ranges[0], &ranges[1]].map(|r| r.end - r.start);
-    let shape = (height / width).clamp(SHAPES[0], SHAPES[1]);
+    let shape = (height / width).clamp(ASPECTS[0], ASPECTS[1]);
     let stretched = shape / (height / width);
-    let stretch = match (stretched - 1.0).abs() > 0.01 {
-        true => format!(
+    let stretch = if (stretched - 1.0).abs() > 0.01 {
+        format!(
             ", drawn {} times as wide as it is",
             significant(stretched, 2)
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     let largest = pressed()
         .flat_map(|p| p.values.iter().copied())
@@ -60,7 +61,7 @@ fn painting(inputs: &Inputs, map: &PressureMap) -> Painting {
         outlines: Vec::new(),
         labels: Vec::new(),
         shape,
-        width: WIDTH,
+        width: MAP_WIDTH,
         axes: [Axis::linear(name(0), x), Axis::linear(name(1), y)],
         patches: patches.clone(),
     }

@@ -2,9 +2,10 @@
 
 use crate::ground::geometry::AXES;
 use crate::render::report::Inputs;
-use crate::render::report::figures::number;
-use crate::render::report::html::{list, row, table};
+use crate::render::report::html::list;
 use crate::render::summary::Summary;
+use crate::render::table::html::table;
+use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
 use maud::{Markup, html};
 
@@ -13,9 +14,10 @@ pub fn run(inputs: &Inputs) -> Markup {
     let left_out: Vec<String> = (summary.left_out.iter())
         .map(|item| {
             let saved: Vec<String> = item.saved.iter().map(ToString::to_string).collect();
-            match saved.is_empty() {
-                true => item.what.clone(),
-                false => format!("{} (saved: {})", item.what, saved.join(", ")),
+            if saved.is_empty() {
+                item.what.clone()
+            } else {
+                format!("{} (saved: {})", item.what, saved.join(", "))
             }
         })
         .collect();
@@ -23,37 +25,35 @@ pub fn run(inputs: &Inputs) -> Markup {
         (list("Assumed", &summary.assumptions))
         (list("Left out, because the case does not need it", &left_out))
         div class="pair" {
-            div { h3 { "Model" } (steels(inputs)) (settings(inputs)) }
+            div { h3 { "Model" } (table(&steels(inputs))) (settings(inputs)) }
             div { h3 { "Time" } (times(summary)) }
         }
     }
 }
 
-fn steels(inputs: &Inputs) -> Markup {
+fn steels(inputs: &Inputs) -> Table {
     let scene = inputs.scene;
-    let rows: Vec<Vec<Markup>> = (scene.mesh.bodies.iter().zip(&scene.materials))
-        .map(|(body, steel)| {
-            let yields = scene.controls.plasticity && !steel.is_elastic();
-            let plastic = |value: f64| yields.then_some(value);
-            row([
-                body.name.clone(),
-                number(Some(steel.youngs_modulus)),
-                significant(steel.poissons_ratio, 3),
-                number(plastic(steel.yield_stress)),
-                number(plastic(steel.hardening_modulus)),
-                body.elements.len().to_string(),
-            ])
-        })
-        .collect();
     let stress = &inputs.summary.units.stress;
-    let modulus = format!("E, {stress}");
-    let yields = format!("yield, {stress}");
-    let hardening = format!("hardening, {stress}");
-    table(
-        "",
-        &["body", &modulus, "ν", &yields, &hardening, "elements"],
-        &rows,
-    )
+    let mut table = Table::new("")
+        .words("body")
+        .figure("E", stress)
+        .figures(["ν"])
+        .figure("yield", stress)
+        .figure("hardening", stress)
+        .figures(["elements"]);
+    for (body, steel) in scene.mesh.bodies.iter().zip(&scene.materials) {
+        let yields = scene.controls.plasticity && !steel.is_elastic();
+        let plastic = |value: f64| Cell::figure(yields.then_some(value));
+        table.row([
+            (&body.name).into(),
+            Cell::figure(steel.youngs_modulus),
+            Cell::rough(steel.poissons_ratio),
+            plastic(steel.yield_stress),
+            plastic(steel.hardening_modulus),
+            body.elements.len().into(),
+        ]);
+    }
+    table
 }
 
 fn settings(inputs: &Inputs) -> Markup {
@@ -71,9 +71,10 @@ fn settings(inputs: &Inputs) -> Markup {
         ],
         [
             "symmetric about".into(),
-            match symmetry.is_empty() {
-                true => "nothing: the whole is modelled".to_string(),
-                false => symmetry.join(" and "),
+            if symmetry.is_empty() {
+                "nothing: the whole is modelled".to_string()
+            } else {
+                symmetry.join(" and ")
             },
         ],
         ["friction".into(), friction.join(", ")],
@@ -112,29 +113,21 @@ fn settings(inputs: &Inputs) -> Markup {
 
 fn times(summary: &Summary) -> Markup {
     let timing = &summary.timing;
-    let seconds = |value: f64| format!("{value:.2}");
-    let mut rows = vec![
-        row(["mesh and scene".to_string(), seconds(timing.mesh_s)]),
-        row(["solution".to_string(), seconds(timing.solve_s)]),
-    ];
-    for (phase, value) in &timing.phases.0 {
-        rows.push(row([
-            format!("– {}", phase.replace('_', " ")),
-            seconds(*value),
-        ]));
+    let mut times = Table::new("").words("").figures(["seconds"]);
+    let mut time = |name: String, seconds: f64| {
+        times.row([name.into(), format!("{seconds:.2}").into()]);
+    };
+    time("mesh and scene".into(), timing.mesh_s);
+    time("solution".into(), timing.solve_s);
+    for (phase, seconds) in &timing.phases.0 {
+        time(format!("– {}", phase.replace('_', " ")), *seconds);
     }
-    rows.push(row([
-        "fields to files".to_string(),
-        seconds(timing.write_s),
-    ]));
-    rows.push(row([
-        "again without plasticity".to_string(),
-        seconds(timing.elastic_s),
-    ]));
-    rows.push(row(["together".to_string(), seconds(timing.total_s)]));
+    time("fields to files".into(), timing.write_s);
+    time("again without plasticity".into(), timing.elastic_s);
+    time("together".into(), timing.total_s);
     let memory = summary.peak_memory_bytes.map(|bytes| 1e-6 * bytes as f64);
     html! {
-        (table("", &["", "seconds"], &rows))
+        (table(&times))
         p class="note" {
             (summary.counters.iterations) " iterations, " (summary.counters.factorisations) " factorisations"
             @if let Some(memory) = memory { ", " (format!("{memory:.0}")) " MB at most" }

@@ -63,9 +63,10 @@ fn places(inputs: &Inputs) -> Vec<Spot> {
         };
         let widths = interface.lines.iter().map(|line| line.half_width);
         let width = widths.fold(0.0, f64::max);
-        let size = match width > 0.0 {
-            true => 16.0 * width,
-            false => 4.0 * interface.area.sqrt(),
+        let size = if width > 0.0 {
+            16.0 * width
+        } else {
+            4.0 * interface.area.sqrt()
         };
         let spot = Spot {
             name: name.clone(),

@@ -2,10 +2,12 @@
 
 use super::utilisation::{Utilisation, largest, utilisations};
 use crate::answer::certify::{Figure, Quantity, unresolved};
+use crate::render::figures::{DASH, DIGITS, NOT_RESOLVED, share, with_error};
 use crate::render::report::Inputs;
-use crate::render::report::figures::{NOT_RESOLVED, number, share, with_error};
-use crate::render::report::html::{list, row, table};
+use crate::render::report::html::list;
 use crate::render::summary::Summary;
+use crate::render::table::html::table;
+use crate::render::table::{Cell, Number, Table};
 use crate::render::text::significant;
 use maud::{Markup, html};
 
@@ -42,12 +44,7 @@ pub fn verdict(inputs: &Inputs) -> Markup {
         (list("Warnings", &warnings))
         @if !all.is_empty() {
             h3 { "Utilisation" }
-            (used(&all, &inputs.summary.units.stress))
-            p class="note" {
-                "Errors are the certificate's estimates of this mesh, of the right size and no bounds; a dash \
-                 where there is none. Mises stresses are nodal averages, elastic where steel has yielded, and \
-                 away from loaded edges, where they have no bound."
-            }
+            (table(&used(&all, &inputs.summary.units.stress)))
         }
     }
 }
@@ -179,9 +176,10 @@ fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
 fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     let summary = inputs.summary;
     let units = &summary.units;
-    let (solution, grade) = match summary.answer.converged {
-        true => ("converged", Grade::Good),
-        false => ("NOT CONVERGED", Grade::Bad),
+    let (solution, grade) = if summary.answer.converged {
+        ("converged", Grade::Good)
+    } else {
+        ("NOT CONVERGED", Grade::Bad)
     };
     let checks = &summary.answer.checks;
     let balance = checks.force_balance.map_or_else(String::new, |b| {
@@ -192,21 +190,23 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
         .map_or_else(String::new, |p| {
             format!("penetration {p:.0e} of the descent")
         });
-    let (limits, limits_grade) = match inputs.missed.is_empty() {
-        true => ("within limits".to_string(), Grade::Good),
-        false => (format!("{} missed", inputs.missed.len()), Grade::Bad),
+    let (limits, limits_grade) = if inputs.missed.is_empty() {
+        ("within limits".to_string(), Grade::Good)
+    } else {
+        (format!("{} missed", inputs.missed.len()), Grade::Bad)
     };
     let descent = summary.answer.descent.map_or_else(
-        || "–".to_string(),
+        || DASH.to_string(),
         |value| {
             let error = summary.answer.figure(Quantity::Descent, "overall");
-            match error.is_some_and(|c| !c.is_resolved()) {
-                true => NOT_RESOLVED.to_string(),
-                false => format!(
+            if error.is_some_and(|c| !c.is_resolved()) {
+                NOT_RESOLVED.to_string()
+            } else {
+                format!(
                     "{} {}",
                     with_error(value, error.and_then(Figure::bar)),
                     units.length
-                ),
+                )
             }
         },
     );
@@ -232,9 +232,10 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
 
 /// Of which step, where there are several.
 fn at_end_of(summary: &Summary) -> String {
-    match summary.answer.steps.len() > 1 {
-        true => format!(", step “{}”", summary.answer.step),
-        false => String::new(),
+    if summary.answer.steps.len() > 1 {
+        format!(", step “{}”", summary.answer.step)
+    } else {
+        String::new()
     }
 }
 
@@ -264,32 +265,39 @@ fn share_of(most: &Utilisation) -> String {
     format!("{} %", with_error(100.0 * most.share(), error))
 }
 
-fn used(all: &[Utilisation], stress: &str) -> Markup {
-    let rows: Vec<Vec<Markup>> = (all.iter())
-        .map(|u| {
-            let error = u.error.filter(|_| u.value != 0.0).map(|e| e / u.value);
-            let class = if u.share() > 1.0 || !u.resolved { "care" } else { "" };
-            row([
-                html! { (u.what) },
-                html! { (u.place) },
-                html! { @if u.resolved { (with_error(u.value, u.error)) } @else { (significant(u.value, 2)) } },
-                html! { (number(Some(u.limit))) },
-                html! { b class=(class) { (share_of(u)) } },
-                html! { (crate::render::report::figures::share(error)) },
-                html! { (u.against) },
-            ])
-        })
-        .collect();
-    let value = format!("value, {stress}");
-    let limit = format!("limit, {stress}");
-    let headings = [
-        "figure",
-        "<where",
-        &value,
-        &limit,
-        "of the limit",
-        "error",
-        "<limit",
-    ];
-    table("", &headings, &rows)
+fn used(all: &[Utilisation], stress: &str) -> Table {
+    let mut table = Table::new("")
+        .words("figure")
+        .words("where")
+        .figure("value", stress)
+        .figure("limit", stress)
+        .figures(["of the limit", "error"])
+        .words("limit")
+        .about(
+            "Errors are the certificate's estimates of this mesh, of the right size and no bounds; a dash where there \
+             is none. Mises stresses are nodal averages, elastic where steel has yielded, and away from loaded edges, \
+             where they have no bound.",
+        );
+    for u in all {
+        let error = u.error.filter(|_| u.value != 0.0).map(|e| e / u.value);
+        let share = share_of(u);
+        table.row([
+            (&u.what).into(),
+            (&u.place).into(),
+            Cell::Figure(Number {
+                error: u.error,
+                resolved: u.resolved,
+                ..Number::new(u.value, DIGITS)
+            }),
+            Cell::figure(u.limit),
+            if u.share() > 1.0 {
+                Cell::Care(share)
+            } else {
+                share.into()
+            },
+            Cell::Share(error),
+            u.against.into(),
+        ]);
+    }
+    table
 }

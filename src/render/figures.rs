@@ -1,21 +1,21 @@
 //! Figures as an engineer reads them: no more digits than they are worth.
 
-use crate::answer::certify::{Figure, Quantity};
-use crate::ground::units::UnitLabels;
 use crate::render::text::significant;
 
 /// Digits of a figure of which no error is known.
 pub const DIGITS: usize = 4;
+/// Digits of positions, lengths and strains.
+pub const POSITION_DIGITS: usize = 3;
+/// Digits of a figure that belongs to its mesh, and of an error.
+pub const MESH_DIGITS: usize = 2;
 
-/// A figure, or a dash.
-pub fn number(value: Option<f64>) -> String {
-    value.map_or_else(|| "–".to_string(), |v| significant(v, DIGITS))
-}
+/// In place of a figure that there is not, on a page.
+pub const DASH: &str = "–";
 
 /// A share as a percentage of three digits, or a dash.
 pub fn share(value: Option<f64>) -> String {
     value.map_or_else(
-        || "–".to_string(),
+        || DASH.to_string(),
         |v| format!("{} %", significant(100.0 * v, 3)),
     )
 }
@@ -39,29 +39,15 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
     let unit = 10f64.powi(place);
     let decimals = usize::try_from(-place).unwrap_or(0);
     let [value, error] = [value, error].map(|v| (v / unit).round() * unit);
-    match error > 0.0 {
-        true => format!("{value:.decimals$} ± {error:.decimals$}"),
-        false => format!("{value:.decimals$} ± < {unit:.decimals$}"),
+    if error > 0.0 {
+        format!("{value:.decimals$} ± {error:.decimals$}")
+    } else {
+        format!("{value:.decimals$} ± < {unit:.decimals$}")
     }
 }
 
 /// In place of a figure of which nothing is known.
 pub const NOT_RESOLVED: &str = "not resolved";
-
-/// A figure that is certified, with its error; without digits that this mesh does not resolve.
-pub fn certified(value: f64, claim: Option<&Figure>) -> String {
-    match claim {
-        Some(claim) if !claim.is_resolved() => {
-            format!("{}, {NOT_RESOLVED}", significant(value, 2))
-        }
-        claim => with_error(value, claim.and_then(Figure::bar)),
-    }
-}
-
-/// The unit of a claim, empty for a bare number.
-pub fn unit_of(what: Quantity, units: &UnitLabels) -> String {
-    units.of_measure(what.measure())
-}
 
 #[cfg(test)]
 mod tests {

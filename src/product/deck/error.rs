@@ -33,7 +33,7 @@ pub enum InpError {
     HeldTwice {
         node: usize,
         plane: String,
-        axis: char,
+        axis: &'static str,
         other: String,
     },
     #[error("{what} must be more than 0, and is {value}")]

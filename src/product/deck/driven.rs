@@ -1,0 +1,82 @@
+//! Rigid planes that are driven by force.
+
+use super::bounds::span;
+use super::error::InpError;
+use crate::ground::geometry::AXES;
+use crate::model::mesh::Surface;
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
+use crate::render::inp::Driven;
+use crate::solver::fem::loads::area;
+use std::collections::BTreeMap;
+
+fn surface<'a>(scene: &'a Scene, user: &str, name: &str) -> Result<&'a Surface, InpError> {
+    let missing = || InpError::NoSurface {
+        user: user.to_string(),
+        surface: name.to_string(),
+    };
+    scene.mesh.surface(name).ok_or_else(missing)
+}
+
+/// The driven axes of all rigid planes.
+pub fn driven(scene: &Scene) -> Result<Vec<Driven>, InpError> {
+    let mut held: BTreeMap<(u32, usize), &str> = BTreeMap::new();
+    for support in &scene.supports {
+        let nodes = surface(scene, &support.name, &support.surface)?.nodes();
+        for axis in (0..3).filter(|a| support.components[*a].is_some()) {
+            held.extend(nodes.iter().map(|n| ((*n, axis), support.name.as_str())));
+        }
+    }
+    let mut list = Vec::new();
+    for plane in &scene.rigid_planes {
+        let face = surface(scene, &plane.name, &plane.surface)?;
+        let nodes = face.nodes();
+        for (axis, motion) in plane.motion.iter().enumerate() {
+            let PlaneMotion::Driven(force) = *motion else {
+                continue;
+            };
+            for node in &nodes {
+                if let Some(other) = held.insert((*node, axis), &plane.name) {
+                    return Err(InpError::HeldTwice {
+                        node: *node as usize + 1,
+                        plane: plane.name.clone(),
+                        axis: AXES[axis],
+                        other: other.to_string(),
+                    });
+                }
+            }
+            let [reference, others @ ..] = &nodes[..] else {
+                continue;
+            };
+            list.push(Driven {
+                plane: plane.name.clone(),
+                axis,
+                force,
+                reference: *reference,
+                others: others.to_vec(),
+                closing: block_shortening(scene, plane, face, axis, force),
+            });
+        }
+    }
+    Ok(list)
+}
+
+/// Shortening of a solid block as long as the model, with the plane's area and its body's modulus.
+fn block_shortening(
+    scene: &Scene,
+    plane: &RigidPlane,
+    surface: &Surface,
+    axis: usize,
+    force: f64,
+) -> f64 {
+    let factor = scene
+        .steps
+        .first()
+        .map_or(1.0, |s| s.factor_of(&plane.name));
+    let area = area(&scene.mesh, surface);
+    let body = surface
+        .faces
+        .first()
+        .map_or(0, |f| scene.mesh.body_of(f.element as usize));
+    let young = scene.materials.get(body).map_or(1.0, |s| s.youngs_modulus);
+    (force * factor).abs() * span(scene, axis) / (young * area)
+}

@@ -1,0 +1,80 @@
+//! A scene with everything that a deck needs to know of it.
+
+use super::names::Names;
+use super::settings::Settings;
+use crate::model::mesh::Face;
+use crate::model::scene::{ElementKind, Scene};
+
+/// The scene with what the deck needs to know of it. Everything is in the units of the case, and on the modelled part.
+pub struct Deck<'a> {
+    pub scene: &'a Scene,
+    pub settings: &'a Settings,
+    pub names: Names,
+    pub pairs: Vec<Pair>,
+    pub driven: Vec<Driven>,
+    pub springs: Vec<Springs>,
+    /// The springs of a body and axis together would carry this share of the load if the body moved by a thousandth
+    /// of the model.
+    pub spring_share: f64,
+    /// Pressure per overclosure.
+    pub stiffness: f64,
+    /// By step, then by traction: the forces on nodes that stand for the traction; empty for a pressure, which decks
+    /// know.
+    pub nodal_forces: Vec<Vec<Vec<NodalForce>>>,
+}
+
+/// A force along an axis on a node.
+pub struct NodalForce {
+    pub node: u32,
+    pub axis: usize,
+    pub force: f64,
+}
+
+/// A pair as the deck has it.
+pub struct Pair {
+    /// Of the law.
+    pub name: String,
+    /// Of the face sets: carrier (slave) and the other side (master).
+    pub sides: [String; 2],
+    /// In the order of the sides.
+    pub faces: [Vec<Face>; 2],
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Does Brinell take cylinders of the pair as round in the initial gap?
+    pub true_geometry: bool,
+}
+
+/// An axis along which the nodes of a rigid plane move as one.
+pub struct Driven {
+    /// Name of the plane.
+    pub plane: String,
+    pub axis: usize,
+    /// On the modelled part, at factor one.
+    pub force: f64,
+    /// The node that stands for all, and the others.
+    pub reference: u32,
+    pub others: Vec<u32>,
+    /// How far the closing step moves it, unless told: the shortening of a solid block.
+    pub closing: f64,
+}
+
+/// Springs on a body along one axis.
+pub struct Springs {
+    /// Of the element set.
+    pub name: String,
+    pub axis: usize,
+    pub nodes: Vec<u32>,
+    /// Of each spring, force per length.
+    pub stiffness: f64,
+}
+
+impl Deck<'_> {
+    /// The element type.
+    pub(super) fn element(&self) -> &str {
+        match (&self.settings.element, self.scene.controls.element) {
+            (Some(element), _) => element,
+            (None, ElementKind::Enhanced) => "C3D8I",
+            (None, ElementKind::Bbar | ElementKind::Full) => "C3D8",
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What is drawn: lines in panels, panels in a figure.
+
+/// A line in a panel: its place in the legend, and its points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    pub style: usize,
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How the axes of a panel are divided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Both are logarithmic, over whole decades.
+    Decades,
+    /// Both are linear, and the upright one starts at zero where nothing is negative.
+    Linear,
+}
+
+/// One diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    pub title: String,
+    /// What is drawn along and upwards, with units; an empty one has no label.
+    pub axes: [String; 2],
+    pub scale: Scale,
+    pub lines: Vec<Line>,
+    /// Dashed levels across the panel.
+    pub dashed: Vec<f64>,
+}
+
+/// Diagrams in two columns, with one legend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    pub panels: Vec<Panel>,
+    /// The names of the styles.
+    pub legend: Vec<String>,
+    /// What dashed levels are.
+    pub dashed: String,
+}

@@ -1,0 +1,59 @@
+//! What the figures are worth: each with its estimated error, by cause.
+
+use crate::answer::certify::Figure;
+use crate::render::figures::MESH_DIGITS;
+use crate::render::summary::Summary;
+use crate::render::table::{Cell, Number, Table};
+
+/// Every certified figure.
+pub fn certificate(summary: &Summary) -> Table {
+    let mut table = Table::new("")
+        .words("Certificate")
+        .words("where")
+        .figures(["value", "± error", "mesh", "penetration", "increments"])
+        .about(
+            "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a loaded edge \
+             gets a remark in place of an error.",
+        );
+    for figure in &summary.answer.certificate {
+        let unit = match summary.units.of_measure(figure.what.measure()) {
+            unit if unit.is_empty() => unit,
+            unit => format!(", {unit}"),
+        };
+        let off = |error: Option<f64>| {
+            let error = error.filter(|_| figure.value != 0.0);
+            Cell::Off(error.map(|error| error / figure.value.abs()))
+        };
+        let error = match figure.bar() {
+            Some(error) => Cell::Figure(Number::new(error, MESH_DIGITS)),
+            None => Cell::Care("unresolved".to_string()),
+        };
+        table.row([
+            format!("{}{unit}", figure.what.name()).into(),
+            (&figure.place).into(),
+            Cell::certified(figure.value, Some(figure)),
+            error,
+            off(figure.error.discretisation),
+            off(figure.error.penetration),
+            off(figure.error.increment),
+        ]);
+    }
+    table.note("The error in the unit of the figure, its causes relative to the figure.");
+    table.notes.extend(remarks(&summary.answer.certificate));
+    table
+}
+
+/// Each remark once, with the figures that it is about.
+fn remarks(figures: &[Figure]) -> impl Iterator<Item = String> {
+    let mut remarks: Vec<(&str, Vec<String>)> = Vec::new();
+    for figure in figures {
+        let Some(note) = figure.note else { continue };
+        let name = format!("{} of {}", figure.what.name(), figure.place);
+        match remarks.iter_mut().find(|(known, _)| *known == note) {
+            Some((_, names)) => names.push(name),
+            None => remarks.push((note, vec![name])),
+        }
+    }
+    let lines = remarks.into_iter();
+    lines.map(|(note, names)| format!("{}: {note}", names.join(", ")))
+}

@@ -1,0 +1,23 @@
+//! What the tables of a run say, each once: the terminal and the page write the same ones.
+
+mod bodies;
+mod certificate;
+mod compared;
+mod contact;
+mod load_line;
+mod sizing;
+mod slices;
+mod statics;
+mod steps;
+mod unloaded;
+
+pub use bodies::bodies;
+pub use certificate::certificate;
+pub use compared::compared;
+pub use contact::{contact, lines};
+pub use load_line::load_line;
+pub use sizing::sizing;
+pub use slices::slices;
+pub use statics::{checks, statics};
+pub use steps::steps;
+pub use unloaded::unloaded;

@@ -4,7 +4,6 @@ use super::inputs::AnswerInputs;
 use super::named::Named;
 use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::contact_lines::{ContactLine, contact_lines};
-use crate::answer::results::edges::carrier;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
@@ -141,7 +140,7 @@ fn interface(
         half_width: strip.and_then(|strip| {
             half_width(
                 &scene.mesh,
-                carrier(scene, pair)?,
+                scene.carrier(pair)?,
                 &state.contacts[pair],
                 &strip,
             )

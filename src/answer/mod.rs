@@ -30,7 +30,7 @@ pub use unloaded::{DentFigures, Unloaded};
 
 use crate::ground::geometry::{add, sub};
 use crate::model::state::{Energy, Misfit};
-use certify::{Evidence, Figure, Quantity, certify, figure};
+use certify::{Evidence, Figure, Quantity, certify, figure, unresolved};
 use results::bore::{BoreStress, bore_stress};
 use results::edges::LoadedEdges;
 use results::hertz::HeaviestLine;
@@ -163,6 +163,11 @@ impl Answer {
     /// The figure `what` of a body, an interface or "overall", with its error.
     pub fn figure(&self, what: Quantity, place: &str) -> Option<&Figure> {
         figure(&self.certificate, what, place)
+    }
+
+    /// The figures of which nothing can be said, and that nothing is said in place of.
+    pub fn unresolved(&self) -> Vec<&Figure> {
+        unresolved(&self.certificate)
     }
 }
 

@@ -2,6 +2,7 @@
 
 #[doc(hidden)]
 pub mod converge;
+#[doc(hidden)]
 pub mod deck;
 pub mod job;
 #[doc(hidden)]

@@ -4,7 +4,6 @@ use std::borrow::Cow;
 
 use super::encode::Values;
 use super::grid::{Array, CellType, Grid};
-use crate::answer::results::edges::carrier;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -126,7 +125,7 @@ struct Surfaces {
 
 impl Surfaces {
     fn add(&mut self, scene: &Scene, state: &State, pair: usize) -> Result<(), OutputError> {
-        let surface = carrier(scene, pair).ok_or_else(|| OutputError::NoCarrier {
+        let surface = scene.carrier(pair).ok_or_else(|| OutputError::NoCarrier {
             pair: scene.contacts[pair].name.clone(),
         })?;
         let field = &state.contacts[pair];

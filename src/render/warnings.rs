@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::text::percent;
 use crate::answer::Answer;
 use crate::answer::BodyFigures;
-use crate::answer::certify::{Figure, unresolved};
+use crate::answer::certify::Figure;
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -35,7 +35,7 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
         warn(format!("{}: {text}", names.join(", ")));
     }
-    if let Some(text) = of_unresolved(&unresolved(&answer.certificate)) {
+    if let Some(text) = of_unresolved(&answer.unresolved()) {
         warn(text);
     }
     for (name, roller) in &answer.rollers.0 {

@@ -14,6 +14,7 @@ const RANKS: [&str; 10] = [
 /// Of the rooms below `case`, those that it does not need.
 const NOT_FOR_CASES: [&str; 3] = ["solver", "answer", "render"];
 
+/// Lines that are neither blank nor comments.
 const LONGEST_FILE: usize = 350;
 const MEDIAN_FILE: usize = 110;
 
@@ -79,7 +80,9 @@ fn files_are_small() {
     let mut lengths: BTreeMap<String, usize> = BTreeMap::new();
     for path in imports::sources() {
         let text = fs::read_to_string(&path).unwrap();
-        lengths.insert(path.display().to_string(), text.lines().count());
+        let is_code = |line: &&str| !line.trim().is_empty() && !line.trim().starts_with("//");
+        let code = text.lines().filter(is_code).count();
+        lengths.insert(path.display().to_string(), code);
     }
     let long = lengths.iter().filter(|(_, lines)| **lines > LONGEST_FILE);
     let long: Vec<String> = long

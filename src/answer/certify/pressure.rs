@@ -7,7 +7,7 @@
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use crate::answer::results::contact_lines::StripRow;
-use crate::answer::results::edges::{LoadedEdges, carrier};
+use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::copies;
@@ -161,7 +161,7 @@ impl Contact<'_> {
         let pressures = field.pressure.iter().enumerate();
         let top = pressures.max_by(|a, b| a.1.total_cmp(b.1));
         let (Some((top, pressure)), Some(surface), Ok(compliance)) =
-            (top, carrier(scene, self.pair), scene.compliance(pair))
+            (top, scene.carrier(self.pair), scene.compliance(pair))
         else {
             return 0.0;
         };
@@ -296,7 +296,7 @@ fn largest_mean(row: &StripRow, a: f64) -> f64 {
 
 /// By how much the pressure falls from its peak to the neighbours of that node, in the mean.
 fn fall(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
-    let Some(surface) = carrier(scene, pair) else {
+    let Some(surface) = scene.carrier(pair) else {
         return 1.0;
     };
     let top =
@@ -323,7 +323,7 @@ fn fall(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
 
 /// Area of the nodes in contact next to one that is not, and of those, modelled part.
 fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
-    let Some(surface) = carrier(scene, pair) else {
+    let Some(surface) = scene.carrier(pair) else {
         return 0.0;
     };
     let index = |node: u32| field.nodes.binary_search(&node).ok();

@@ -14,6 +14,7 @@ pub use strip::{Curve, Strip};
 pub use views::View;
 
 use crate::answer::Answer;
+use crate::answer::results::load::upright;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -21,6 +22,8 @@ use crate::model::state::State;
 /// What pictures of a state show.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pictures {
+    /// The axis nearest to the load, which is drawn upright.
+    pub upright: usize,
     pub strips: Vec<Strip>,
     pub views: Vec<View>,
     pub pressures: Vec<PressureMap>,
@@ -34,6 +37,7 @@ impl Pictures {
     pub fn of(scene: &Scene, state: &State, recovered: &Recovered, answer: &Answer) -> Self {
         let strips = strip::strips(scene, state, recovered);
         Self {
+            upright: upright(scene),
             views: views::views((scene, recovered), answer, &strips),
             strips,
             pressures: pressure::pressure_maps(scene, state),

@@ -1,7 +1,6 @@
 //! The pressure on the carrier surface of every interface, seen along the load.
 
 use super::patch::Patch;
-use crate::answer::results::edges::carrier;
 use crate::answer::results::line_load::Slices;
 use crate::answer::results::load::upright;
 use crate::model::scene::Scene;
@@ -37,7 +36,7 @@ fn patches(scene: &Scene, state: &State, pair: usize, drawn: [usize; 2]) -> Opti
     let field = state.contacts.get(pair)?;
     let node = |n: u32| field.nodes.binary_search(&n).ok();
     let mut patches = Vec::new();
-    for face in &carrier(scene, pair)?.faces {
+    for face in &scene.carrier(pair)?.faces {
         let nodes = face.nodes.map(node);
         let sees = |i: &Option<usize>| i.is_some_and(|i| field.gap[i].is_finite());
         if !nodes.iter().any(sees) {

@@ -1,6 +1,5 @@
 //! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
 
-use super::edges::carrier;
 use super::load::direction;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
@@ -174,7 +173,7 @@ struct Rows {
 impl Rows {
     fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
         const FEWEST: usize = 3;
-        carrier(scene, pair)?;
+        scene.carrier(pair)?;
         let across = across(scene, axis)?;
         let field = state.contacts.get(pair)?;
         let nodes = &field.nodes;

@@ -26,12 +26,6 @@ pub struct LoadedEdges {
 /// Of the size of a contact surface.
 const REACH: f64 = 0.02;
 
-/// The surface whose nodes carry the pressure of a pair; `None` where the mesh has none.
-pub fn carrier(scene: &Scene, pair: usize) -> Option<&Surface> {
-    let [carrier, _] = scene.contacts.get(pair)?.carrier_first();
-    carrier.surface(&scene.mesh)
-}
-
 impl LoadedEdges {
     /// Finds the loaded edges of every contact pair; edges on mirror planes, and on flat ends that
     /// are held as by a mirror, are none.
@@ -41,7 +35,7 @@ impl LoadedEdges {
             ..Self::default()
         };
         for (pair, field) in state.contacts.iter().enumerate() {
-            let Some(surface) = carrier(scene, pair) else {
+            let Some(surface) = scene.carrier(pair) else {
                 continue;
             };
             if !(0..field.nodes.len()).any(|i| field.is_active(i)) {

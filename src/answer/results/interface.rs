@@ -1,6 +1,5 @@
 //! Scalars of each contact interface, for the whole bearing.
 
-use super::edges::carrier;
 use super::hex::distance;
 use super::load::{along, copies, whole};
 use crate::ground::geometry::{dot, norm};
@@ -112,7 +111,8 @@ fn face_side(scene: &Scene, pair: usize, field: &ContactField) -> Option<f64> {
             .binary_search(node)
             .is_ok_and(|i| field.is_active(i))
     };
-    let faces = carrier(scene, pair)?
+    let faces = scene
+        .carrier(pair)?
         .faces
         .iter()
         .filter(|face| face.nodes.iter().any(loaded));

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::edges::carrier;
 use super::load::{self, copies};
 use crate::ground::geometry::dot;
 use crate::model::mesh::Surface;
@@ -38,7 +37,7 @@ impl Slices {
     /// or along the longer horizontal side of the more slender of the two surfaces where none of them
     /// is a cylinder along an axis. `None` without such a surface or without extent.
     pub fn equal(scene: &Scene, pair: usize, count: usize) -> Option<Self> {
-        let surface = carrier(scene, pair)?;
+        let surface = scene.carrier(pair)?;
         let axis = roller_axis(scene, pair).unwrap_or_else(|| longest_axis(scene, pair, surface));
         let [low, high] = extent(scene, surface, axis);
         let step = (high - low) / count.max(1) as f64;
@@ -114,7 +113,7 @@ pub fn line_load(scene: &Scene, state: &State, pair: usize, slices: &Slices) -> 
         return None;
     }
     let field = state.contacts.get(pair)?;
-    let tributary = tributaries(scene, carrier(scene, pair)?, axis);
+    let tributary = tributaries(scene, scene.carrier(pair)?, axis);
     let along = load::along(scene, state);
     // A mirror along the axis makes slices of its own, on the other side.
     let mirrored = scene.mirrors.contains(&axis);

@@ -124,6 +124,12 @@ pub fn upright(scene: &Scene) -> usize {
         .unwrap_or(2)
 }
 
+/// That axis, and the sign against the load.
+pub fn upward(scene: &Scene) -> (usize, f64) {
+    let up = upright(scene);
+    (up, -direction(scene)[up].signum())
+}
+
 /// The load that acts on the whole in `state`: the prescribed forces at that moment, and, along axes
 /// without any, the forces that moved planes exert.
 pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {

@@ -1,7 +1,6 @@
 //! The pressure across a strip of contact, at one place along it.
 
 use super::contact_lines::{ContactLine, across};
-use super::edges::carrier;
 use super::quad::area_vector;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
@@ -44,7 +43,7 @@ pub fn strip_profile(
     let nearest = pressing.min_by(|a, b| off(a).total_cmp(&off(b)))?;
     // The node next to node `i` of the row, across a face.
     let beside = |i: usize, up: bool| {
-        let faces = carrier(scene, pair)?.faces.iter();
+        let faces = scene.carrier(pair)?.faces.iter();
         let around = faces.filter(|face| face.nodes.contains(&field.nodes[i]));
         let nodes = around.flat_map(|face| face.nodes);
         let mut places = nodes.filter_map(|n| field.nodes.binary_search(&n).ok());
@@ -138,7 +137,7 @@ fn between(
 /// Unit normal of the carrier at `node`, square to `axis` and to the mirror planes through it.
 fn normal(scene: &Scene, pair: usize, node: u32, axis: usize) -> Option<[f64; 3]> {
     let mut sum = [0.0; 3];
-    let faces = carrier(scene, pair)?.faces.iter();
+    let faces = scene.carrier(pair)?.faces.iter();
     for face in faces.filter(|face| face.nodes.contains(&node)) {
         let vector = area_vector(&face.corners(&scene.mesh));
         for (s, v) in sum.iter_mut().zip(vector) {

@@ -13,7 +13,7 @@ mod unloading;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::ground::geometry::planes_through;
 use crate::model::material::Steel;
-use crate::model::mesh::Mesh;
+use crate::model::mesh::{Mesh, Surface};
 pub use controls::{Controls, ElementKind, SolverKind};
 pub use loads::{PlaneMotion, RigidPlane, Support, Traction, TractionValue};
 pub use pair::{ContactPair, Partner, Side};
@@ -47,6 +47,12 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The surface whose nodes carry the pressure of contact pair `pair`; `None` where the mesh has none.
+    pub fn carrier(&self, pair: usize) -> Option<&Surface> {
+        let [carrier, _] = self.contacts.get(pair)?.carrier_first();
+        carrier.surface(&self.mesh)
+    }
+
     /// Axes whose mirror plane the point `at` of the mesh lies on.
     pub fn mirrors_through(&self, at: &[f64; 3]) -> impl Iterator<Item = usize> {
         planes_through(&self.mirrors, at)

@@ -7,6 +7,7 @@ use super::error::JobError;
 use super::files::forget;
 use super::folder;
 use super::mesh::STRIPS;
+use crate::answer::results::load::upward;
 use crate::answer::results::recovery::recover;
 use crate::case::{Case, Kind};
 use crate::ground::units::UnitLabels;
@@ -44,7 +45,8 @@ impl Files {
                 forget(&self.folder.join(STRIPS))?;
             }
             let name = self.series.name();
-            paraview::write(&self.folder, name, &self.title, &self.units, scene)?;
+            let up = upward(scene);
+            paraview::write(&self.folder, name, &self.title, &self.units, scene, up)?;
         }
         (self.series).write(scene, state, &recover(scene, state))?;
         Ok(())

@@ -1,6 +1,6 @@
 //! The figures of a run that go into the table, by name.
 
-use crate::answer::certify::{Quantity, unresolved};
+use crate::answer::certify::Quantity;
 use crate::answer::{BodyFigures, InterfaceFigures};
 use crate::render::Summary;
 use serde_json::Value;
@@ -36,7 +36,7 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
         error(summary, Quantity::Descent, "overall"),
     );
     overall(summary, &mut out);
-    let unsure = unresolved(&summary.answer.certificate).into_iter();
+    let unsure = summary.answer.unresolved().into_iter();
     let names: Vec<String> = unsure
         .map(|claim| format!("{} of {}", claim.what.name(), claim.place))
         .collect();

@@ -1,7 +1,6 @@
 //! A Python file beside the collection of a run that opens its useful views in ParaView, and draws
 //! them to pictures where it is run by `pvbatch`.
 
-use crate::answer::results::load;
 use crate::ground::file::{FileError, write_atomically};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
@@ -16,7 +15,7 @@ pub fn file_name(name: &str) -> String {
 }
 
 /// Writes `<name>-views.py` into `folder`, for the collection `<name>.pvd` there, and returns its
-/// path. The hyphen keeps Python from taking a case called `numpy` for the module.
+/// path. `(up, sign)` are the axis nearest to the load and the sign against it. The hyphen keeps Python from taking a case called `numpy` for the module.
 ///
 /// # Errors
 /// [`FileError::Write`] names the path.
@@ -26,10 +25,10 @@ pub fn write(
     title: &str,
     units: &UnitLabels,
     scene: &Scene,
+    (up, sign): (usize, f64),
 ) -> Result<PathBuf, FileError> {
     let path = folder.join(file_name(name));
     let here = std::path::absolute(folder).unwrap_or_else(|_| folder.to_path_buf());
-    let (up, sign) = upward(scene);
     let full_load = scene.reported_step() + 1;
     let contact = if scene.contacts.is_empty() {
         "False"
@@ -62,12 +61,6 @@ pub fn write(
         out.write_all(VIEWS.as_bytes())
     })?;
     Ok(path)
-}
-
-/// The axis nearest to the load's, and the sign against it.
-fn upward(scene: &Scene) -> (usize, f64) {
-    let up = load::upright(scene);
-    (up, -load::direction(scene)[up].signum())
 }
 
 /// A text as Python reads it; it reads what JSON does.

@@ -1,6 +1,6 @@
 //! A bearing, solved on one mesh, and what is claimed of it.
 
-use crate::answer::certify::{self, Figure};
+use crate::answer::certify::Figure;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::case::Case;
@@ -125,7 +125,7 @@ fn remove_fields(folder: &Path) {
 /// The claims of a summary. A peak at a loaded edge has no limit, and is none where another stands in
 /// its place.
 fn readings(summary: &Summary) -> Vec<ClaimReading> {
-    let unresolved = certify::unresolved(&summary.answer.certificate);
+    let unresolved = summary.answer.unresolved();
     let counts = |c: &&Figure| c.is_resolved() || unresolved.contains(c);
     let claims = summary.answer.certificate.iter().filter(counts);
     claims.filter_map(reading).collect()

@@ -1,6 +1,5 @@
 //! The view in space: its controls, and the data that the page's scripts draw.
 
-use crate::answer::results::load::upright;
 use crate::ground::file::FileError;
 use crate::render::OutputError;
 use crate::render::report::drawing::colours;
@@ -40,7 +39,7 @@ pub fn space(inputs: &Inputs) -> Result<Space, OutputError> {
     )?;
     let shown = Shown {
         header: &shape.header,
-        up: upright(inputs.scene),
+        up: inputs.pictures.upright,
         colours: colours::table(),
     };
     let header = serde_json::to_string(&shown).map_err(|error| FileError::Write {

@@ -1,7 +1,7 @@
 //! The verdict: may the answer be used, are the sizing rules met, what is used most.
 
 use super::utilisation::{Utilisation, largest, utilisations};
-use crate::answer::certify::{Figure, Quantity, unresolved};
+use crate::answer::certify::{Figure, Quantity};
 use crate::render::figures::{DASH, DIGITS, NOT_RESOLVED, share, with_error};
 use crate::render::report::Inputs;
 use crate::render::report::html::list;
@@ -57,10 +57,7 @@ fn unsure(summary: &Summary) -> Vec<String> {
             .map_or_else(String::new, |note| format!(": {note}"));
         format!("{} of {}{why}", claim.what.name(), claim.place)
     };
-    unresolved(&summary.answer.certificate)
-        .into_iter()
-        .map(said)
-        .collect()
+    summary.answer.unresolved().into_iter().map(said).collect()
 }
 
 /// How good, the first sentence and the others.
@@ -105,7 +102,7 @@ fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
         None => rest.push("Steel is taken as elastic.".to_string()),
     }
     rest.push("The solution has converged, and every check of it is within its limit.".to_string());
-    let unsure = unresolved(&summary.answer.certificate).len();
+    let unsure = summary.answer.unresolved().len();
     if unsure > 0 {
         rest.push(format!(
             "This mesh does not resolve {unsure} of {} certified figures: they are named below.",

@@ -1,7 +1,7 @@
 //! The bearing of section 2.6.2: friction and plasticity.
 
 use super::problem::{NamedFigures, Problem};
-use crate::answer::results::edges::{LoadedEdges, carrier};
+use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::interface::interfaces;
 use crate::answer::results::line_load::{Slices, line_load};
 use crate::answer::results::load::descent;
@@ -69,7 +69,9 @@ fn figures(run: &SolvedScene) -> Result<NamedFigures, VerifyError> {
         middle: Some(0.0),
         ..Strip::across(1 - slices.axis)
     };
-    let surface = carrier(scene, 0).ok_or(VerifyError::Missing("carrier surface"))?;
+    let surface = scene
+        .carrier(0)
+        .ok_or(VerifyError::Missing("carrier surface"))?;
     let width = half_width(&scene.mesh, surface, &state.contacts[0], &strip);
     figures.push((
         "half-width, in",

@@ -7,6 +7,8 @@ use super::study::{Curve, Study};
 use super::table::{memory, order, reference, signed_percent};
 use crate::ground::file::write_atomically;
 use crate::render::plot::write;
+use crate::render::table::Table;
+use crate::render::table::markdown::markdown;
 use crate::render::text::significant;
 use std::path::Path;
 
@@ -41,9 +43,7 @@ pub fn page(study: &Study, peers: &Peers) -> String {
          ## Cost\n\n\
          Building the scene, solving it and reading its quantities, with {} thread{}; the mesh is made\n\
          before. Memory is the largest that the process had resident during the level{}. Unknowns are\n\
-         those that are free: two components a node.\n\n\
-         | level | a/h | element | elements | unknowns | iterations | wall s | CPU s | memory MB |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
+         those that are free: two components a node.\n\n",
         study.threads,
         study.levels.iter().map(|l| l.level + 1).max().unwrap_or(0),
         study.threads,
@@ -54,20 +54,7 @@ pub fn page(study: &Study, peers: &Peers) -> String {
             " (*: since it began)"
         },
     );
-    for l in &study.levels {
-        text.push_str(&format!(
-            "| {} | {:.0} | {} | {} | {} | {} | {:.2} | {:.2} | {} |\n",
-            l.level,
-            2.0 / l.size,
-            l.element,
-            l.elements,
-            l.dofs,
-            l.iterations,
-            l.cost.wall_s,
-            l.cost.cpu_s,
-            memory(l)
-        ));
-    }
+    text.push_str(&markdown(&cost(study)));
     text.push_str(
         "\n## Errors and orders\n\n\
          Errors are relative to the reference. p0 and half-width are measured from Hertz's line contact,\n\
@@ -89,6 +76,26 @@ pub fn page(study: &Study, peers: &Peers) -> String {
     text
 }
 
+fn cost(study: &Study) -> Table {
+    let mut table = Table::new("")
+        .figures(["level", "a/h", "element", "elements", "unknowns"])
+        .figures(["iterations", "wall s", "CPU s", "memory MB"]);
+    for l in &study.levels {
+        table.row([
+            l.level.into(),
+            format!("{:.0}", 2.0 / l.size).into(),
+            l.element.into(),
+            l.elements.into(),
+            l.dofs.into(),
+            l.iterations.into(),
+            format!("{:.2}", l.cost.wall_s).into(),
+            format!("{:.2}", l.cost.cpu_s).into(),
+            memory(l).into(),
+        ]);
+    }
+    table
+}
+
 /// A quantity: what its errors are measured from, and a row a size with all elements side by side.
 fn section(curves: &[&Curve]) -> String {
     let Some(first) = curves.first() else {
@@ -102,30 +109,24 @@ fn section(curves: &[&Curve]) -> String {
     for curve in curves {
         text.push_str(&format!("- {}: {}\n", curve.element, reference(curve)));
     }
-    let head = curves
-        .iter()
-        .map(|c| format!(" {} | error | order |", c.element));
-    text.push_str(&format!(
-        "\n| a/h |{}\n|---|{}\n",
-        head.collect::<String>(),
-        "---|---|---|".repeat(curves.len())
-    ));
-    for (i, size) in first.sizes.iter().enumerate() {
-        let cells = curves.iter().map(|c| {
-            let at = |list: &[Option<f64>]| list.get(i).copied().flatten();
-            format!(
-                " {} | {} | {} |",
-                c.values
-                    .get(i)
-                    .map_or_else(String::new, |v| significant(*v, 6)),
-                signed_percent(at(&c.errors)),
-                order(at(&c.orders))
-            )
-        });
-        let cells: String = cells.collect();
-        text.push_str(&format!("| {:.0} |{cells}\n", 2.0 / size));
+    let mut table = Table::new("").figures(["a/h"]);
+    for curve in curves {
+        table = table.figures([curve.element, "error", "order"]);
     }
-    text
+    for (i, size) in first.sizes.iter().enumerate() {
+        let mut row = vec![format!("{:.0}", 2.0 / size).into()];
+        for curve in curves {
+            let at = |list: &[Option<f64>]| list.get(i).copied().flatten();
+            let value = curve.values.get(i).map(|v| significant(*v, 6));
+            row.extend([
+                value.unwrap_or_default().into(),
+                signed_percent(at(&curve.errors)).into(),
+                order(at(&curve.orders)).into(),
+            ]);
+        }
+        table.row(row);
+    }
+    text + "\n" + &markdown(&table)
 }
 
 fn others(peers: &Peers) -> String {
@@ -133,11 +134,11 @@ fn others(peers: &Peers) -> String {
     for line in &peers.origin {
         text.push_str(&format!("- {line}\n"));
     }
-    text.push_str(
-        "\nMises errors: block / cylinder.\n\n\
-         | program | a/h | unknowns | CPU s | memory MB | p0 | half-width | Mises, integration point | Mises, nodal |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
-    );
+    text.push_str("\nMises errors: block / cylinder.\n\n");
+    let mut table = Table::new("")
+        .figures(["program", "a/h", "unknowns", "CPU s", "memory MB"])
+        .figures(["p0", "half-width"])
+        .figures(["Mises, integration point", "Mises, nodal"]);
     for curve in &peers.curves {
         for row in &curve.rows {
             let e = &row.error_percent;
@@ -146,21 +147,20 @@ fn others(peers: &Peers) -> String {
                 let of = |body: &str| one(&format!("Mises {body}, {place}"));
                 format!("{} / {}", of("block"), of("cylinder"))
             };
-            text.push_str(&format!(
-                "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-                curve.name(),
-                row.a_over_h,
-                row.unknowns,
-                row.cpu_s,
-                row.memory_mb,
-                one("p0"),
-                one("half-width"),
-                two("integration point"),
-                two("nodal")
-            ));
+            table.row([
+                curve.name().into(),
+                row.a_over_h.to_string().into(),
+                row.unknowns.to_string().into(),
+                row.cpu_s.to_string().into(),
+                row.memory_mb.to_string().into(),
+                one("p0").into(),
+                one("half-width").into(),
+                two("integration point").into(),
+                two("nodal").into(),
+            ]);
         }
     }
-    text
+    text + &markdown(&table)
 }
 
 #[cfg(test)]

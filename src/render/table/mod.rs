@@ -4,6 +4,7 @@
 mod cell;
 mod data;
 pub mod html;
+pub mod markdown;
 pub mod text;
 
 pub use cell::{Cell, Number};

@@ -64,13 +64,13 @@ pub fn texts(tables: &[Table]) -> String {
     texts.join("\n")
 }
 
-fn heading(heading: &Heading) -> String {
+pub(super) fn heading(heading: &Heading) -> String {
     format!("{} {}", heading.name, heading.unit)
         .trim()
         .to_string()
 }
 
-fn cell(cell: &Cell) -> String {
+pub(super) fn cell(cell: &Cell) -> String {
     let dash = || DASH.to_string();
     match cell {
         Cell::Text(words) | Cell::Care(words) => words.clone(),

@@ -287,7 +287,7 @@ fn used(all: &[Utilisation], stress: &str) -> Table {
                 ..Number::new(u.value, DIGITS)
             }),
             Cell::figure(u.limit),
-            if u.share() > 1.0 {
+            if u.share() > 1.0 || !u.resolved {
                 Cell::Care(share)
             } else {
                 share.into()

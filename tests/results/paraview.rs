@@ -53,7 +53,15 @@ fn pvbatch_draws_every_view_by_fields_that_exist() {
     series.write(&scene, &state, &recovered).unwrap();
     let units = UnitLabels::new("in", "kip", "ksi");
     let title = "a \"quoted\" case, 4°";
-    let views = paraview::write(folder.path(), series.name(), title, &units, &scene, (2, 1.0)).unwrap();
+    let views = paraview::write(
+        folder.path(),
+        series.name(),
+        title,
+        &units,
+        &scene,
+        (2, 1.0),
+    )
+    .unwrap();
     assert!(views.ends_with("a_case-views.py"));
     // Without a graphics card, small pictures are drawn sooner.
     let text = std::fs::read_to_string(&views).unwrap();

@@ -36,7 +36,8 @@ pub fn figures() -> Figures {
     let a = hertz.half_width;
 
     let (size, fine, thick) = (a / 10.0, 1.5 * a, a);
-    let wide = Grading::new(size, fine, 2.0 * RADIUS, 1.2).nodes(1);
+    // A block of twice the radius would have 1.4 % more stress below the strip than a half space.
+    let wide = Grading::new(size, fine, 8.0 * RADIUS, 1.2).nodes(1);
     let deep = wide.iter().rev().map(|y| -y).collect();
     let roller = Cylinder::quarter("roller", RADIUS, thick).fine(size, fine);
     let scene = SceneBuilder::new("steel on bronze")

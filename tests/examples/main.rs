@@ -69,13 +69,13 @@ fn sphere_on_block() {
     );
 }
 
-/// As [`hertz_line`] at h/a = 1/10; its depth of two radii raises the block's Mises stress by 2 %.
+/// As [`hertz_line`] at h/a = 1/10; a block of eight radii is a half space to within 0.3 %.
 #[test]
 fn two_materials() {
     check(
         "two_materials",
         two_materials::figures(),
-        &[0.005, 0.01, 0.02, 0.03],
+        &[0.005, 0.01, 0.02, 0.01],
     );
 }
 

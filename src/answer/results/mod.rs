@@ -1,7 +1,7 @@
 //! Fields of a solved scene, and the fields and scalars recovered from them.
 //!
-//! Everything here reads a [`Scene`](crate::model::scene::Scene) and a converged [`State`]; nothing here
-//! knows how the state was found or where the figures go.
+//! Everything here reads a [`Scene`](crate::model::scene::Scene) and a converged
+//! [`State`](crate::model::state::State); nothing here knows how the state was found or where the figures go.
 
 pub mod balance;
 pub mod bore;

@@ -1,7 +1,7 @@
 //! Sizing: from load, steel and displacement to a bearing, and whether it stands.
 //!
 //! [`Proposal`] goes through practical diameters by the rules of the reference study ([`Candidate`]);
-//! [`case_file`] writes the chosen one; [`verify`] solves it at the centre and displaced, and holds
+//! `case_file` writes the chosen one; `verify` solves it at the centre and displaced, and holds
 //! every part and every line of contact against its limit ([`DesignVerdict`]).
 
 mod assumption;

@@ -1,6 +1,6 @@
 //! The verification ladder: problems with known answers, and how far off Brinell is.
 //!
-//! [`families`] lists the claims and measures them; [`matrix`] prints them. [`extreme`] and [`random`] ask whether
+//! `families` lists the claims and measures them; [`matrix`] prints them. [`extreme`] and [`random`] ask whether
 //! cases are solved or rightly refused, [`coverage`] whether error bars hold.
 
 mod claim;

@@ -49,7 +49,7 @@ pub fn figures() -> Figures {
     let contact = answer.interface("contact").ok_or("no contact")?;
     let half_width = answer.spread("contact", 0, 0.0).ok_or("no contact")?;
     let below = LineField::below(&hertz, 0.3)?.peak_mises().value;
-    let block = answer.body("block").and_then(|body| body.nodal);
+    let block = answer.body("block").and_then(|body| body.mises_max.nodal);
     Ok(vec![
         (
             "largest pressure, MPa",
@@ -59,7 +59,7 @@ pub fn figures() -> Figures {
         ("half-width, mm", half_width, a),
         (
             "largest Mises stress, block, MPa",
-            block.map_or(0.0, |peak| peak.value),
+            block.unwrap_or(0.0),
             below,
         ),
     ])

@@ -73,8 +73,8 @@ pub fn figures() -> Figures {
     ];
     for (body, poisson, what) in bodies {
         let exact = LineField::below(&hertz, poisson)?.peak_mises().value;
-        let peak = answer.body(body).and_then(|body| body.nodal);
-        figures.push((what, peak.ok_or("no body")?.value, exact));
+        let peak = answer.body(body).and_then(|body| body.mises_max.nodal);
+        figures.push((what, peak.ok_or("no body")?, exact));
     }
     Ok(figures)
 }

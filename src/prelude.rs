@@ -2,10 +2,8 @@
 
 pub use crate::analytic::hertz::LineContact;
 pub use crate::analytic::{Elastic, contact_compliance};
-pub use crate::answer::Solved;
 pub use crate::answer::certify::{Figure, Quantity};
-pub use crate::answer::results::interface::Interface;
-pub use crate::answer::results::peaks::{BodyPeaks, Peak};
+pub use crate::answer::{Answer, BodyFigures, InterfaceFigures, Solved};
 pub use crate::model::builder::{
     Axis, BuildError, Contact, Cylinder, Load, MeshFile, SceneBuilder, Shape,
 };

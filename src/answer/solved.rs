@@ -1,12 +1,13 @@
 //! A scene solved from code, and its answer read by name.
 
 use super::Answer;
+use super::body::BodyFigures;
 use super::certify::{Figure, Quantity};
 use super::inputs::AnswerInputs;
+use super::interface::InterfaceFigures;
 use super::results::edges::LoadedEdges;
 use super::results::ending::ending;
-use super::results::interface::{Interface, interfaces};
-use super::results::peaks::{BodyPeaks, peaks};
+use super::results::peaks::peaks;
 use super::results::recovery::{Recovered, recover};
 use super::results::strip::{Strip, half_width};
 use crate::model::scene::{Partner, Scene};
@@ -27,10 +28,6 @@ pub struct Solved {
     pub solution: Solution,
     /// Stresses at nodes and in elements.
     pub recovered: Recovered,
-    /// Peaks of every body, in the order of the mesh.
-    pub bodies: Vec<BodyPeaks>,
-    /// Scalars of every contact, in the order of the scene.
-    pub interfaces: Vec<Interface>,
     /// Every figure, with its error.
     pub answer: Answer,
 }
@@ -52,12 +49,12 @@ impl Solved {
         let solution = solve(&mut scene, observer)?;
         let ending = ending(&scene, &solution.states, &solution.last);
         let recovered = recover(&scene, ending.reported);
-        let peaks_of = |state: &State, recovered: &Recovered| {
-            peaks(&scene, state, recovered, &LoadedEdges::find(&scene, state))
-        };
         let elastic = solution.elastic.as_ref();
         let elastic = elastic.filter(|state| state.step == ending.reported.step);
-        let elastic = elastic.map(|state| peaks_of(state, &recover(&scene, state)));
+        let elastic = elastic.map(|state| {
+            let edges = LoadedEdges::find(&scene, state);
+            peaks(&scene, state, &recover(&scene, state), &edges)
+        });
         let answer = Answer::gather(&AnswerInputs {
             unloaded: ending.unloaded,
             steps: &solution.states,
@@ -67,8 +64,6 @@ impl Solved {
             ..AnswerInputs::new(&scene, ending.reported, &recovered)
         });
         Ok(Self {
-            bodies: peaks_of(ending.reported, &recovered),
-            interfaces: interfaces(&scene, ending.reported),
             answer,
             recovered,
             scene,
@@ -86,9 +81,9 @@ impl Solved {
         self.solution.states.get(step)
     }
 
-    /// The scalars of the contact called `name`.
-    pub fn interface(&self, name: &str) -> Option<&Interface> {
-        self.interfaces.iter().find(|i| i.name == name)
+    /// The figures of the contact called `name`.
+    pub fn interface(&self, name: &str) -> Option<&InterfaceFigures> {
+        self.answer.interfaces.get(name)
     }
 
     /// Pressure, gap, traction and slip of the contact called `name`, node by node of its carrier.
@@ -97,9 +92,9 @@ impl Solved {
         self.state().contacts.get(pair)
     }
 
-    /// The peaks of the body called `name`.
-    pub fn body(&self, name: &str) -> Option<&BodyPeaks> {
-        self.bodies.iter().find(|b| b.name == name)
+    /// The figures of the body called `name`.
+    pub fn body(&self, name: &str) -> Option<&BodyFigures> {
+        self.answer.bodies.get(name)
     }
 
     /// A figure and its error, of a body or contact called `place`, or of the scene, which is called "overall".

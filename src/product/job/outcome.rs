@@ -1,7 +1,6 @@
 //! What a job has found.
 
 use super::limits;
-use crate::answer::Answer;
 use crate::answer::results::ending::ending;
 use crate::case::Case;
 use crate::model::scene::Scene;
@@ -26,11 +25,6 @@ impl Outcome {
     /// Limits that the answer misses, in words.
     pub fn missed_limits(&self, case: &Case) -> Vec<String> {
         limits::missed(case, &self.summary.answer.checks)
-    }
-
-    /// Every figure, with its error.
-    pub fn answer(&self) -> &Answer {
-        &self.summary.answer
     }
 
     /// The state that the figures are of.

@@ -54,3 +54,23 @@ pub struct LimitCheck {
     pub standing: Standing,
     pub remark: Option<String>,
 }
+
+impl LimitCheck {
+    /// Of which nothing but its kind and place is known yet.
+    pub fn bare(kind: LimitKind, place: &str) -> Self {
+        Self {
+            kind,
+            place: place.to_string(),
+            across: None,
+            line_load: None,
+            along: None,
+            value: None,
+            error: None,
+            at_edge: false,
+            limit: None,
+            utilisation: None,
+            standing: Standing::NotJudged,
+            remark: None,
+        }
+    }
+}

@@ -27,23 +27,6 @@ fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s
     kinds.iter().find_map(of)
 }
 
-fn bare(kind: LimitKind, body: &str) -> LimitCheck {
-    LimitCheck {
-        kind,
-        place: body.to_string(),
-        across: None,
-        line_load: None,
-        along: None,
-        value: None,
-        error: None,
-        at_edge: false,
-        limit: None,
-        utilisation: None,
-        standing: Standing::NotJudged,
-        remark: None,
-    }
-}
-
 /// The peak of the elastic solution, away from loaded edges where it lies at one.
 fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitCheck {
     use Quantity::{ElasticMisesAway, ElasticPeakMises, MisesAway, PeakMises};
@@ -55,7 +38,7 @@ fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitChec
     };
     let mut check = LimitCheck {
         limit: Some(limit),
-        ..bare(LimitKind::ElasticMises, body)
+        ..LimitCheck::bare(LimitKind::ElasticMises, body)
     };
     let Some(judged) = first(summary, body, &[away, peak]) else {
         check.standing = Standing::Missed;
@@ -111,7 +94,7 @@ fn strains(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> Vec<Lim
                 percent(flow.mean_mises / limit)
             )
         }),
-        ..bare(LimitKind::PlasticStrain, body)
+        ..LimitCheck::bare(LimitKind::PlasticStrain, body)
     }];
     if flow.at_edges > 0.0 {
         checks.push(LimitCheck {
@@ -122,7 +105,7 @@ fn strains(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> Vec<Lim
                  there, so a little flow and a dent are found on any mesh that is fine enough"
                     .to_string(),
             ),
-            ..bare(LimitKind::EdgePlasticStrain, body)
+            ..LimitCheck::bare(LimitKind::EdgePlasticStrain, body)
         });
     }
     checks

@@ -30,18 +30,9 @@ impl Placed {
         checks.extend(part::checks(proposal, outcome));
         let missed = outcome.missed_limits(case).into_iter();
         checks.extend(missed.map(|remark| LimitCheck {
-            kind: LimitKind::Solution,
-            place: "overall".to_string(),
-            across: None,
-            line_load: None,
-            along: None,
-            value: None,
-            error: None,
-            at_edge: false,
-            limit: None,
-            utilisation: None,
             standing: Standing::Missed,
             remark: Some(remark),
+            ..LimitCheck::bare(LimitKind::Solution, "overall")
         }));
         Self {
             position: position.name(),

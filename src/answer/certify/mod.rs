@@ -68,16 +68,17 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let flowing = mises::claims(peaks, evidence.elastic, &Strip::all(scene, evidence.lines));
     claims.extend(other::bores(evidence.bores));
     for (pair, interface) in interfaces.iter().enumerate() {
+        let line = evidence.lines.get(pair).and_then(Option::as_ref);
         let contact = Contact {
             scene,
             state,
             pair,
             interface,
-            line: evidence.lines.get(pair).and_then(Option::as_ref),
+            line,
             edges: evidence.edges,
         };
         claims.extend(contact.claims());
-        claims.extend(other::horizontal_force(scene, interface));
+        claims.extend(other::horizontal_force(scene, interface, line));
     }
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);

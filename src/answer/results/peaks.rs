@@ -36,6 +36,17 @@ pub struct Peak {
     pub at: [f64; 3],
 }
 
+/// Two readings of a largest Mises stress, and how far elements differ there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MisesPeaks {
+    /// Mises stress of the nodal average.
+    pub nodal: Peak,
+    /// Mises stress of the mean stress tensor of an element.
+    pub centroid: Peak,
+    /// As [`BodyPeaks::jump`].
+    pub jump: f64,
+}
+
 /// The peaks of one body; `None` for a body without elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyPeaks {
@@ -47,9 +58,12 @@ pub struct BodyPeaks {
     pub integration_point: Option<Peak>,
     /// Mises stress of the nodal average.
     pub nodal: Option<Peak>,
-    /// Where the nodal peak lies beside a loaded edge, or a larger one may be hidden there: that and the centroid
-    /// peak of what does not.
-    pub away: Option<[Peak; 2]>,
+    /// By how much the largest Mises stress that an element extrapolates to the node of that exceeds the average
+    /// there; zero where only one element meets there.
+    pub jump: f64,
+    /// Where the nodal peak lies beside a loaded edge, or a larger one may be hidden there: the peaks of what does
+    /// not.
+    pub away: Option<MisesPeaks>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
     /// Mean of the equivalent plastic strain in the element that holds the largest.
@@ -69,6 +83,22 @@ fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f
         }
     }
     best
+}
+
+/// [`BodyPeaks::jump`] of a nodal peak of `body`.
+fn jump(body: &Body, state: &State, recovered: &Recovered, rule: &GaussRule, peak: &Peak) -> f64 {
+    let Place::Node(node) = peak.place else {
+        return 0.0;
+    };
+    let is_at_node = |point: &u32| recovered.points.node[*point as usize] as usize == node;
+    let extrapolated = |element: usize| {
+        let corner = recovered.points.cells[element]
+            .iter()
+            .position(is_at_node)?;
+        Some(mises(&rule.extrapolate(&state.stress[element])[corner]))
+    };
+    let around = body.elements.clone().filter_map(extrapolated);
+    (around.fold(0.0, f64::max) - peak.value).max(0.0)
 }
 
 /// Finds the peaks of every body, in the order of the mesh.
@@ -104,12 +134,17 @@ pub fn peaks(
     };
     let body_peaks = |(index, body): (usize, &Body)| {
         let nodal = nodal[index];
+        let jump = |peak: &Peak| jump(body, state, recovered, &rule, peak);
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
         let centroid = centroid_peak(body, &|_| true);
-        let away = away[index]
-            .filter(|_| at_edge[index])
-            .and_then(|nodal| Some([nodal, centroid_peak(body, &far)?]));
+        let away = away[index].filter(|_| at_edge[index]).and_then(|nodal| {
+            Some(MisesPeaks {
+                nodal,
+                centroid: centroid_peak(body, &far)?,
+                jump: jump(&nodal),
+            })
+        });
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
             let values = state.stress[element].iter().map(mises).enumerate();
             let (point, value) = first_largest(values)?;
@@ -135,6 +170,7 @@ pub fn peaks(
             centroid,
             integration_point,
             nodal,
+            jump: nodal.as_ref().map_or(0.0, jump),
             away,
             peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
             peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),

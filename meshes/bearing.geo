@@ -431,10 +431,18 @@ For Direction In {0 : 1}
   EndIf
 EndFor
 
-sp_at[] = {0, MiddleThickness};
-sp_size[] = {PlateSize, PlateSize};
-sp_fine[] = {FineLayers, FineLayers};
-sp_least[] = {DepthLeast};
+// A layer of nodes half-way: turned by half about x = y it is its own image.
+If (Uniform)
+  sp_at[] = {0, MiddleThickness};
+  sp_size[] = {sp_any, sp_any};
+  sp_fine[] = {1, 1};
+  sp_least[] = {DepthLeast};
+Else
+  sp_at[] = {0, MiddleThickness / 2, MiddleThickness};
+  sp_size[] = {PlateSize, sp_any, PlateSize};
+  sp_fine[] = {FineLayers, 1, FineLayers};
+  sp_least[] = {Ceil(DepthLeast / 2), Ceil(DepthLeast / 2)};
+EndIf
 sp_cap = DepthCap;
 sp_growth = DepthGrowth;
 Call Spacing;

@@ -61,6 +61,7 @@ impl Model {
             tractions: values(&loads.tractions),
             steps: loads.steps.clone(),
             mirrors: self.mirrors.clone(),
+            half_turn: Vec::new(),
             controls: self.controls,
             mesh,
         })

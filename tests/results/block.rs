@@ -138,6 +138,7 @@ pub fn stack() -> Scene {
             factors: vec![],
         }],
         mirrors: vec![0, 1],
+        half_turn: Vec::new(),
         controls: Controls::default(),
     }
 }

@@ -25,6 +25,7 @@ fn scene(mesh: Mesh, steel: Steel) -> Scene {
             factors: Vec::new(),
         }],
         mirrors: Vec::new(),
+        half_turn: Vec::new(),
         controls: Controls::default(),
     }
 }

@@ -6,6 +6,7 @@ mod blocks;
 mod centre;
 mod dents;
 mod divided;
+mod half_turn;
 mod invariance;
 mod left_out;
 mod reaction;

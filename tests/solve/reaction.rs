@@ -53,6 +53,7 @@ fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 
             factors: Vec::new(),
         }],
         mirrors: Vec::new(),
+        half_turn: Vec::new(),
         controls: Controls {
             element,
             ..Controls::default()

@@ -187,11 +187,19 @@ impl Count<'_> {
         let (geometry, sizes) = (self.geometry, self.sizes);
         let thickness = geometry.intermediate_thickness;
         let face = |at| (at, Some(sizes.plate_size), sizes.fine_layers);
-        let depth = self.grading(sizes.depth_growth, sizes.depth_cap, sizes.depth_least);
+        let least = match sizes.uniform {
+            true => sizes.depth_least,
+            false => (sizes.depth_least / 2.0).ceil(),
+        };
+        let depth = self.grading(sizes.depth_growth, sizes.depth_cap, least);
+        let through = match sizes.uniform {
+            true => vec![face(0.0), face(thickness)],
+            false => vec![face(0.0), (0.5 * thickness, None, 1.0), face(thickness)],
+        };
         let grading = self.grading(sizes.growth, sizes.middle_cap, 1.0);
         let in_plan = |plan: f64| self.halved(&grading, &self.across_plate(0.5 * plan));
         let [x, y] = geometry.plan.map(in_plan);
-        x * y * depth.elements(&[face(0.0), face(thickness)])
+        x * y * depth.elements(&through)
     }
 
     /// From edge to edge of the intermediate plate, over the V line (of a centred bearing, either of them).

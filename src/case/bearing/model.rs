@@ -28,7 +28,10 @@ impl BearingCase {
             contacts: self.contacts(&place),
             loads: self.loads(&place),
             mirrors: self.mirrors(),
-            controls,
+            controls: Controls {
+                half_turn: controls.half_turn && !self.mesh.full,
+                ..controls
+            },
         }
     }
 

@@ -160,22 +160,19 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         Ok(offset)
     }
 
-    /// Is the whole of the bearing modelled?
+    /// Is no use made of symmetry?
     pub fn full(&mut self, geometry: &BearingGeometry) -> Result<bool, CaseError> {
-        let displaced = !geometry.is_centred();
-        let asked = self.flag("full")?;
-        if let Some(asked) = asked.as_ref().filter(|asked| !asked.value && displaced) {
-            let why = "a bearing with displaced rollers has no planes of symmetry";
-            return Err(asked.place.error(ErrorKind::Conflict, why));
-        }
-        let full = displaced || asked.is_some_and(|asked| asked.value);
-        let (text, why) = if full {
-            ("the whole bearing", "no use is made of symmetry")
-        } else {
-            (
+        let full = self.flag("full")?.is_some_and(|asked| asked.value);
+        let (text, why) = match (full, geometry.is_centred()) {
+            (true, _) => ("the whole bearing", "no use is made of symmetry"),
+            (false, true) => (
                 "a quarter",
                 "a centred bearing is symmetric about x = 0 and y = 0",
-            )
+            ),
+            (false, false) => (
+                "the whole bearing",
+                "displaced rollers have no planes of symmetry",
+            ),
         };
         self.note("full", text, why);
         Ok(full)

@@ -68,8 +68,9 @@ pub const BEARING: Keys = Keys {
         key(
             "full",
             "true or false",
-            "false; true where displaced",
-            "model the whole of a centred bearing in place of a quarter",
+            "false",
+            "make no use of symmetry: neither of the mirror planes of a centred bearing nor of the half turn that makes \
+             upper and lower half alike",
         ),
         key(
             "unload",

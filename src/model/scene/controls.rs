@@ -24,6 +24,8 @@ pub struct Controls {
     pub element: ElementKind,
     /// How linear systems are solved.
     pub solver: SolverKind,
+    /// Solve one half of a scene that is its own image under a half turn?
+    pub half_turn: bool,
     /// Times the initial gap up to which contact is integrated at first. The answer does not depend on
     /// it, as contact is found wherever bodies meet: that is what it is there to prove.
     pub contact_reach: f64,
@@ -66,6 +68,7 @@ impl Default for Controls {
             plasticity: true,
             element: ElementKind::default(),
             solver: SolverKind::default(),
+            half_turn: true,
             contact_reach: 1.0,
         }
     }

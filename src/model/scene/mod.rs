@@ -42,6 +42,9 @@ pub struct Scene {
     pub steps: Vec<Step>,
     /// Axes (0, 1, 2) that the model is mirrored along: `[0, 1]` is a quarter model.
     pub mirrors: Vec<usize>,
+    /// Nodes of a cut that is its own image under a [half turn](crate::model::half_turn), and the image of each: the same
+    /// node on the axis. Empty where there is no such cut.
+    pub half_turn: Vec<[u32; 2]>,
     /// Tolerances and choices of the solver.
     pub controls: Controls,
 }

@@ -6,17 +6,18 @@ use crate::ground::geometry::AXES;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::scene::Scene;
 use crate::render::left_out::LeftOut;
-use crate::solver::solve::{Counters, Solution};
+use crate::solver::solve::{Counters, Forecast, Solution};
 
 /// One entry for each thing left out.
 pub fn list(case: &Case, scene: &Scene, solution: &Solution, options: &Options) -> Vec<LeftOut> {
     let counters = &solution.counters;
     let single = [
         symmetry(scene, counters, whole(case)),
-        yield_checks(scene, counters),
+        half_turn(scene, counters, solution.half_turn),
+        yield_checks(scene, solution),
         path(scene),
         condensation(counters),
-        integration(scene, counters),
+        integration(scene, solution),
         rows(solution),
     ];
     let mut list: Vec<LeftOut> = elastic(scene, counters);
@@ -27,14 +28,15 @@ pub fn list(case: &Case, scene: &Scene, solution: &Solution, options: &Options) 
 }
 
 /// What is known of it before anything is solved.
-pub fn beforehand(case: &Case, scene: &Scene, unknowns: usize) -> Vec<String> {
+pub fn beforehand(case: &Case, scene: &Scene, forecast: &Forecast) -> Vec<String> {
     let counters = Counters {
-        equations: unknowns,
+        equations: forecast.unknowns,
         ..Counters::default()
     };
     let mut list = elastic(scene, &counters);
     list.extend(frictionless(scene, &counters));
     list.extend(symmetry(scene, &counters, whole(case)));
+    list.extend(half_turn(scene, &counters, forecast.half_turn));
     list.extend(path(scene));
     list.into_iter().map(|item| item.what).collect()
 }
@@ -69,6 +71,15 @@ fn symmetry(scene: &Scene, counters: &Counters, whole: &str) -> Option<LeftOut> 
     )
 }
 
+/// What is the image of the rest under a half turn.
+fn half_turn(scene: &Scene, counters: &Counters, used: bool) -> Option<LeftOut> {
+    used.then(|| {
+        LeftOut::new("its own image under a half turn about x = y: one half is solved")
+            .saving(scene.mesh.hexes.len() / 2, "elements")
+            .saving_about(counters.equations, "unknowns")
+    })
+}
+
 /// Bodies that cannot yield.
 fn elastic(scene: &Scene, counters: &Counters) -> Vec<LeftOut> {
     let steels = scene.mesh.bodies.iter().zip(&scene.materials);
@@ -87,13 +98,20 @@ fn elastic(scene: &Scene, counters: &Counters) -> Vec<LeftOut> {
         .collect()
 }
 
+/// How many of so many are in the part that was solved.
+fn solved(all: usize, solution: &Solution) -> usize {
+    if solution.half_turn { all / 2 } else { all }
+}
+
 /// Elements that could yield, but stay far from it.
-fn yield_checks(scene: &Scene, counters: &Counters) -> Option<LeftOut> {
+fn yield_checks(scene: &Scene, solution: &Solution) -> Option<LeftOut> {
+    let counters = &solution.counters;
     let steels = scene.mesh.bodies.iter().zip(&scene.materials);
     let elements: usize = steels
         .filter(|(_, steel)| !steel.is_elastic() && scene.controls.plasticity)
         .map(|(body, _)| body.elements.len())
         .sum();
+    let elements = solved(elements, solution);
     let checked = counters.watched_elements;
     (checked < elements).then(|| {
         let all = 8 * elements * counters.evaluations;
@@ -158,8 +176,9 @@ fn condensation(counters: &Counters) -> Option<LeftOut> {
 }
 
 /// Elements that are not integrated again for a tangent.
-fn integration(scene: &Scene, counters: &Counters) -> Option<LeftOut> {
-    let elements = scene.mesh.hexes.len();
+fn integration(scene: &Scene, solution: &Solution) -> Option<LeftOut> {
+    let counters = &solution.counters;
+    let elements = solved(scene.mesh.hexes.len(), solution);
     let all = elements * counters.linear_solves;
     let done = counters.element_tangents + elements * counters.preparations;
     (done < all).then(|| {
@@ -175,6 +194,7 @@ fn integration(scene: &Scene, counters: &Counters) -> Option<LeftOut> {
 fn rows(solution: &Solution) -> Option<LeftOut> {
     let counters = &solution.counters;
     let carriers: usize = solution.last.contacts.iter().map(|c| c.nodes.len()).sum();
+    let carriers = solved(carriers, solution);
     let rows = counters.contact_rows;
     let all = carriers * counters.evaluations;
     (rows < carriers).then(|| {

@@ -21,6 +21,9 @@ pub struct DofMap {
     /// Prescribed components: node, axis, displacement at factor one, and what
     /// prescribes it (a [`Source`]).
     pub prescribed: Vec<Prescribed>,
+    /// Is the node the image of another under the half turn? It has the other's equations, x and y exchanged, and moves
+    /// along z the other way. Empty where there is no half turn.
+    pub turned: Vec<bool>,
 }
 
 /// A displacement component whose value is given.
@@ -123,12 +126,15 @@ impl DofMap {
             vertex_start: vec![0],
             planes: vec![[None; 3]; scene.rigid_planes.len()],
             prescribed: Vec::new(),
+            turned: Vec::new(),
         };
+        let cut = Cut::new(scene, owner);
         let mut next = 0u32;
         for (node, axes) in owner.iter().enumerate() {
             let before = next;
             for (axis, owner) in axes.iter().enumerate() {
                 match *owner {
+                    None if cut.decides(node, axis) => {}
                     None => {
                         map.equations[node][axis] = next;
                         next += 1;
@@ -141,6 +147,9 @@ impl DofMap {
                     }),
                     Some(Owner::Driven(_)) => {}
                 }
+            }
+            if cut.on_axis(node) {
+                map.equations[node][1] = map.equations[node][0];
             }
             if next > before {
                 map.vertex_start.push(next);
@@ -158,7 +167,26 @@ impl DofMap {
                 }
             }
         }
+        for [node, image] in scene.half_turn.iter().filter(|[a, b]| a != b) {
+            let [x, y, z] = map.equations[*node as usize];
+            map.equations[*image as usize] = [y, x, z];
+        }
+        map.turned = cut.turned;
         map
+    }
+
+    /// 1, or −1 where the component moves against its equation.
+    fn sign(&self, node: usize, axis: usize) -> f64 {
+        match axis == 2 && self.turned.get(node).is_some_and(|turned| *turned) {
+            true => -1.0,
+            false => 1.0,
+        }
+    }
+
+    /// The [sign](Self::sign) of each of an element's 24 components.
+    pub fn signs_of_element(&self, mesh: &Mesh, element: usize) -> [f64; 24] {
+        let nodes = mesh.hexes[element];
+        std::array::from_fn(|k| self.sign(nodes[k / 3] as usize, k % 3))
     }
 
     /// Vertex of each equation.
@@ -189,10 +217,10 @@ impl DofMap {
     /// Sums nodal vectors into a vector of equations; what acts on fixed components is dropped.
     pub fn gather(&self, nodal: &[[f64; 3]]) -> Vec<f64> {
         let mut out = vec![0.0; self.len()];
-        for (equations, values) in self.equations.iter().zip(nodal) {
-            for (equation, value) in equations.iter().zip(values) {
+        for (node, (equations, values)) in self.equations.iter().zip(nodal).enumerate() {
+            for (axis, (equation, value)) in equations.iter().zip(values).enumerate() {
                 if *equation != FIXED {
-                    out[*equation as usize] += value;
+                    out[*equation as usize] += self.sign(node, axis) * value;
                 }
             }
         }
@@ -201,12 +229,59 @@ impl DofMap {
 
     /// Adds `factor` times the solution `x` to the nodal displacements.
     pub fn scatter_add(&self, x: &[f64], factor: f64, nodal: &mut [[f64; 3]]) {
-        for (equations, values) in self.equations.iter().zip(nodal) {
-            for (equation, value) in equations.iter().zip(values) {
+        for (node, (equations, values)) in self.equations.iter().zip(nodal).enumerate() {
+            for (axis, (equation, value)) in equations.iter().zip(values).enumerate() {
                 if *equation != FIXED {
-                    *value += factor * x[*equation as usize];
+                    *value += factor * self.sign(node, axis) * x[*equation as usize];
                 }
             }
+        }
+    }
+}
+
+/// What the half turn does to the components of the nodes of its cut.
+struct Cut {
+    /// Image of each node of the cut that has equations of its own; [`FIXED`] of all other nodes.
+    image: Vec<u32>,
+    /// Is the node such an image?
+    turned: Vec<bool>,
+    /// Components of the nodes of the cut that supports hold, on either side.
+    held: Vec<[bool; 3]>,
+}
+
+impl Cut {
+    fn new(scene: &Scene, owner: &[[Option<Owner>; 3]]) -> Self {
+        let nodes = if scene.half_turn.is_empty() {
+            0
+        } else {
+            owner.len()
+        };
+        let mut cut = Self {
+            image: vec![FIXED; nodes],
+            turned: vec![false; nodes],
+            held: vec![[false; 3]; nodes],
+        };
+        for [node, image] in scene.half_turn.iter().map(|pair| pair.map(|n| n as usize)) {
+            cut.image[node] = image as u32;
+            cut.turned[image] = node != image;
+            let [own, other] = [node, image].map(|n| owner[n].map(|o| o.is_some()));
+            cut.held[node] = [own[0] || other[1], own[1] || other[0], own[2] || other[2]];
+        }
+        cut
+    }
+
+    fn on_axis(&self, node: usize) -> bool {
+        self.image
+            .get(node)
+            .is_some_and(|image| *image as usize == node)
+    }
+
+    /// Has the component no equation of its own, as the half turn holds it or its image has one?
+    fn decides(&self, node: usize, axis: usize) -> bool {
+        match self.turned.get(node) {
+            Some(true) => true,
+            Some(false) => self.held[node][axis] || (self.on_axis(node) && axis > 0),
+            None => false,
         }
     }
 }

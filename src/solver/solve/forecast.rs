@@ -1,6 +1,7 @@
 //! What solving a scene will take, reckoned without solving it.
 
 use crate::ground::geometry::Vec3;
+use crate::model::half_turn::HalfTurn;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::DofMap;
 use crate::solver::solve::checkpoint::expected::Expected;
@@ -22,6 +23,8 @@ use crate::solver::solve::start::nearest_row::nearest_row;
 pub struct Forecast {
     /// Unknowns in all.
     pub unknowns: usize,
+    /// Is it its own image under a half turn, so that one half is solved?
+    pub half_turn: bool,
     /// Unknowns that contact acts on, which iterations cannot do without.
     pub kept: usize,
     /// Will it be divided, and not factored as a whole?
@@ -77,10 +80,7 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
     } else {
         least(scene)
     };
-    let dofs = DofMap::new(scene)?;
-    if dofs.is_empty() {
-        return Err(SolveError::NothingFree);
-    }
+    let half_turn = HalfTurn::of(scene).ok();
     let expected = Expected::at_start(scene);
     let (rows, spare) = expected.split(contact_rows(scene, expected.reach));
     let of = |rows: &[ContactRow], pair: usize| rows.iter().filter(|r| r.pair == pair).count();
@@ -94,27 +94,39 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
         within_reach: of(&rows, index) + of(&spare, index),
     });
     let pairs = pairs.collect();
-    let size = Size::new(
-        scene,
-        &dofs,
-        &needed(scene, &dofs, &rows, &[]),
-        (&[], false),
-    );
+    let (unknowns, size) = match &half_turn {
+        Some(half_turn) => {
+            let rows = contact_rows(&half_turn.half, expected.reach);
+            size(&half_turn.half, &expected.split(rows).0)?
+        }
+        None => size(scene, &rows)?,
+    };
     let can_yield = (0..scene.mesh.hexes.len() as u32).filter(|e| can_yield(scene, *e));
     let can_yield = can_yield.count();
     let iterations = iterations(scene, can_yield > 0);
     Ok(Forecast {
-        unknowns: dofs.len(),
+        unknowns,
+        half_turn: half_turn.is_some(),
         kept: size.kept as usize,
         divided: size.divided,
         memory: size.memory,
         iterations,
-        processor_s: processor_seconds(dofs.len(), iterations),
+        processor_s: processor_seconds(unknowns, iterations),
         can_yield,
         pairs,
         closings,
         free: free_motions(scene, &rows),
     })
+}
+
+/// Unknowns of a scene whose bodies touch, and what its model takes, contact being likely to close at `rows`.
+fn size(scene: &Scene, rows: &[ContactRow]) -> Result<(usize, Size), SolveError> {
+    let dofs = DofMap::new(scene)?;
+    if dofs.is_empty() {
+        return Err(SolveError::NothingFree);
+    }
+    let needed = needed(scene, &dofs, rows, &[]);
+    Ok((dofs.len(), Size::new(scene, &dofs, &needed, (&[], false))))
 }
 
 /// About how many Newton iterations the steps take: a few where nothing depends on the path, eight an

@@ -22,6 +22,7 @@
 //! | `recovery/` | a solution in the terms of the scene |
 //! | `working_set/` | what happened beyond what the model was prepared for |
 //! | `increments/` | steps, cut-back, a second solution, going on |
+//! | `unfolding` | half-turn symmetry: one half solved, the whole told |
 //! | `forecast`, `spring_back` | what needs no increments |
 
 mod checkpoint;
@@ -42,6 +43,7 @@ mod rows;
 mod spring_back;
 mod start;
 mod statics;
+mod unfolding;
 mod working_set;
 
 pub use checkpoint::counters::Counters;

@@ -1,6 +1,7 @@
 //! What stays of a displacement when all loads and contact forces are taken off.
 
 use crate::ground::geometry::sub;
+use crate::model::half_turn::HalfTurn;
 use crate::model::material::Elastic;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::scene::Scene;
@@ -32,6 +33,17 @@ use rayon::prelude::*;
 /// # Errors
 /// [`SolveError`] where memory runs out or the linear system resists.
 pub fn spring_back(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveError> {
+    let Ok(half_turn) = HalfTurn::of(scene) else {
+        return spring_back_of(scene, state);
+    };
+    let half = spring_back_of(&half_turn.half, &half_turn.fold(state))?;
+    let top = scene.rigid_planes.first().map(|plane| &plane.surface);
+    let node = top.and_then(|top| half_turn.half.mesh.surface(top)?.faces.first());
+    let travel = node.map_or(0.0, |face| half[face.nodes[0] as usize][2]);
+    Ok(half_turn.unfold_displacement(&half, travel))
+}
+
+fn spring_back_of(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveError> {
     let mut stays = vec![[0.0; 3]; scene.mesh.points.len()];
     let yielded = |points: &[f64; 8]| points.iter().any(|p| *p > 0.0);
     let flow: Vec<u32> = (0..)

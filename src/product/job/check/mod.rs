@@ -60,7 +60,7 @@ pub fn check(case: &Case, say: &mut dyn FnMut(&str)) -> Result<Check, JobError> 
         cost: cost(&scene, &forecast, machine.threads),
         machine,
         needs: needs(&scene, &forecast),
-        left_out: left_out::beforehand(case, &scene, forecast.unknowns),
+        left_out: left_out::beforehand(case, &scene, &forecast),
         assumptions: assumptions(case),
         limits: limits::all(case),
         warnings: Vec::new(),

@@ -20,6 +20,7 @@ pub fn scene(name: &str, mesh: Mesh, steel: Steel) -> Scene {
         tractions: Vec::new(),
         steps: vec![step("load", 1.0)],
         mirrors: Vec::new(),
+        half_turn: Vec::new(),
         controls: Controls::default(),
     }
 }

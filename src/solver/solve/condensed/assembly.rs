@@ -48,7 +48,10 @@ pub fn assemble_elastic(
                 FIXED => FIXED,
                 _ => number(e),
             });
-            pattern.add_block(&mut matrix, &equations, |i, j| block[i][j]);
+            let sign = plan.dofs.signs_of_element(mesh, *element as usize);
+            pattern.add_block(&mut matrix, &equations, |i, j| {
+                sign[i] * sign[j] * block[i][j]
+            });
         }
     }
     matrix

@@ -124,6 +124,7 @@ impl CondensedBodies {
             vertex_start: self.vertex_start.clone(),
             planes: dofs.planes.clone(),
             prescribed: dofs.prescribed.clone(),
+            turned: dofs.turned.clone(),
         }
     }
 

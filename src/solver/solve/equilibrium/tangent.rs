@@ -25,12 +25,15 @@ impl Model<'_> {
                 let body = self.scene.mesh.body_of(element as usize);
                 let shape = self.element(element);
                 let change = Box::new(shape.tangent_change(&self.elastic[body], &answer.flows));
-                (self.element_equations(element), change)
+                (element, change)
             })
             .collect();
-        for (equations, change) in changes {
-            self.pattern
-                .add_block(&mut matrix, &equations, |i, j| change[i][j]);
+        for (element, change) in changes {
+            let equations = self.element_equations(element);
+            let sign = (self.dofs).signs_of_element(&self.scene.mesh, element as usize);
+            self.pattern.add_block(&mut matrix, &equations, |i, j| {
+                sign[i] * sign[j] * change[i][j]
+            });
         }
         for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
             if answer.tangent[0][0] != 0.0 {

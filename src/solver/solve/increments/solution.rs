@@ -25,6 +25,8 @@ pub struct Solution {
     pub untouched: Vec<String>,
     /// Were all steps finished, or all but the taking off of the load?
     pub complete: bool,
+    /// Was one half of it solved, as it is its own image under a half turn?
+    pub half_turn: bool,
     /// Why the load was not taken off to the end, in words, where all steps before were finished.
     pub stuck: Option<String>,
     /// Why it took many iterations, in words, where it did.

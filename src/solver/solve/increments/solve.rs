@@ -1,5 +1,6 @@
 //! Solving a scene from its start, or from a checkpoint on.
 
+use crate::model::half_turn::HalfTurn;
 use crate::model::scene::Scene;
 use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::checkpoint::restart::Restart;
@@ -10,8 +11,9 @@ use crate::solver::solve::increments::solution::{Solution, Unfinished};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::observer::Observer;
 use crate::solver::solve::rows::contact_rows::{contact_rows, sights};
-use crate::solver::solve::start::close_gaps::touch;
+use crate::solver::solve::start::close_gaps::{Closing, touch};
 use crate::solver::solve::start::extent::extent;
+use crate::solver::solve::unfolding::Unfolding;
 
 /// Solves `scene`, telling `observer` of every iteration and increment.
 ///
@@ -35,7 +37,6 @@ pub fn resume(
     restart: Option<&Restart>,
     observer: &mut dyn Observer,
 ) -> Result<Solution, Unfinished> {
-    restart.map_or(Ok(()), |restart| restart.check(scene))?;
     let closings = touch(scene);
     for c in &closings {
         let s = c.shift;
@@ -45,6 +46,34 @@ pub fn resume(
         ));
     }
     observer.moved(scene);
+    match HalfTurn::of(scene) {
+        Ok(half_turn) => {
+            observer.message("its own image under a half turn about x = y: one half is solved");
+            let mut observer = Unfolding {
+                half_turn: &half_turn,
+                observer,
+            };
+            let half = solve_touching(&half_turn.half, restart, closings, &mut observer);
+            half.map(|solution| solution.unfolded(&half_turn))
+                .map_err(|unfinished| unfinished.unfolded(&half_turn))
+        }
+        Err(reason) => {
+            if reason.is_worth_telling() {
+                observer.message(&format!("no half-turn symmetry: {reason}"));
+            }
+            solve_touching(scene, restart, closings, observer)
+        }
+    }
+}
+
+/// Solves a scene whose bodies touch.
+fn solve_touching(
+    scene: &Scene,
+    restart: Option<&Restart>,
+    closings: Vec<Closing>,
+    observer: &mut dyn Observer,
+) -> Result<Solution, Unfinished> {
+    restart.map_or(Ok(()), |restart| restart.check(scene))?;
     let mut timers = Timers::default();
     let expected = match restart {
         Some(restart) => restart.expected.clone(),
@@ -88,6 +117,7 @@ pub fn resume(
         laborious: (run.counters.effort).reason(run.counters.iterations, run.counters.cut_backs),
         counters: run.counters,
         closings,
+        half_turn: false,
         untouched,
         complete: matches!(ended, Ok(true)),
         stuck,

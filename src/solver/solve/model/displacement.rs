@@ -32,12 +32,13 @@ impl Model<'_> {
         nodal
     }
 
-    /// The kept unknowns of nodal displacements.
+    /// The kept unknowns of nodal displacements. Those of a cut are seen on nodes that have equations of their own.
     pub fn unknowns(&self, nodal: &[[f64; 3]]) -> Vec<f64> {
         let mut x = vec![0.0; self.dofs.len()];
-        for (equations, values) in self.dofs.equations.iter().zip(nodal) {
+        for (node, (equations, values)) in self.dofs.equations.iter().zip(nodal).enumerate() {
+            let turned = self.dofs.turned.get(node) == Some(&true);
             for (equation, value) in equations.iter().zip(values) {
-                if *equation != FIXED {
+                if *equation != FIXED && !turned {
                     x[*equation as usize] = *value;
                 }
             }

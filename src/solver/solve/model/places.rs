@@ -8,9 +8,13 @@ use crate::solver::linear::schwarz::Place;
 pub fn places(scene: &Scene, dofs: &DofMap) -> Vec<Place> {
     let mut places = vec![None; dofs.len()];
     let mut nodes = vec![0u32; dofs.len()];
-    for (equations, point) in dofs.equations.iter().zip(&scene.mesh.points) {
+    for (node, (equations, point)) in dofs.equations.iter().zip(&scene.mesh.points).enumerate() {
+        if dofs.turned.get(node) == Some(&true) {
+            continue;
+        }
         for (axis, equation) in equations.iter().enumerate() {
-            if *equation != FIXED {
+            // On the axis of a half turn y goes with x.
+            if *equation != FIXED && !equations[..axis].contains(equation) {
                 places[*equation as usize] = Some((*point, axis));
                 nodes[*equation as usize] += 1;
             }

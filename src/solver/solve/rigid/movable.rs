@@ -35,6 +35,7 @@ fn movable_modes(scene: &Scene, bodies: &RigidBodies) -> Option<DMatrix<f64>> {
     let mut seen = Resistance::new(scene.mesh.bodies.len());
     seen.supports(scene, bodies);
     seen.planes(scene, bodies);
+    seen.half_turn(scene, bodies);
     seen.shared_nodes(bodies);
     let modes = seen.unresisted(MOVABLE_EIGENVALUE);
     (!modes.is_empty()).then(|| DMatrix::from_columns(&modes))

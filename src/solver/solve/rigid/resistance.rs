@@ -79,6 +79,21 @@ impl Resistance {
         }
     }
 
+    /// The half turn: a node of the cut and its image move as each other's images.
+    pub fn half_turn(&mut self, scene: &Scene, frames: &RigidBodies) {
+        for (axis, turned, sign) in [(0, 1, -1.0), (1, 0, -1.0), (2, 2, 1.0)] {
+            let tied = scene.half_turn.iter().filter_map(|[node, image]| {
+                let mut row = frames.of_node(*node, axis)?;
+                for (body, values) in frames.of_node(*image, turned)? {
+                    let own = row.entry(body).or_insert([0.0; 6]);
+                    own.iter_mut().zip(values).for_each(|(o, v)| *o += sign * v);
+                }
+                Some(row)
+            });
+            self.add(&tied.collect::<Vec<ModeRow>>());
+        }
+    }
+
     pub fn contacts(&mut self, scene: &Scene, rows: &[ContactRow], frames: &RigidBodies) {
         let near = TOUCHING_GAP * extent(scene);
         for index in 0..scene.contacts.len() {

@@ -80,7 +80,7 @@ fn a_limit_of_the_address_space_never_kills_a_run() {
     }
 }
 
-/// A displaced bearing that takes 0.8 GB, as the machine in `root` sees it: the bytes that `check` finds there, and
+/// A displaced bearing whose half takes 0.4 GB, as the machine in `root` sees it: the bytes that `check` finds there, and
 /// whether they are enough.
 #[track_caller]
 fn checked(root: &TempDir) -> (f64, bool) {
@@ -93,7 +93,7 @@ fn checked(root: &TempDir) -> (f64, bool) {
         .unwrap();
     let check: Value = serde_json::from_slice(&output.stdout).unwrap();
     let needed = check["cost"]["memory_bytes"].as_f64().unwrap();
-    assert!((5e8..1.5e9).contains(&needed), "{needed}");
+    assert!((3.2e8..1.5e9).contains(&needed), "{needed}");
     let problems = check["problems"].to_string();
     let enough = !problems.contains("GB of memory are needed");
     assert_eq!(output.status.success(), enough, "{problems}");

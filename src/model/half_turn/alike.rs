@@ -1,7 +1,7 @@
 //! Are loads, supports and contact pairs of a scene each other's images?
 
-use super::NoHalfTurn;
 use super::image::Images;
+use super::reason::NoHalfTurn;
 use crate::model::mesh::Surface;
 use crate::model::scene::{ContactPair, Partner, PlaneMotion, RigidPlane, Scene, Side, Support};
 

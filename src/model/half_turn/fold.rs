@@ -1,16 +1,32 @@
 //! One half of a scene that is its own image.
 
+use super::alike;
+use super::folded::HalfTurn;
 use super::image::Images;
-use super::{HalfTurn, NoHalfTurn};
+use super::reason::NoHalfTurn;
 use crate::model::mesh::{Body, Face, Mesh, Surface};
 use crate::model::scene::{Partner, Scene};
 
 /// How near to the mid-plane, of the height of the model, the middle of an element is on it.
 const ON_THE_MIDDLE: f64 = 1e-6;
 
+impl HalfTurn {
+    /// Folds `scene`, where it is its own image.
+    ///
+    /// # Errors
+    /// [`NoHalfTurn`] says what breaks the symmetry.
+    pub fn of(scene: &Scene) -> Result<Self, NoHalfTurn> {
+        alike::loads(scene)?;
+        let images = Images::of(&scene.mesh, &scene.materials)?;
+        let bottom = alike::supports(scene, &images)?;
+        let pairs = alike::contacts(scene, &images)?;
+        fold(scene, images, bottom, pairs)
+    }
+}
+
 /// The half of `scene` on the side of its load, `bottom` being the support opposite to it and `pairs` the image of each
 /// contact pair.
-pub fn fold(
+fn fold(
     scene: &Scene,
     images: Images,
     bottom: usize,

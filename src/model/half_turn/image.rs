@@ -1,6 +1,7 @@
 //! The image of each body, node and element of a mesh under the half turn.
 
-use super::{NoHalfTurn, turned_point};
+use super::reason::NoHalfTurn;
+use super::turn::turned_point;
 use crate::ground::geometry::{Vec3, norm, sub};
 use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};

@@ -1,6 +1,7 @@
 //! States of the half, unfolded into states of the whole, and back.
 
-use super::{HalfTurn, turned, turned_point, turned_stress};
+use super::folded::HalfTurn;
+use super::turn::{turned, turned_point, turned_stress};
 use crate::ground::geometry::{Vec3, add, scale};
 use crate::model::state::{ContactField, PlaneField, State};
 

@@ -56,8 +56,9 @@ impl BearingCase {
         let stages = reader.stages(load)?;
         let unload_to = reader.unload()?;
         let mut mesh = mesh_choice::request(root, full, assumptions)?;
-        let steels = Steels::read(root, assumptions)?;
+        let mut steels = Steels::read(root, assumptions)?;
         steels.check_names(&BODIES)?;
+        steels.set_sizes(&geometry.sizes_as_delivered(), assumptions);
         for body in BODIES {
             steels.of(body)?;
         }

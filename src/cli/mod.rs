@@ -99,7 +99,7 @@ impl Cli {
             Command::Completions(args) => completions::run(&args, &mut command()),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| ExitStatus::Done)
-                .map_err(|error| (ExitStatus::BadInput, miette::Report::msg(error.to_string()))),
+                .map_err(|error| (ExitStatus::BadInput, error.into())),
         };
         let status = status.unwrap_or_else(|(status, report)| {
             // Nobody is left to tell where even this cannot be written.

@@ -1,7 +1,7 @@
 //! Design rules against numbers worked by hand from their formulas, two for each, to four digits.
 
 use brinell::analytic::rules::{
-    Bound, Judged, Limit, Measure, Rule, RuleInput, RuleSteel, Standing, Verdict, rules,
+    Bound, Judged, Limit, LoadError, Measure, Rule, RuleInput, RuleSteel, Standing, Verdict, rules,
 };
 use brinell::ground::units::{Dimension, UnitSystem};
 
@@ -12,7 +12,7 @@ const FOUR_DIGITS: f64 = 1e-4;
 
 const EN_STATIC: &str = "EN 13001-3-3, static";
 const EN_FATIGUE: &str = "EN 13001-3-3, fatigue";
-const LINE_LOAD: &str = "AASHTO/AREMA, per inch";
+const LINE_LOAD: &str = "AASHTO, load per inch";
 
 fn steel(youngs_modulus: f64) -> RuleSteel {
     RuleSteel::elastic(youngs_modulus, 0.3)
@@ -365,7 +365,8 @@ fn verdicts_say_what_they_are_worth() {
             Standing::Indicative => ["indicative: within", "indicative: exceeded"],
             Standing::Threshold => ["below", "beyond"],
         };
-        let [less, more] = [0.81 * line_load, 1.21 * line_load].map(|load| judge(load, None));
+        let [less, more] =
+            [0.81 * line_load, 1.21 * line_load].map(|load| judge(load, LoadError::None));
         assert_eq!([words(less), words(more)], expected, "{}", rule.name);
         let [low, high] = match rule.measure {
             Measure::LineLoad => [0.81, 1.21],
@@ -375,11 +376,16 @@ fn verdicts_say_what_they_are_worth() {
         close(rule.name, more.utilisation, high, 1e-12);
         close(rule.name, less.pressure, 0.9 * pressure, 1e-12);
         // An error that reaches over the limit leaves it open.
-        let open = judge(0.95 * line_load, Some(0.1 * line_load));
+        let open = judge(0.95 * line_load, LoadError::Within(0.1 * line_load));
         assert_eq!(open.verdict, Verdict::Open);
         assert_eq!(open.verdict.is_within(), None);
-        let known = judge(0.8 * line_load, Some(0.1 * line_load));
+        let known = judge(0.8 * line_load, LoadError::Within(0.1 * line_load));
         assert_eq!(known.verdict.is_within(), Some(true));
+        let unknown = judge(0.1 * line_load, LoadError::Unknown);
+        assert_eq!(
+            (unknown.verdict, unknown.error),
+            (Verdict::Unresolved, None)
+        );
         let indicative = rule.standing == Standing::Indicative;
         assert!(!indicative || expected.iter().all(|word| !word.contains("met")));
         // No clause of a standard that was not read.

@@ -21,9 +21,9 @@ const OFFSET: f64 = 13.0;
 /// The rule for `contact`; F_y is that of the weaker steel.
 pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
-        name: "AASHTO/AREMA, per inch",
+        name: "AASHTO, load per inch",
         formula: "q ≤ (F_y - 13)/20 · 0.6 d to 25 in, · 3 √d to 125 in; ksi, kip/in",
-        source: "older AASHTO and AREMA specifications, rollers and rockers",
+        source: "older AASHTO, AREMA",
         standing: Standing::Indicative,
         measure: Measure::LineLoad,
         limit: bound(contact).into(),

@@ -11,7 +11,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
         name: "AASHTO LRFD",
         formula: "P ≤ 8 W D1 / (1 - D1/D2) F_y² / E_s",
-        source: "AASHTO LRFD, contact of cylindrical surfaces, service loads",
+        source: "AASHTO LRFD, service loads",
         standing: Standing::Indicative,
         measure: Measure::LineLoad,
         limit: bound(contact).into(),

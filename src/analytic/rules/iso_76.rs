@@ -15,7 +15,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
         name: "ISO 76",
         formula: "p0 ≤ 4000 N/mm², which leaves about 1e-4 D; hardened bearing steel",
-        source: "ISO 76, basic static load rating of roller bearings",
+        source: "ISO 76, static load rating",
         standing: Standing::Indicative,
         measure: Measure::Pressure,
         limit: bound(contact).into(),

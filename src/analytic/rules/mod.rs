@@ -16,7 +16,7 @@
 //! | first yield, elastic shakedown | [`onset_of_yield`], [`shakedown`] |
 //!
 //! ```
-//! use brinell::analytic::rules::{RuleInput, RuleSteel, Verdict, rules};
+//! use brinell::analytic::rules::{LoadError, RuleInput, RuleSteel, Verdict, rules};
 //! use brinell::ground::units::UnitSystem;
 //!
 //! // A roller of 160 mm on a plate, both S355, under 1500 N/mm.
@@ -24,7 +24,7 @@
 //! let input = RuleInput::new(UnitSystem::MmNMPa, 160.0, 400.0, [steel, steel]);
 //! let all = rules(&input)?;
 //! let rule = all.iter().find(|rule| rule.name == "EN 1337-4").ok_or("no such rule")?;
-//! let judged = rule.judge(1500.0, None).ok_or("it does not apply")?;
+//! let judged = rule.judge(1500.0, LoadError::None).ok_or("it does not apply")?;
 //! assert!((judged.utilisation - 1500.0 / 1935.5).abs() < 1e-4);
 //! assert_eq!(judged.verdict, Verdict::IndicativeWithin);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -46,7 +46,7 @@ mod verdict;
 
 pub use input::{RuleInput, RuleSteel};
 pub use rule::{Bound, Limit, Measure, Rule, Standing};
-pub use verdict::{Judged, Verdict};
+pub use verdict::{Judged, LoadError, Verdict};
 
 use super::error::DomainError;
 use input::RuleContact;

@@ -9,7 +9,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
         name: "first yield",
         formula: "p0 = 1.79 Y (ν = 0.3; Mises, no traction)",
-        source: "Johnson, Contact Mechanics, chapter 6",
+        source: "Johnson 1985, chapter 6",
         standing: Standing::Threshold,
         measure: Measure::Pressure,
         limit: bound(contact).into(),

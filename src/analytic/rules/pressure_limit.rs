@@ -10,7 +10,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
         name: "(2-49)",
         formula: "p0 ≤ 1.65 σ_y",
-        source: "reference study, (2-49)",
+        source: "reference study",
         standing: Standing::Rule,
         measure: Measure::Pressure,
         limit: bound.into(),

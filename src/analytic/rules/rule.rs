@@ -1,6 +1,6 @@
 //! One record for all rules.
 
-use super::verdict::{Judged, Verdict};
+use super::verdict::{Judged, LoadError, Verdict};
 use crate::analytic::error::DomainError;
 use serde::Serialize;
 
@@ -98,8 +98,8 @@ impl Rule {
         }
     }
 
-    /// What it says of a load per length that may be off by `error`; `None` where it does not apply.
-    pub fn judge(&self, line_load: f64, error: Option<f64>) -> Option<Judged> {
+    /// What it says of a load per length; `None` where it does not apply.
+    pub fn judge(&self, line_load: f64, error: LoadError) -> Option<Judged> {
         let bound = self.bound()?;
         let share = |load: f64| {
             let load = (load / bound.line_load).max(0.0);
@@ -108,14 +108,19 @@ impl Rule {
                 Measure::Pressure => load.sqrt(),
             }
         };
-        let error = error.filter(|error| error.is_finite()).unwrap_or(0.0);
-        let [least, most] = [line_load - error, line_load + error].map(share);
+        let known = match error {
+            LoadError::None => Some(0.0),
+            LoadError::Within(error) => Some(error).filter(|error| error.is_finite()),
+            LoadError::Unknown => None,
+        };
+        let span = known.map(|error| [line_load - error, line_load + error].map(share));
+        let verdict = span.map(|[least, most]| Verdict::of(self.standing, least, most));
         Some(Judged {
             line_load,
             pressure: bound.pressure * (line_load / bound.line_load).max(0.0).sqrt(),
             utilisation: share(line_load),
-            error: 0.5 * (most - least),
-            verdict: Verdict::of(self.standing, least, most),
+            error: span.map(|[least, most]| 0.5 * (most - least)),
+            verdict: verdict.unwrap_or(Verdict::Unresolved),
         })
     }
 }

@@ -14,7 +14,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
         name: "elastic shakedown",
         formula: "p0 = 4 k = 2.31 Y (free rolling, no traction)",
-        source: "Johnson, Contact Mechanics, chapter 9",
+        source: "Johnson 1985, chapter 9",
         standing: Standing::Threshold,
         measure: Measure::Pressure,
         limit: bound.into(),

@@ -11,7 +11,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
     Rule {
         name: "(2-50), (2-51)",
         formula: "P / L ≤ 8 D σ_y² / E_s, L = L' - 2 D_r",
-        source: "reference study, (2-50) with its printed constant",
+        source: "reference study, constant as printed",
         standing: Standing::Rule,
         measure: Measure::LineLoad,
         limit: bound(contact).into(),

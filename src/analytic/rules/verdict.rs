@@ -21,6 +21,19 @@ pub enum Verdict {
     Beyond,
     /// The error of the load leaves it open.
     Open,
+    /// Nothing is known of the error of the load.
+    Unresolved,
+}
+
+/// How well a load per length is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LoadError {
+    /// It is given.
+    None,
+    /// To within this much, in its unit.
+    Within(f64),
+    /// Not at all.
+    Unknown,
 }
 
 impl Verdict {
@@ -46,7 +59,7 @@ impl Verdict {
         match self {
             Self::Met | Self::IndicativeWithin | Self::Below => Some(true),
             Self::NotMet | Self::IndicativeExceeded | Self::Beyond => Some(false),
-            Self::Open => None,
+            Self::Open | Self::Unresolved => None,
         }
     }
 }
@@ -61,6 +74,7 @@ impl fmt::Display for Verdict {
             Self::Below => "below",
             Self::Beyond => "beyond",
             Self::Open => "open: within the error",
+            Self::Unresolved => "open: load not resolved",
         })
     }
 }
@@ -80,8 +94,8 @@ pub struct Judged {
     pub pressure: f64,
     /// Load over limit, or pressure over limit, as the rule measures.
     pub utilisation: f64,
-    /// What the utilisation may be off by, as the load may.
-    pub error: f64,
+    /// What the utilisation may be off by, as the load may; `None` where nothing is known of it.
+    pub error: Option<f64>,
     /// What the rule says.
     pub verdict: Verdict,
 }

@@ -51,7 +51,7 @@ enum Command {
     /// Write a case as a deck for CalculiX or Abaqus.
     Export(export::ExportArgs),
     /// The handbook: Hertz, ring and groove figures for a roller on a plate.
-    Hertz(hertz::HertzArgs),
+    Hertz(Box<hertz::HertzArgs>),
     /// One case on a series of meshes: error against unknowns, run time and memory.
     Converge(converge::ConvergeArgs),
     /// Many cases from one: a table of parameters to a row of results each, here or by Slurm.

@@ -145,7 +145,7 @@ impl Steels {
         let own = self.bodies.iter().find(|(name, _)| name.value == body);
         let tables = [own.map(|(_, entry)| entry), self.default.as_ref()];
         let thickness = tables.iter().flatten().find_map(|table| table.thickness());
-        tables.map(|table| table.map(|table| table.clone().as_thick_as(thickness.cloned())))
+        tables.map(|table| table.map(|table| table.clone().with_thickness(thickness.cloned())))
     }
 
     /// All that is said of the steel of `body`.

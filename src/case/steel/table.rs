@@ -234,7 +234,7 @@ impl SteelTable {
     }
 
     /// Of that thickness.
-    pub fn as_thick_as(self, thickness: Option<Located<f64>>) -> Self {
+    pub fn with_thickness(self, thickness: Option<Located<f64>>) -> Self {
         Self { thickness, ..self }
     }
 

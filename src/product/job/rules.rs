@@ -60,6 +60,7 @@ pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError
             }
         }
     }
+    sheet.notes.extend(where_worst(&sheet.rules));
     if bearing.geometry.wall.is_some() {
         sheet
             .notes
@@ -146,6 +147,22 @@ fn keep_worse(worst: &mut JudgedRule, other: JudgedRule) {
         (worst.largest, worst.largest_line) = (other.largest, other.largest_line);
         worst.rule = other.rule;
     }
+}
+
+/// The lines that the rules are used most by, in words.
+fn where_worst(rules: &[JudgedRule]) -> Vec<String> {
+    type Line = fn(&JudgedRule) -> Option<&String>;
+    let lines: [(&str, Line); 2] = [
+        ("even load", |rule| rule.even_line.as_ref()),
+        ("largest load", |rule| rule.largest_line.as_ref()),
+    ];
+    let told = lines.map(|(load, line)| {
+        let mut names: Vec<&str> = rules.iter().filter_map(line).map(String::as_str).collect();
+        names.sort_unstable();
+        names.dedup();
+        (!names.is_empty()).then(|| format!("{load}: of {}", names.join(", ")))
+    });
+    told.into_iter().flatten().collect()
 }
 
 /// What the steel of every body that can yield does.

@@ -7,7 +7,8 @@
 //! ```
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 use crate::analytic::error;
 use crate::ground::units::{Dimension, UnitSystem};
 

@@ -1,7 +1,8 @@
 //! Contact of cylinders by AASHTO LRFD, of loads of the service limit state.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 
 /// The factor of the rule.
 const FACTOR: f64 = 8.0;

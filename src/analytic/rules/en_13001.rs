@@ -4,7 +4,8 @@
 //! factor of the edge. With q = π D p0² (1 - ν²) / E_m, E_m = 2 E1 E2 / (E1 + E2), that is Hertz for ν alike.
 
 use super::input::{RuleContact, RuleSteel};
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 use crate::analytic::error;
 use crate::ground::units::{Dimension, UnitSystem};
 use std::f64::consts::PI;

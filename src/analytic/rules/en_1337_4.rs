@@ -1,7 +1,8 @@
 //! Roller bearings by EN 1337-4.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 use crate::analytic::error;
 
 /// γ_m, as it is recommended.

@@ -1,7 +1,8 @@
 //! The pressure that ISO 76 rates rolling bearings by: 4000 N/mm² leaves about 1e-4 of the roller's diameter.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 use crate::analytic::error;
 use crate::ground::units::{Dimension, UnitSystem};
 

@@ -45,8 +45,8 @@ mod rule;
 mod verdict;
 
 pub use input::{RuleInput, RuleSteel};
-pub use rule::{Bound, Limit, Measure, Rule, Standing};
-pub use verdict::{Judged, LoadError, Verdict};
+pub use rule::{Bound, Limit, Measure, Rule};
+pub use verdict::{Judged, LoadError, Standing, Verdict};
 
 use super::error::DomainError;
 use input::RuleContact;

@@ -1,7 +1,8 @@
 //! First yield below an even line contact, Mises: p0 = 3.1 k = 1.79 Y for ν = 0.3.
 
 use super::input::{RuleContact, RuleSteel};
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 use crate::analytic::subsurface::onset::line_yield_pressure;
 
 /// The threshold for `contact`, of the side that yields first.

@@ -1,7 +1,8 @@
 //! p0 ≤ 1.65 σ_y, (2-49) of the reference study.
 
 use super::input::RuleContact;
-use super::rule::{Measure, Rule, Standing};
+use super::rule::{Measure, Rule};
+use super::verdict::Standing;
 use crate::analytic::sizing::PRESSURE_LIMIT;
 
 /// The rule for `contact`; σ_y is the lower of the two.

@@ -1,20 +1,8 @@
 //! One record for all rules.
 
-use super::verdict::{Judged, LoadError, Verdict};
+use super::verdict::{Judged, LoadError, Standing, Verdict};
 use crate::analytic::error::DomainError;
 use serde::Serialize;
-
-/// What a rule is worth.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Standing {
-    /// A rule whose text was read.
-    Rule,
-    /// A rule of a standard that was not read: formula and factors are from books and papers about it.
-    Indicative,
-    /// No rule, but where the steel begins to do something.
-    Threshold,
-}
 
 /// What a rule limits, so that it is clear of what a utilisation is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -2,7 +2,8 @@
 //! makes more plastic strain. k = Y/√3 (Mises).
 
 use super::input::RuleContact;
-use super::rule::{Measure, Rule, Standing};
+use super::rule::{Measure, Rule};
+use super::verdict::Standing;
 
 /// p0 over the shear yield stress.
 const SHEAR: f64 = 4.0;

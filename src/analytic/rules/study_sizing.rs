@@ -3,7 +3,8 @@
 //! The L of the rule is the length that bears, (2-51): the load per length that it is asked of is that over L' - 2 D_r.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule, Standing};
+use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::verdict::Standing;
 use crate::analytic::sizing::PRINTED;
 
 /// The rule for `contact`; σ_y is the lower of the two, E_s the modulus of the pair.

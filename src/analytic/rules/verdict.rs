@@ -1,8 +1,19 @@
 //! What a rule says of a load.
 
-use super::rule::Standing;
 use serde::{Serialize, Serializer};
 use std::fmt;
+
+/// What a rule is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Standing {
+    /// A rule whose text was read.
+    Rule,
+    /// A rule of a standard that was not read: formula and factors are from books and papers about it.
+    Indicative,
+    /// No rule, but where the steel begins to do something.
+    Threshold,
+}
 
 /// A verdict. That of an indicative rule never reads as if a standard were met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,5 +6,7 @@ fn main() -> std::io::Result<()> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/book/reference");
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join("case.md"), case::keys::page())?;
+    let steels = case::grades::page().map_err(std::io::Error::other)?;
+    std::fs::write(folder.join("steels.md"), steels)?;
     std::fs::write(folder.join("commands.md"), cli::reference::page())
 }

@@ -289,14 +289,30 @@ fn a_wrong_command_line_is_bad_input() {
 #[test]
 fn the_handbook_prints_hertz() {
     let folder = tempfile::tempdir().unwrap();
-    let line = "hertz --diameter 3 --wall 0.75 --length 8 --load 65 --yield 100 --friction 0.15";
+    let line = "hertz --units in-kip-ksi --diameter 3 --wall 0.75 --length 8 --load 65 --yield 100 --friction 0.15";
     let run = brinell(folder.path(), line).code(0);
     let text = words(&run.get_output().stdout);
-    for part in ["peak pressure p0 167.17 ksi", "roller 93.202 ksi"] {
+    let parts = [
+        "peak pressure p0 167.17 ksi",
+        "roller 93.202 ksi",
+        "AASHTO LRFD 8.136 167.3 8.125 99.9 % indicative: within",
+    ];
+    for part in parts {
         assert!(text.contains(part), "`{part}` is not in: {text}");
     }
-    let run = brinell(folder.path(), &format!("{line} --wall 2")).code(2);
-    assert!(!run.get_output().stderr.is_empty());
+    let thick = line.replace("--wall 0.75", "--wall 2");
+    let run = brinell(folder.path(), &thick).code(2);
+    says(&run, &["wall of the roller is 2, but it must be"]);
+    let bare = line.replace("--units in-kip-ksi ", "");
+    let run = brinell(folder.path(), &bare).code(2);
+    says(
+        &run,
+        &[
+            "brinell::hertz::no_unit",
+            "--diameter 3 has no unit",
+            "--units",
+        ],
+    );
 }
 
 #[test]
@@ -492,6 +508,18 @@ fn the_main_case_runs_from_any_folder_on_its_shipped_mesh() {
     assert!(summary["sizing"]["lines"][0]["hertz_pressure"].is_f64());
     assert!(summary["sizing"]["rule"]["exact"]["required_diameter_times_length"].is_f64());
     assert!(text.contains("Sizing rules (2-49) to (2-51)"), "{text}");
+    let rules = &summary["rules"]["rules"];
+    assert_eq!(rules[0]["name"], "(2-49)");
+    close(&rules[0]["even"]["line_load"], 65.0 / 8.0, 1e-6);
+    assert!(rules[0]["largest"]["utilisation"].is_f64(), "{rules}");
+    assert_eq!(summary["rules"]["steel"].as_array().unwrap().len(), 5);
+    for part in [
+        "Design rules",
+        "elastic shakedown 15.51 230.9",
+        "What the steel does",
+    ] {
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
     let data = std::fs::read_to_string(out.join("line-load.csv")).unwrap();
     assert!(data.starts_with("interface,axis,line across at [in],along [in],line load [kip/in]"));
     assert!(INTERFACES.iter().all(|name| data.contains(name)));
@@ -739,7 +767,7 @@ fn a_standard_output_that_is_full_is_told() {
         .open("/dev/full")
         .unwrap();
     let run = std::process::Command::new(env!("CARGO_BIN_EXE_brinell"))
-        .args("hertz --diameter 3 --length 8 --load 130 --yield 100".split(' '))
+        .args("hertz --units in-kip-ksi --diameter 3 --length 8 --load 130 --yield 100".split(' '))
         .stdout(full)
         .output()
         .unwrap();

@@ -10,6 +10,7 @@
 //! | width and pressure of a line contact | [`hertz`] |
 //! | stress below the surface, first yield | [`subsurface`] |
 //! | equations (2-45) to (2-51) of the reference study | [`sizing`] |
+//! | what design rules allow: EN 1337-4, AASHTO, EN 13001-3-3, ISO 76, yield | [`rules`] |
 //! | rolling without sliding, equations (2-3), (2-28), (2-39) | [`rolling`] |
 //! | roller in a V groove, roller off the centre | [`vgroove`], [`displaced`] |
 //! | hollow roller squeezed between plates | [`ring`], [`curved_beam`] |
@@ -29,6 +30,7 @@ pub mod handbook;
 pub mod hertz;
 pub mod ring;
 pub mod rolling;
+pub mod rules;
 pub mod sizing;
 pub mod stress;
 pub mod subsurface;

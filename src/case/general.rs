@@ -91,7 +91,7 @@ fn read_bodies(
             return Err(body.place.error(ErrorKind::Duplicate, why));
         }
         if let Some(field) = table.get("steel") {
-            steels.add(&body, &field, assumptions)?;
+            steels.add(&body, (root, &field), assumptions)?;
         }
         bodies.push(body);
     }

@@ -14,6 +14,7 @@ mod controls;
 mod document;
 mod error;
 mod general;
+pub mod grades;
 #[doc(hidden)]
 pub mod interfaces;
 #[doc(hidden)]
@@ -45,7 +46,7 @@ pub use model::Model;
 pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
 pub use source::Source;
-pub use steel::{Steels, StrainIs};
+pub use steel::{SteelStrength, Steels, StrainIs};
 
 use crate::ground::units::UnitSystem;
 use crate::model::mesh::Mesh;

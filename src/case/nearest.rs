@@ -13,6 +13,18 @@ pub(super) fn nearest<'a>(
         .map(|(_, c)| c)
 }
 
+/// The candidates from the nearest to `word` on.
+pub(super) fn ranked<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Vec<&'a str> {
+    let mut scored: Vec<_> = (candidates.into_iter())
+        .map(|c| (distance(word, c), c))
+        .collect();
+    scored.sort_by_key(|(d, _)| *d);
+    scored.into_iter().map(|(_, c)| c).collect()
+}
+
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`
 /// (optimal string alignment), blind to case and to `-` against `_`.
 fn distance(a: &str, b: &str) -> usize {

@@ -264,6 +264,10 @@ impl<'a> Field<'a> {
         self.raw().is_table()
     }
 
+    pub fn is_text(&self) -> bool {
+        self.raw().is_str()
+    }
+
     pub fn is_list(&self) -> bool {
         self.raw().is_array()
     }

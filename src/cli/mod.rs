@@ -51,7 +51,7 @@ enum Command {
     /// Write a case as a deck for CalculiX or Abaqus.
     Export(export::ExportArgs),
     /// The handbook: Hertz, ring and groove figures for a roller on a plate.
-    Hertz(hertz::HertzArgs),
+    Hertz(Box<hertz::HertzArgs>),
     /// One case on a series of meshes: error against unknowns, run time and memory.
     Converge(converge::ConvergeArgs),
     /// Many cases from one: a table of parameters to a row of results each, here or by Slurm.
@@ -99,7 +99,7 @@ impl Cli {
             Command::Completions(args) => completions::run(&args, &mut command()),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| ExitStatus::Done)
-                .map_err(|error| (ExitStatus::BadInput, miette::Report::msg(error.to_string()))),
+                .map_err(|error| (ExitStatus::BadInput, error.into())),
         };
         let status = status.unwrap_or_else(|(status, report)| {
             // Nobody is left to tell where even this cannot be written.

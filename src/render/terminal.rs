@@ -24,6 +24,7 @@ pub fn render(summary: &Summary, explain: bool) -> String {
         together(sections::slices(summary)),
         text(&sections::lines(summary)),
         together(sections::sizing(summary)),
+        texts(&sections::rules(summary)),
         texts(&sections::statics(summary)),
         text(&sections::steps(summary)),
         text(&sections::load_line(summary)),

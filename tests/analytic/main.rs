@@ -12,6 +12,7 @@ mod handbook;
 mod hertz;
 mod ring;
 mod robust;
+mod rules;
 mod sizing;
 mod statics;
 mod steel;

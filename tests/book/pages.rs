@@ -47,6 +47,10 @@ fn the_reference_is_what_the_code_says() {
     for (page, made) in [
         ("docs/book/reference/case.md", case::keys::page()),
         ("docs/book/reference/commands.md", cli::reference::page()),
+        (
+            "docs/book/reference/steels.md",
+            case::grades::page().unwrap(),
+        ),
     ] {
         let help = "`cargo run --release --example reference` writes it anew";
         assert!(

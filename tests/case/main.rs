@@ -1,6 +1,7 @@
 //! Case files: what is read from them, and how every mistake is refused.
 
 mod errors;
+mod grades;
 mod kit;
 mod scene;
 mod shipped;

@@ -77,6 +77,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         peak_memory_bytes: Some(123_000_000),
         comparison: comparison.to_vec(),
         sizing: None,
+        rules: None,
         assumptions: vec!["plates L x L".to_string()],
         left_out: vec![
             LeftOut::new("friction 0: no tangential unknowns").saving(12, "friction updates"),

@@ -31,6 +31,8 @@ pub struct BearingCase {
     pub stages: Vec<f64>,
     /// The share of the load that is left after unloading; `None` where it stays on.
     pub unload_to: Option<f64>,
+    /// How often the bearing rolls over a point of its surfaces, for design rules of fatigue.
+    pub rollings: Option<f64>,
     /// Steels by body.
     pub steels: Steels,
 }
@@ -55,9 +57,11 @@ impl BearingCase {
         let full = reader.full(&geometry)?;
         let stages = reader.stages(load)?;
         let unload_to = reader.unload()?;
+        let rollings = reader.rollings()?;
         let mut mesh = mesh_choice::request(root, full, assumptions)?;
-        let steels = Steels::read(root, assumptions)?;
+        let mut steels = Steels::read(root, assumptions)?;
         steels.check_names(&BODIES)?;
+        steels.set_sizes(&geometry.sizes_as_delivered(), assumptions);
         for body in BODIES {
             steels.of(body)?;
         }
@@ -71,6 +75,7 @@ impl BearingCase {
             friction: friction.value,
             stages,
             unload_to,
+            rollings,
             steels,
         })
     }

@@ -198,6 +198,13 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         Ok(stages)
     }
 
+    /// How often a point of the surfaces is rolled over.
+    pub fn rollings(&self) -> Result<Option<f64>, CaseError> {
+        let given = self.table.get("rollings");
+        let given = given.map(|field| field.ratio()?.positive()).transpose()?;
+        Ok(given.map(|rollings| rollings.value))
+    }
+
     /// The share of the load that is left in the end, where there is unloading.
     pub fn unload(&mut self) -> Result<Option<f64>, CaseError> {
         let asked = self.flag("unload")?.is_some_and(|asked| asked.value);

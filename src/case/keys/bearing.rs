@@ -90,6 +90,12 @@ pub const BEARING: Keys = Keys {
             "none",
             "loads at which the descent is read on the way up",
         ),
+        key(
+            "rollings",
+            "number",
+            "none",
+            "how often a point of the surfaces is rolled over under the full load, for design rules of fatigue",
+        ),
     ],
 };
 

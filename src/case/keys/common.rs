@@ -38,9 +38,15 @@ pub const ROOT: Keys = Keys {
         ),
         key(
             "steel",
-            "table",
+            "table, or the name of a grade",
             "none",
-            "the steel of all bodies, and of single ones",
+            "the steel of all bodies, and of single ones; `steel = \"S355\"` is `[steel]` with `grade = \"S355\"`",
+        ),
+        key(
+            "grades",
+            "path, from the folder of the case",
+            "none",
+            "a file with steel grades of your own, as in [Steels by name](steels.md)",
         ),
         key(
             "mesh",
@@ -65,21 +71,32 @@ pub const ROOT: Keys = Keys {
 
 pub const STEEL: Keys = Keys {
     heading: "[steel]",
-    about: "The default of all bodies; `[steel.NAME]` has what the body NAME has otherwise. Isotropic, \
-            with a straight hardening line: one of `hardening`, `hardening_modulus` and \
-            `tangent_modulus`.",
+    about: "The default of all bodies; `[steel.NAME]` has what the body NAME has otherwise. Isotropic, with a straight hardening line: one of `hardening`, `hardening_modulus` and \
+            `tangent_modulus`. What is given here goes before what the grade has.",
     keys: &[
-        key("youngs_modulus", "stress", "required", "E"),
+        key(
+            "grade",
+            "name, as in [Steels by name](steels.md)",
+            "none",
+            "has E, ν, and as far as known yield stress, ultimate strength and hardness",
+        ),
+        key(
+            "thickness",
+            "length",
+            "of a bearing: that of the plate, the diameter of the roller",
+            "of the product as delivered, by which the strength of a grade goes",
+        ),
+        key("youngs_modulus", "stress", "of the grade", "E"),
         key(
             "poissons_ratio",
             "share, between -1 and 0.5",
-            "required",
+            "of the grade",
             "ν",
         ),
         key(
             "yield_stress",
             "stress",
-            "required unless `elastic`",
+            "of the grade; else required unless `elastic`",
             "in uniaxial tension",
         ),
         key(
@@ -101,6 +118,24 @@ pub const STEEL: Keys = Keys {
             "E_t = dσ/dε, stress over total strain; 1/E_t = 1/E + 1/H",
         ),
         key("elastic", "true or false", "false", "never yields"),
+        key(
+            "ultimate_strength",
+            "stress",
+            "of the grade",
+            "f_u, for design rules",
+        ),
+        key(
+            "hardness",
+            "number",
+            "of the grade",
+            "Brinell hardness HB of the surface, for design rules",
+        ),
+        key(
+            "surface_hardened",
+            "true or false",
+            "false",
+            "is the surface harder than the core, which the yield stress is of? For design rules",
+        ),
     ],
 };
 

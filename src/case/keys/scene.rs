@@ -98,7 +98,7 @@ pub const BODY: Keys = Keys {
         key("name", "text", "required", "of the physical volume"),
         key(
             "steel",
-            "table as [steel]",
+            "table as [steel], or the name of a grade",
             "[steel]",
             "what the body has otherwise",
         ),

@@ -3,7 +3,9 @@
 use super::hardening::{HARDENING_KEYS, Hardening};
 use crate::case::assumption::Assumption;
 use crate::case::error::{CaseError, ErrorKind};
-use crate::case::parse::Table;
+use crate::case::grades::{Grade, GradeError, Grades};
+use crate::case::keys;
+use crate::case::parse::{Field, Table};
 use crate::case::place::{KeyPlace, Located};
 use crate::ground::units::{Dimension, UnitSystem};
 use crate::model::material::Steel;
@@ -17,10 +19,61 @@ pub(super) struct SteelTable {
     yield_stress: Option<Located<f64>>,
     hardening: Option<Hardening>,
     elastic: Option<Located<bool>>,
+    ultimate_strength: Option<Located<f64>>,
+    hardness: Option<Located<f64>>,
+    surface_hardened: Option<Located<bool>>,
+    /// The grade that has what the keys above do not say.
+    grade: Option<Located<Grade>>,
+    /// Of the product as delivered; a grade is the weaker the thicker it is.
+    thickness: Option<Located<f64>>,
+}
+
+/// What a steel has beside its law: what design rules go by.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct SteelStrength {
+    /// In uniaxial tension, also of steel that is taken as elastic where it is known.
+    pub yield_stress: Option<f64>,
+    /// Ultimate strength.
+    pub ultimate_strength: Option<f64>,
+    /// Brinell hardness of the surface.
+    pub hardness: Option<f64>,
+    /// Is the surface harder than the core?
+    pub surface_hardened: bool,
 }
 
 impl SteelTable {
-    pub fn read(table: &Table, assumptions: &mut Vec<Assumption>) -> Result<Self, CaseError> {
+    /// A table, or the name of a grade alone.
+    pub fn read_field(
+        field: &Field,
+        grades: &Grades,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Self, CaseError> {
+        if !field.is_text() {
+            let table = field.table()?.only(&keys::STEEL)?;
+            return Self::read(&table, grades, assumptions);
+        }
+        let entry = Self {
+            place: field.place(),
+            youngs_modulus: None,
+            poissons_ratio: None,
+            yield_stress: None,
+            hardening: None,
+            elastic: None,
+            ultimate_strength: None,
+            hardness: None,
+            surface_hardened: None,
+            grade: Some(graded(field, grades)?),
+            thickness: None,
+        };
+        entry.note(assumptions);
+        Ok(entry)
+    }
+
+    pub fn read(
+        table: &Table,
+        grades: &Grades,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Self, CaseError> {
         let stress = |key: &str| {
             table
                 .get(key)
@@ -34,23 +87,25 @@ impl SteelTable {
                 "Poisson's ratio must lie between -1 and 0.5",
             )
         };
-        let nu = table
-            .get("poissons_ratio")
-            .map(|field| field.ratio())
-            .transpose()?;
+        let ratio = |key: &str| table.get(key).map(|field| field.ratio()).transpose();
+        let flag = |key: &str| table.get(key).map(|field| field.boolean()).transpose();
+        let length = |field: Field| field.quantity(Dimension::LENGTH)?.positive();
+        let nu = ratio("poissons_ratio")?;
         let entry = Self {
             place: table.place(),
             youngs_modulus: positive("youngs_modulus")?,
             poissons_ratio: nu.map(poisson).transpose()?,
             yield_stress: positive("yield_stress")?,
             hardening: Hardening::read(table, assumptions)?,
-            elastic: table
-                .get("elastic")
-                .map(|field| field.boolean())
-                .transpose()?,
+            elastic: flag("elastic")?,
+            ultimate_strength: positive("ultimate_strength")?,
+            hardness: ratio("hardness")?.map(Located::positive).transpose()?,
+            surface_hardened: flag("surface_hardened")?,
+            grade: (table.get("grade").map(|field| graded(&field, grades))).transpose()?,
+            thickness: table.get("thickness").map(length).transpose()?,
         };
         entry.contradiction(table)?;
-        entry.note_perfect_plasticity(assumptions);
+        entry.note(assumptions);
         Ok(entry)
     }
 
@@ -72,18 +127,64 @@ impl SteelTable {
         }
     }
 
-    fn note_perfect_plasticity(&self, assumptions: &mut Vec<Assumption>) {
-        if self.yield_stress.is_some() && self.hardening.is_none() {
+    fn note(&self, assumptions: &mut Vec<Assumption>) {
+        if let Some(Located { value: grade, .. }) = &self.grade {
+            let key = format!("{}.grade", self.place.key);
+            let note = grade.note.iter().map(|note| format!("; {note}"));
+            let why = format!("least values, {}{}", grade.source, note.collect::<String>());
+            assumptions.push(Assumption::new(&key, &grade.name, &why, true));
+        }
+        let elastic = self.elastic.as_ref().is_some_and(|elastic| elastic.value);
+        let of_grade = (self.grade.as_ref()).is_some_and(|grade| grade.value.yields());
+        let yields = self.yield_stress.is_some() || (of_grade && !elastic);
+        if yields && self.hardening.is_none() {
             let key = format!("{}.hardening_modulus", self.place.key);
             let why = "no hardening is given: the stress stays at yield";
             assumptions.push(Assumption::default(&key, "0 (perfectly plastic)", why));
         }
     }
 
+    /// Of a product this thick where the table does not say, with what the grade has in place of keys that are not
+    /// there.
+    pub fn graded(self, size: Option<f64>, units: UnitSystem) -> Result<Self, CaseError> {
+        let Some(Located {
+            value: grade,
+            place,
+        }) = &self.grade
+        else {
+            return Ok(self);
+        };
+        let thickness = self.thickness.as_ref().map(|t| t.value).or(size);
+        let steel = match grade.in_units(units, thickness) {
+            Ok(steel) => steel,
+            Err(error) => {
+                let place = match (&error, &self.thickness) {
+                    (GradeError::TooThick { .. }, Some(thickness)) => &thickness.place,
+                    _ => place,
+                };
+                return Err(refused(place, &error));
+            }
+        };
+        let own = |value: Option<f64>| {
+            let place = place.clone();
+            value.map(|value| Located { value, place })
+        };
+        Ok(Self {
+            youngs_modulus: self.youngs_modulus.or(own(Some(steel.youngs_modulus))),
+            poissons_ratio: self.poissons_ratio.or(own(Some(steel.poissons_ratio))),
+            yield_stress: self.yield_stress.or(own(steel.yield_stress)),
+            ultimate_strength: self.ultimate_strength.or(own(steel.ultimate_strength)),
+            hardness: self.hardness.or(own(steel.hardness)),
+            ..self
+        })
+    }
+
     /// These keys, and those of `default` that are not among them.
     pub fn over(self, default: &Self) -> Self {
         let plastic = self.yield_stress.is_some() || self.hardening.is_some();
         let default = default.clone();
+        // Strengths belong together: those of another steel do not complete these.
+        let same = self.yield_stress.is_none() && self.grade.is_none();
         Self {
             youngs_modulus: self.youngs_modulus.or(default.youngs_modulus),
             poissons_ratio: self.poissons_ratio.or(default.poissons_ratio),
@@ -91,8 +192,56 @@ impl SteelTable {
             hardening: self.hardening.or(default.hardening),
             // A body with a yield stress of its own is plastic though the default is elastic.
             elastic: self.elastic.or(default.elastic.filter(|_| !plastic)),
+            ultimate_strength: self
+                .ultimate_strength
+                .or(default.ultimate_strength.filter(|_| same)),
+            hardness: self.hardness.or(default.hardness.filter(|_| same)),
+            surface_hardened: self
+                .surface_hardened
+                .or(default.surface_hardened.filter(|_| same)),
+            grade: self.grade.or(default.grade),
+            thickness: self.thickness.or(default.thickness),
             place: self.place,
         }
+    }
+
+    /// What design rules go by.
+    pub fn strength(&self) -> SteelStrength {
+        let value = |located: &Option<Located<f64>>| located.as_ref().map(|l| l.value);
+        SteelStrength {
+            yield_stress: value(&self.yield_stress),
+            ultimate_strength: value(&self.ultimate_strength),
+            hardness: value(&self.hardness),
+            surface_hardened: self.surface_hardened.as_ref().is_some_and(|h| h.value),
+        }
+    }
+
+    /// Does it name a grade?
+    pub fn has_grade(&self) -> bool {
+        self.grade.is_some()
+    }
+
+    /// Does it say all that a steel needs?
+    pub fn is_whole(&self) -> bool {
+        let elastic = self.elastic.as_ref().is_some_and(|elastic| elastic.value);
+        let constants = self.youngs_modulus.is_some() && self.poissons_ratio.is_some();
+        constants && (elastic || self.yield_stress.is_some())
+    }
+
+    /// The thickness that it says.
+    pub fn thickness(&self) -> Option<&Located<f64>> {
+        self.thickness.as_ref()
+    }
+
+    /// Of that thickness.
+    pub fn with_thickness(self, thickness: Option<Located<f64>>) -> Self {
+        Self { thickness, ..self }
+    }
+
+    /// The grade, where its strength depends on a thickness that the table does not say.
+    pub fn grade_without_thickness(&self) -> Option<&Grade> {
+        let grade = &self.grade.as_ref()?.value;
+        (grade.is_by_thickness() && self.thickness.is_none()).then_some(grade)
     }
 
     pub fn steel(self, body: &str, units: UnitSystem) -> Result<Steel, CaseError> {
@@ -126,5 +275,26 @@ impl SteelTable {
             yield_stress,
             hardening_modulus,
         })
+    }
+}
+
+/// The grade that `field` names.
+fn graded(field: &Field, grades: &Grades) -> Result<Located<Grade>, CaseError> {
+    let name = field.string()?;
+    let grade = grades.find(&name.value).cloned();
+    let grade = grade.map_err(|error| refused(&name.place, &error))?;
+    Ok(name.map(|_| grade))
+}
+
+fn refused(place: &KeyPlace, error: &GradeError) -> CaseError {
+    let kind = match error {
+        GradeError::Unknown { .. } => ErrorKind::UnknownName,
+        GradeError::NoThickness { .. } => ErrorKind::MissingKey,
+        GradeError::TooThick { .. } | GradeError::Quantity { .. } => ErrorKind::Value,
+    };
+    let report = place.error(kind, error.to_string());
+    match miette::Diagnostic::help(error) {
+        Some(help) => report.help(help.to_string()),
+        None => report,
     }
 }

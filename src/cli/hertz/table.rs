@@ -2,9 +2,12 @@
 
 use std::fmt::Write;
 
-use super::units::HandbookUnits;
 use crate::analytic::handbook::{Below, HandbookAnswer, Spread};
 use crate::analytic::sizing;
+use crate::ground::units::UnitLabels;
+use crate::render::sections::rule_table;
+use crate::render::summary::RuleSheet;
+use crate::render::table::text::text;
 
 /// Rows of label, value and unit under headings.
 struct HandbookTable {
@@ -45,9 +48,9 @@ fn number(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-pub(super) fn table(units: HandbookUnits, answer: &HandbookAnswer) -> String {
-    let [length, force, stress] = units.names();
-    let (per_length, area) = (format!("{force}/{length}"), format!("{length}²"));
+pub(super) fn table(units: &UnitLabels, answer: &HandbookAnswer, rules: &RuleSheet) -> String {
+    let [length, force, stress] = [&units.length, &units.force, &units.stress].map(String::as_str);
+    let (per_length, area) = (units.line_load(), units.area());
     let mut t = HandbookTable {
         text: String::new(),
     };
@@ -81,6 +84,7 @@ pub(super) fn table(units: HandbookUnits, answer: &HandbookAnswer) -> String {
     );
     t.row("first yield at the load", answer.first_yield.load, force);
     sections(&mut t, answer, [length, force, stress], &per_length, &area);
+    t.put(format_args!("\n{}", text(&rule_table(rules, units))));
     t.heading("Verdict");
     t.words("half space valid?", yes_no(answer.half_space_valid));
     t.words("elastic, centred?", yes_no(answer.elastic));

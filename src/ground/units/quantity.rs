@@ -39,6 +39,13 @@ fn did_you_mean(word: Option<&str>) -> String {
     word.map_or_else(String::new, |w| format!("; did you mean `{w}`?"))
 }
 
+impl std::fmt::Display for Quantity {
+    /// As it was written.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
 impl Quantity {
     /// Reads `65 kip`, `3in`, `-1.5e-3 mm`, `8.125 kip/in`, `200 N/mm²`, `4 deg`, `10 µm`, `0.15`.
     pub fn parse(text: &str) -> Result<Self, UnitError> {

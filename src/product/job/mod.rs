@@ -15,6 +15,7 @@ mod options;
 mod outcome;
 mod record;
 mod report;
+mod rules;
 mod run;
 mod second;
 mod sizing;

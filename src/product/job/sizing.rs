@@ -63,7 +63,7 @@ fn steels<'s>(scene: &'s Scene, interface: &str) -> Option<[&'s Steel; 2]> {
 }
 
 /// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
-fn is_merged(interface: &str, line: &LineFigures, geometry: &BearingGeometry) -> bool {
+pub(super) fn is_merged(interface: &str, line: &LineFigures, geometry: &BearingGeometry) -> bool {
     let in_valley = geometry.is_centred() && interface.contains("intermediate_plate");
     in_valley && line.across.abs() < 0.5 * geometry.v_line()
 }

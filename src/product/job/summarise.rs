@@ -3,7 +3,7 @@
 use super::error::JobError;
 use super::options::Options;
 use super::outcome::{reported, unloaded};
-use super::{compare, left_out, sizing, strips};
+use super::{compare, left_out, rules, sizing, strips};
 use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
@@ -66,6 +66,7 @@ pub fn summarise(
         brinell_version: env!("CARGO_PKG_VERSION").to_owned(),
         comparison: compare::rows(case, scene, &answer)?,
         sizing: sizing::sizing(case, scene, &answer)?,
+        rules: rules::rules(case, &answer)?,
         answer,
         counters: counters(&solution.counters),
         timing,

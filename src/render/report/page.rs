@@ -7,8 +7,8 @@ use super::sections::{
 };
 use crate::render::OutputError;
 use crate::render::sections::{
-    bodies, certificate, checks, compared, contact, lines, load_line, sizing, statics, steps,
-    unloaded,
+    bodies, certificate, checks, compared, contact, lines, load_line, rules, sizing, statics,
+    steps, unloaded,
 };
 use crate::render::table::Table;
 use crate::render::table::html::{table, tables};
@@ -51,6 +51,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
     let sections = [
         section("peaks", "Peak stresses", tables(&bodies(summary))),
         section("sizing", "Sizing rules", tables(&sizing(summary))),
+        section("rules", "Design rules", tables(&rules(summary))),
         section("space", "The parts in space", space.view),
         section(
             "pictures",

@@ -1,9 +1,11 @@
 //! Everything that is printed of a run, as plain data: its answer, and what the run adds to it.
 //! `summary.json` and the table are made from it.
 
+mod rules;
 mod sizing;
 mod values;
 
+pub use rules::{JudgedRule, RuleSheet, SteelAfter};
 pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
 pub use values::{Comparison, Counters, Reported, Timing};
 
@@ -30,6 +32,8 @@ pub struct Summary {
     pub comparison: Vec<Comparison>,
     /// The sizing rules, for bearings.
     pub sizing: Option<Sizing>,
+    /// Design rules beside the loads that were found, for bearings.
+    pub rules: Option<RuleSheet>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,

@@ -431,3 +431,13 @@ fn units_change_nothing() {
         close(own.name, b.line_load, load, 1e-12);
     }
 }
+
+#[test]
+fn en_1337_4_says_where_the_strengths_differ() {
+    let mut uneven = bridge();
+    uneven.sides[1].ultimate_strength = Some(510.0);
+    let told = |input: &RuleInput| rule(input, "EN 1337-4").notes.join("; ");
+    assert!(told(&uneven).contains("here they differ") && !told(&bridge()).contains("differ"));
+    // The lower strength is the limit.
+    allows(&uneven, "EN 1337-4", 1935.5, 942.65);
+}

@@ -52,7 +52,10 @@ pub(super) fn fatigue(contact: &RuleContact) -> Rule {
 }
 
 fn notes(contact: &RuleContact) -> Vec<String> {
-    let mut notes = vec!["γ = 1.1, f2 = 1: even load".to_owned()];
+    let mut notes = vec![
+        "of crane wheels, its scope leaves roller bearings out".to_owned(),
+        "γ = 1.1, f2 = 1: even load".to_owned(),
+    ];
     if contact.input.overhang.is_none() {
         notes.push("f1 = 0.85, the least: overhang beyond the edge not known".to_owned());
     }

@@ -14,10 +14,13 @@ const ROTATION: f64 = 0.05;
 
 /// The rule for `contact`; f_u is the lower of the two, E_d the modulus of the pair.
 pub(super) fn rule(contact: &RuleContact) -> Rule {
-    let mut notes = vec![
-        "γ_m = 1, as recommended".to_owned(),
-        "both surfaces are to have the same nominal strength and hardness".to_owned(),
-    ];
+    let mut notes = vec!["γ_m = 1, as recommended".to_owned()];
+    let [first, second] = contact.input.sides.map(|side| side.ultimate_strength);
+    let alike = match first == second {
+        true => "both surfaces are to have the same nominal strength and hardness",
+        false => "both surfaces are to have the same nominal strength: here they differ",
+    };
+    notes.push(alike.to_owned());
     if contact.input.rotation.is_none() {
         notes.push("rotation not known: at most 0.05 rad".to_owned());
     }

@@ -107,22 +107,23 @@ impl Steels {
             .map(|(body, size)| (body.to_string(), *size))
             .collect();
         let units = self.units.unwrap_or(UnitSystem::MNPa);
+        let mut told: Vec<(String, Vec<String>)> = Vec::new();
         for (body, size) in sizes {
             let tables = self.tables(body);
             let graded = tables.iter().flatten().find(|table| table.has_grade());
             let Some(grade) = graded.and_then(SteelTable::grade_without_thickness) else {
                 continue;
             };
-            let key = format!("steel.{body}.thickness");
-            let why = format!(
-                "the strength of {} goes by the thickness as delivered",
-                grade.name
-            );
-            assumptions.push(Assumption::default(
-                &key,
-                units.show(*size, Dimension::LENGTH),
-                &why,
-            ));
+            let taken = format!("{body} {}", units.show(*size, Dimension::LENGTH));
+            match told.iter_mut().find(|(name, _)| *name == grade.name) {
+                Some((_, bodies)) => bodies.push(taken),
+                None => told.push((grade.name.clone(), vec![taken])),
+            }
+        }
+        for (grade, bodies) in told {
+            let why = format!("the strength of {grade} goes by the thickness as delivered");
+            let bodies = bodies.join(", ");
+            assumptions.push(Assumption::default("steel.thickness", bodies, &why));
         }
     }
 

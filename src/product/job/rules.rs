@@ -139,11 +139,13 @@ fn judge(rule: &Rule, interface: &str, [even, largest]: [f64; 2], error: LoadErr
 
 /// Of two lines the one that uses the rule more, for either load; the limit is that of the largest load's line.
 fn keep_worse(worst: &mut JudgedRule, other: JudgedRule) {
-    let used = |rule: &Option<crate::analytic::rules::Judged>| rule.map_or(-1.0, |j| j.utilisation);
-    if used(&other.even) > used(&worst.even) {
+    let used = |rule: &Option<crate::analytic::rules::Judged>| rule.map_or(0.0, |j| j.utilisation);
+    // Of lines that are images of each other the first one stays.
+    const TIE: f64 = 1.0 + 1e-6;
+    if used(&other.even) > TIE * used(&worst.even) {
         (worst.even, worst.even_line) = (other.even, other.even_line);
     }
-    if used(&other.largest) > used(&worst.largest) {
+    if used(&other.largest) > TIE * used(&worst.largest) {
         (worst.largest, worst.largest_line) = (other.largest, other.largest_line);
         worst.rule = other.rule;
     }
@@ -177,7 +179,8 @@ fn steel(bearing: &BearingCase, answer: &Answer) -> Result<Vec<SteelAfter>, Case
             .iter()
             .flat_map(|unloaded| &unloaded.dents.0);
         let of_body = dents.filter(|(_, dent)| &dent.body == body);
-        let dent = of_body.map(|(_, dent)| dent.depth).max_by(f64::total_cmp);
+        let deepest = of_body.max_by(|a, b| a.1.depth.total_cmp(&b.1.depth));
+        let dent = deepest.map(|(_, dent)| dent.depth);
         steel.push(SteelAfter {
             body: body.clone(),
             peeq_max: figures.peeq_max,
@@ -185,6 +188,7 @@ fn steel(bearing: &BearingCase, answer: &Answer) -> Result<Vec<SteelAfter>, Case
             yielded_volume: figures.yielded_volume,
             yielded_share: figures.yielded_volume / figures.volume,
             dent,
+            dent_in: deepest.map(|(surface, _)| surface.clone()),
             dent_over_diameter: dent.map(|dent| dent / bearing.geometry.diameter),
         });
     }

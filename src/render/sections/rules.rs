@@ -1,6 +1,7 @@
 //! Design rules, each with its limit and what it says of the loads; then what the steel does.
 
 use crate::analytic::rules::{Judged, Limit};
+use crate::answer::certify::{Figure, Quantity};
 use crate::ground::units::UnitLabels;
 use crate::render::summary::{JudgedRule, RuleSheet, SteelAfter, Summary};
 use crate::render::table::{Cell, Table};
@@ -18,7 +19,7 @@ pub fn rules(summary: &Summary) -> Vec<Table> {
          take rollers as solid and loads as even; what the steel does stands below.",
     );
     rules.title = TITLE.to_string();
-    vec![rules, steel_table(&sheet.steel, &summary.units)]
+    vec![rules, steel_table(&sheet.steel, summary)]
 }
 
 /// The rules that apply, a row each; of the others why they do not.
@@ -91,7 +92,9 @@ fn judged(judged: Option<&Judged>) -> [Cell; 3] {
     ]
 }
 
-fn steel_table(steel: &[SteelAfter], units: &UnitLabels) -> Table {
+/// Bodies that have flowed, with what the certificate says of their figures.
+fn steel_table(steel: &[SteelAfter], summary: &Summary) -> Table {
+    let units = &summary.units;
     let unloaded = steel.iter().any(|body| body.dent.is_some());
     let mut table = Table::new("What the steel does under the load")
         .words("body")
@@ -105,13 +108,23 @@ fn steel_table(steel: &[SteelAfter], units: &UnitLabels) -> Table {
     for body in steel.iter().filter(changed) {
         let mut row = vec![
             (&body.body).into(),
-            Cell::rough(body.peeq_max),
+            claimed(
+                body.peeq_max,
+                summary
+                    .answer
+                    .figure(Quantity::PeakPlasticStrain, &body.body),
+            ),
             Cell::rough(body.peeq_away),
             Cell::rough(body.yielded_volume),
             Cell::Share(Some(body.yielded_share)),
         ];
         if unloaded {
-            row.extend([Cell::rough(body.dent), Cell::rough(body.dent_over_diameter)]);
+            let claim = (body.dent_in.as_ref())
+                .and_then(|surface| summary.answer.figure(Quantity::Dent, surface));
+            let dent = body
+                .dent
+                .map_or(Cell::figure(None), |dent| claimed(dent, claim));
+            row.extend([dent, Cell::rough(body.dent_over_diameter)]);
         }
         table.row(row);
     }
@@ -119,4 +132,12 @@ fn steel_table(steel: &[SteelAfter], units: &UnitLabels) -> Table {
         table.note("with `unload = true` also the dents that stay");
     }
     table
+}
+
+/// A figure with its error, or that it is not resolved, everywhere.
+fn claimed(value: f64, claim: Option<&Figure>) -> Cell {
+    match Cell::certified(value, claim) {
+        Cell::Figure(number) => Cell::Estimate(number),
+        other => other,
+    }
 }

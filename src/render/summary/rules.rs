@@ -43,6 +43,8 @@ pub struct SteelAfter {
     pub yielded_share: f64,
     /// Deepest dent that stays when the load is taken off; none where the case does not.
     pub dent: Option<f64>,
+    /// The surface that it is in.
+    pub dent_in: Option<String>,
     /// The same over the diameter of the roller, beside the 1e-4 of ISO 76.
     pub dent_over_diameter: Option<f64>,
 }

@@ -63,11 +63,13 @@ pub(super) fn claims(
             let below = strips.iter().filter(|strip| strip.body == index);
             mises(peaks, names, &below.collect::<Vec<_>>())
         };
-        let mut peaks = mises(body, [Quantity::PeakMises, Quantity::MisesAway]);
+        let names = [Quantity::PeakMises, Quantity::MisesAway];
         if !yielded {
-            claims.extend(peaks);
+            claims.extend(mises(body, names));
             continue;
         }
+        // The half space is elastic.
+        let mut peaks = self::mises(body, names, &[]);
         peaks
             .iter_mut()
             .for_each(|claim| claim.note = Some(YIELDED));
@@ -180,8 +182,9 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         let (error, note) = match strip {
             Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
             Some(strip) => {
-                // The finer the mesh, the more is what it says worth beside the half space.
-                let weight = (FINE * strip.widest / strip.half_width).min(1.0);
+                // The finer the mesh, the more is what it says worth beside the half space: its error is of second
+                // order.
+                let weight = (FINE * strip.widest / strip.half_width).min(1.0).powi(2);
                 let off = (nodal.value - strip.mises).abs() + BODIES * strip.mises;
                 let off = weight * off;
                 (Some(spread.max(off)), None)

@@ -36,6 +36,8 @@ pub struct BoreStress {
     pub mises_at: Option<[f64; 3]>,
     /// Depth of the elements there over the radius of the bore.
     pub coarseness: f64,
+    /// The largest angle of a facet of the bore about its axis, in radians.
+    pub facet: f64,
     /// Largest nodal Mises stress on the bore.
     pub nodal: Option<f64>,
     /// Undeformed position of that node.
@@ -69,7 +71,8 @@ pub fn bore_stress(
     if let Some(peak) = under_load(scene, state, surface, body, bore.axis) {
         stress.mises = Some(peak.value);
         stress.mises_at = Some(mesh.points[peak.node as usize]);
-        stress.coarseness = peak.coarseness;
+        stress.coarseness = peak.depth / peak.circle.radius(scene, peak.node);
+        stress.facet = peak.circle.largest_facet(scene, surface);
     }
     Some(stress)
 }
@@ -78,8 +81,49 @@ pub fn bore_stress(
 struct SurfacePeak {
     value: f64,
     node: u32,
-    /// See [`BoreStress::coarseness`].
-    coarseness: f64,
+    /// Of the elements below.
+    depth: f64,
+    circle: Circle,
+}
+
+/// The circle that the nodes of a bore lie on, seen along its axis.
+struct Circle {
+    /// The two axes across the bore.
+    plane: [usize; 2],
+    centre: [f64; 2],
+}
+
+impl Circle {
+    fn of(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Self> {
+        let plane = [[1, 2], [2, 0], [0, 1]].get(axis).copied()?;
+        let flat = |n: &u32| plane.map(|i| scene.mesh.points[*n as usize][i]);
+        let centre = circle_centre(&nodes.iter().map(flat).collect::<Vec<_>>())?;
+        Some(Self { plane, centre })
+    }
+
+    /// From the axis to a node.
+    fn arm(&self, scene: &Scene, node: u32) -> [f64; 2] {
+        let at = scene.mesh.points[node as usize];
+        [0, 1].map(|i| at[self.plane[i]] - self.centre[i])
+    }
+
+    fn radius(&self, scene: &Scene, node: u32) -> f64 {
+        let [u, v] = self.arm(scene, node);
+        u.hypot(v)
+    }
+
+    /// The largest angle that a facet spans, in radians.
+    fn largest_facet(&self, scene: &Scene, surface: &Surface) -> f64 {
+        let between = |a: u32, b: u32| {
+            let ([u, v], [x, y]) = (self.arm(scene, a), self.arm(scene, b));
+            (u * y - v * x).atan2(u * x + v * y).abs()
+        };
+        let edges = surface
+            .faces
+            .iter()
+            .flat_map(|face| (0..4).map(|i| between(face.nodes[i], face.nodes[(i + 1) % 4])));
+        edges.fold(0.0, f64::max)
+    }
 }
 
 /// The largest surface Mises stress at the nodes under the load lines; `None` where an element beside one
@@ -92,7 +136,8 @@ fn under_load(
     axis: usize,
 ) -> Option<SurfacePeak> {
     let nodes = surface.nodes();
-    let angles = angles_from_load(scene, &nodes, axis)?;
+    let circle = Circle::of(scene, &nodes, axis)?;
+    let angles = angles_from_load(scene, &nodes, &circle);
     let nearest = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let reach = (nearest + 1e-6).max(UNDER_LOAD.to_radians());
     let strains = surface_strains(scene, state, surface, axis);
@@ -115,7 +160,8 @@ fn under_load(
     Some(SurfacePeak {
         value,
         node,
-        coarseness: depth(scene, surface, node)? / radius(scene, &nodes, node, axis)?,
+        depth: depth(scene, surface, node)?,
+        circle,
     })
 }
 
@@ -131,41 +177,16 @@ fn depth(scene: &Scene, surface: &Surface, node: u32) -> Option<f64> {
     depths.reduce(f64::min)
 }
 
-/// Radius of the bore that these nodes lie on, at one of them.
-fn radius(scene: &Scene, nodes: &[u32], node: u32, axis: usize) -> Option<f64> {
-    let flat = flatten(axis)?;
-    let points = nodes.iter().map(|n| flat(scene.mesh.points[*n as usize]));
-    let [u, v] = circle_centre(&points.collect::<Vec<_>>())?;
-    let [x, y] = flat(scene.mesh.points[node as usize]);
-    Some((x - u).hypot(y - v))
-}
-
-/// The plane across an axis.
-fn flatten(axis: usize) -> Option<impl Fn([f64; 3]) -> [f64; 2]> {
-    let [u, v] = match axis {
-        0 => [1, 2],
-        1 => [2, 0],
-        2 => [0, 1],
-        _ => return None,
-    };
-    Some(move |p: [f64; 3]| [p[u], p[v]])
-}
-
 /// Angle about the roller's axis between each node and the nearer of the two load lines.
-fn angles_from_load(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Vec<f64>> {
-    let flat = flatten(axis)?;
-    let points: Vec<[f64; 2]> = nodes
-        .iter()
-        .map(|n| flat(scene.mesh.points[*n as usize]))
-        .collect();
-    let centre = circle_centre(&points)?;
-    let along = flat(direction(scene));
-    let angle = |p: &[f64; 2]| {
-        let (u, v) = (p[0] - centre[0], p[1] - centre[1]);
+fn angles_from_load(scene: &Scene, nodes: &[u32], circle: &Circle) -> Vec<f64> {
+    let along = direction(scene);
+    let along = circle.plane.map(|i| along[i]);
+    let angle = |node: &u32| {
+        let [u, v] = circle.arm(scene, *node);
         let (sine, cosine) = (along[0] * v - along[1] * u, along[0] * u + along[1] * v);
         sine.abs().atan2(cosine.abs())
     };
-    Some(points.iter().map(angle).collect())
+    nodes.iter().map(angle).collect()
 }
 
 /// Centre of the circle that fits `points` best: least squares on |p|² = 2 c·p + k.

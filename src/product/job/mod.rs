@@ -30,3 +30,4 @@ pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unk
 pub use options::Options;
 pub use outcome::Outcome;
 pub use run::{has_checkpoint, is_sized_by_lines, run, run_on};
+pub use strips::kept as found_strips;

@@ -11,6 +11,8 @@ use crate::render::text::significant;
 /// A figure that the target is about, on one mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
+    /// Which goal it answers.
+    pub goal: Goal,
     pub what: Quantity,
     pub place: String,
     pub value: f64,
@@ -26,6 +28,10 @@ pub struct Level {
     pub level: usize,
     pub unknowns: usize,
     pub figures: Vec<Figure>,
+    /// Goals that there is no figure for, such as Hertz's pressure where steel flows.
+    pub absent: Vec<Goal>,
+    /// Do its bars alone decide? Else the change from the mesh before must be small, too.
+    pub bars_decide: bool,
     pub cost: Cost,
     pub summary: Summary,
 }
@@ -43,85 +49,108 @@ impl Figure {
         }
     }
 
-    /// Are the estimated error and the change from the mesh before within the target?
-    pub fn meets(&self, target: &Target) -> bool {
-        let within = match (target.goal, self.what) {
-            (Goal::Mises, Quantity::PeakPlasticStrain) => STRAIN_TO_STRESS * target.within,
+    /// Is the estimated error within the target, and unless bars decide alone the change from the mesh before?
+    pub fn meets(&self, target: &Target, bars_decide: bool) -> bool {
+        let within = match (target.goal, self.goal) {
+            (Goal::Mises, Goal::PlasticStrain) => STRAIN_TO_STRESS * target.within,
             _ => target.within,
         };
         let small =
             |error: Option<f64>| error.is_some_and(|e| e.abs() <= within * self.value.abs());
-        small(self.estimate) && small(self.change)
+        small(self.estimate) && (bars_decide || small(self.change))
     }
 }
 
 impl Level {
     pub(super) fn new(
         level: usize,
-        target: &Target,
+        (target, bars_decide): (&Target, bool),
         summary: &Summary,
         before: Option<&Self>,
         cost: Cost,
     ) -> Self {
-        let figures = figures(target.goal, &summary.answer.certificate).into_iter();
-        let figures = figures.map(|claim| {
-            let mut figure = Figure {
+        let mut figures = Vec::new();
+        let mut absent = Vec::new();
+        for goal in single(target.goal, &summary.answer.certificate) {
+            let Some(claim) = claim(goal, &summary.answer.certificate) else {
+                absent.push(goal);
+                continue;
+            };
+            let old = before.and_then(|level| level.value_of(goal));
+            figures.push(Figure {
+                goal,
                 what: claim.what,
                 place: claim.place.clone(),
                 value: claim.value,
                 estimate: claim.bar(),
-                change: None,
-            };
-            let old = before.and_then(|level| level.value_of(&figure));
-            figure.change = old.map(|old| figure.value - old);
-            figure
-        });
+                change: old.map(|old| claim.value - old),
+            });
+        }
         Self {
             level,
             unknowns: summary.counters.dofs,
-            figures: figures.collect(),
+            figures,
+            absent,
+            bars_decide,
             cost,
             summary: summary.clone(),
         }
     }
 
-    /// The same figure on this mesh; its place may be another one.
-    pub fn value_of(&self, figure: &Figure) -> Option<f64> {
-        let kind = |f: &Figure| f.what == Quantity::PeakPlasticStrain;
-        let same = self.figures.iter().find(|f| kind(f) == kind(figure));
+    /// The figure that answers `goal` on this mesh.
+    pub fn value_of(&self, goal: Goal) -> Option<f64> {
+        let same = self.figures.iter().find(|f| f.goal == goal);
         same.map(|f| f.value)
+    }
+
+    /// Is all that was asked for, and that there is, as good as asked for?
+    pub fn meets(&self, target: &Target) -> bool {
+        let mut figures = self.figures.iter();
+        !self.figures.is_empty() && figures.all(|f| f.meets(target, self.bars_decide))
     }
 }
 
-/// The claims that a goal is about.
-fn figures(goal: Goal, certificate: &[certify::Figure]) -> Vec<&certify::Figure> {
-    let largest = |what: Quantity| {
-        let claims = certificate.iter().filter(|c| c.what == what);
-        claims.max_by(|a, b| a.value.total_cmp(&b.value))
-    };
-    // The largest of those with an error bar; one at a loaded edge where there is no other.
-    let regular = |names: [Quantity; 2]| {
-        let claims = certificate.iter().filter(|c| names.contains(&c.what));
-        let (sure, unsure): (Vec<_>, Vec<_>) = claims.partition(|claim| claim.is_resolved());
-        let claims = if sure.is_empty() { unsure } else { sure };
-        (claims.into_iter()).max_by(|a, b| a.value.total_cmp(&b.value))
-    };
-    let one = |what: Quantity| largest(what).into_iter().collect();
+/// The single goals that a goal is made of.
+fn single(goal: Goal, certificate: &[certify::Figure]) -> Vec<Goal> {
+    let flows = (certificate.iter()).any(|c| c.what == Quantity::PeakPlasticStrain);
     match goal {
-        Goal::Mises => match largest(Quantity::PeakPlasticStrain) {
-            Some(strain) => regular([Quantity::ElasticPeakMises, Quantity::ElasticMisesAway])
-                .into_iter()
-                .chain([strain])
-                .collect(),
-            None => regular([Quantity::PeakMises, Quantity::MisesAway])
-                .into_iter()
-                .collect(),
-        },
-        Goal::PlasticStrain => one(Quantity::PeakPlasticStrain),
-        Goal::Pressure => one(Quantity::PeakPressure),
-        Goal::HalfWidth => one(Quantity::HalfWidth),
-        Goal::Area => one(Quantity::ContactArea),
-        Goal::Descent => one(Quantity::Descent),
+        Goal::Certified => Goal::CERTIFIED.to_vec(),
+        Goal::Mises if flows => vec![Goal::ElasticMises, Goal::PlasticStrain],
+        Goal::Mises => vec![Goal::ElasticMises],
+        one => vec![one],
+    }
+}
+
+/// The claim that a single goal is about: the largest, with a bar or without; of Mises peaks the largest of those with a
+/// bar, one at a loaded edge where there is no other.
+fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure> {
+    let among = |names: &[Quantity]| -> Vec<&certify::Figure> {
+        let claims = certificate.iter().filter(|c| names.contains(&c.what));
+        claims.collect()
+    };
+    let largest = |claims: Vec<_>| {
+        let by_value = |a: &&certify::Figure, b: &&certify::Figure| a.value.total_cmp(&b.value);
+        claims.into_iter().max_by(by_value)
+    };
+    let regular = |names: &[Quantity]| {
+        let (sure, unsure): (Vec<_>, Vec<_>) =
+            (among(names).into_iter()).partition(|claim| claim.is_resolved());
+        largest(if sure.is_empty() { unsure } else { sure })
+    };
+    match goal {
+        Goal::Certified => None,
+        Goal::Mises | Goal::ElasticMises => {
+            let elastic = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
+            regular(&elastic).or_else(|| regular(&[Quantity::PeakMises, Quantity::MisesAway]))
+        }
+        Goal::PlasticStrain => largest(among(&[Quantity::PeakPlasticStrain])),
+        Goal::Pressure => largest(among(&[Quantity::PeakPressure])),
+        Goal::HertzPressure => largest(among(&[Quantity::HertzPressure])),
+        Goal::LineLoad => largest(among(&[Quantity::LineLoad])),
+        Goal::Bore => largest(among(&[Quantity::BoreMises])),
+        Goal::HalfWidth => largest(among(&[Quantity::HalfWidth])),
+        Goal::Area => largest(among(&[Quantity::ContactArea])),
+        Goal::Descent => largest(among(&[Quantity::Descent])),
     }
 }
 
@@ -147,5 +176,14 @@ pub fn table(levels: &[Level]) -> String {
             ]);
         }
     }
-    text(&table)
+    let mut out = text(&table);
+    let absent = levels.last().map_or(&[][..], |level| &level.absent);
+    if !absent.is_empty() {
+        let names: Vec<&str> = absent.iter().map(|goal| goal.name()).collect();
+        out += &format!(
+            "Not asked for, as this answer has none: {}\n",
+            names.join(", ")
+        );
+    }
+    out
 }

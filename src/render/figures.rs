@@ -46,6 +46,17 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
     }
 }
 
+/// How far off something is, relative to it. What rounding may make, and another machine may make
+/// otherwise, is only said to be small.
+pub fn off(share: f64) -> String {
+    /// Far above rounding, and far below what any reader asks of an error.
+    const SMALL: f64 = 1e-5;
+    if share != 0.0 && share.abs() < SMALL {
+        return format!("< {} %", 100.0 * SMALL);
+    }
+    format!("{} %", significant(100.0 * share, MESH_DIGITS))
+}
+
 /// In place of a figure of which nothing is known.
 pub const NOT_RESOLVED: &str = "not resolved";
 
@@ -61,5 +72,13 @@ mod tests {
         assert_eq!(with_error(238.2, Some(1e-9)), "238.20 ± < 0.01");
         assert_eq!(with_error(12_345.0, Some(700.0)), "12300 ± 700");
         assert_eq!(with_error(f64::NAN, Some(1.0)), "-");
+    }
+
+    #[test]
+    fn rounding_has_no_digits() {
+        assert_eq!(off(0.042), "4.2 %");
+        assert_eq!(off(1.7e-5), "0.0017 %");
+        assert_eq!(off(8.5e-7), "< 0.001 %");
+        assert_eq!(off(0.0), "0 %");
     }
 }

@@ -70,7 +70,7 @@ fn a_seed_draws_sensible_bearings() {
 fn stored_values_are_those_of_the_bearings() {
     for set in [Set::Named, Set::Drawn(1)] {
         let bearings = set.bearings();
-        let stored = References::read(set);
+        let stored = References::read(set).unwrap();
         let known = bearings.iter().filter(|b| stored.of(b).is_some());
         assert_eq!(known.count(), stored.len(), "{set}");
     }

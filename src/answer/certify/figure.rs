@@ -112,7 +112,7 @@ pub struct Errors {
     /// Of the penetration that is left.
     pub penetration: Option<f64>,
     /// Of the size of the increments in plastic flow, what friction remembers meanwhile included: zero
-    /// where nothing depends on the path.
+    /// where nothing depends on the path. `None` where no second solution tells, which a note says.
     pub increment: Option<f64>,
 }
 

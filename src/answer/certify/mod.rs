@@ -83,13 +83,15 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
     // Plastic flow and friction are integrated along the path.
-    let remembers = peaks.iter().any(|body| body.peeq_max > 0.0)
-        || scene.contacts.iter().any(|c| c.friction > 0.0);
+    let remembers = increments::remembers(scene, peaks);
     for claim in &mut claims {
         claim.error.increment = match remembers {
             true => increments::error(claim, evidence.doubled),
             false => Some(0.0),
         };
+        if claim.is_resolved() && claim.error.increment.is_none() {
+            claim.note.get_or_insert(increments::UNKNOWN);
+        }
         claim.error.penetration = penetration(claim, scene, interfaces);
     }
     claims

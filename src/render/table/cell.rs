@@ -32,7 +32,7 @@ pub enum Cell {
     Tiny(f64),
     /// A part of a whole, 1 for all of it.
     Share(Option<f64>),
-    /// How far off something is, relative to it: a share of two digits.
+    /// How far off something is, relative to it: a share of two digits, none where it is rounding.
     Off(Option<f64>),
     Count(usize),
     /// Is a limit met? None where there is none.

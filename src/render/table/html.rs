@@ -1,7 +1,7 @@
 //! Tables on a page.
 
 use super::{Cell, Heading, Number, Table};
-use crate::render::figures::{DASH, MESH_DIGITS, NOT_RESOLVED, share, with_error};
+use crate::render::figures::{DASH, MESH_DIGITS, NOT_RESOLVED, off, share, with_error};
 use crate::render::text::{place, significant};
 use maud::{Markup, html};
 
@@ -63,9 +63,7 @@ fn cell(cell: &Cell) -> Markup {
         Cell::Figure(number) | Cell::Estimate(number) => figure(number),
         Cell::Tiny(value) => html! { (format!("{value:.1e}")) },
         Cell::Share(part) => html! { (share(part.filter(|s| s.is_finite()))) },
-        Cell::Off(part) => html! {
-            @if let Some(part) = part { (significant(100.0 * part, MESH_DIGITS)) " %" } @else { (DASH) }
-        },
+        Cell::Off(part) => html! { (part.map_or_else(|| DASH.to_string(), off)) },
         Cell::Count(count) => html! { (count) },
         Cell::Met(Some(true)) => html! { b class="good" { "yes" } },
         Cell::Met(Some(false)) => html! { b class="bad" { "NO" } },

@@ -1,7 +1,7 @@
 //! Tables on the terminal.
 
 use super::{Cell, Heading, Number, Table};
-use crate::render::figures::MESH_DIGITS;
+use crate::render::figures::{MESH_DIGITS, off};
 use crate::render::text::{percent, place, significant};
 use std::fmt::Write;
 
@@ -78,9 +78,7 @@ pub(super) fn cell(cell: &Cell) -> String {
         Cell::Estimate(number) => estimate(number),
         Cell::Tiny(value) => format!("{value:.1e}"),
         Cell::Share(share) => share.filter(|s| s.is_finite()).map_or_else(dash, percent),
-        Cell::Off(share) => share.map_or_else(dash, |share| {
-            format!("{} %", significant(100.0 * share, MESH_DIGITS))
-        }),
+        Cell::Off(share) => share.map_or_else(dash, off),
         Cell::Count(count) => count.to_string(),
         Cell::Met(met) => met
             .map_or(DASH, |met| if met { "yes" } else { "NO" })

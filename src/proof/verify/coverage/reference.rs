@@ -9,6 +9,7 @@ use crate::ground::file::write_atomically;
 use crate::ground::hash::Fnv;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Where the files are, from the folder of the project.
@@ -50,9 +51,19 @@ fn hash(bearing: &Bearing) -> String {
 
 impl References {
     /// Those of `set`; none where there is no file, or it is of another format.
-    pub fn read(set: Set) -> Self {
+    ///
+    /// # Errors
+    /// [`FileError::Read`] where there is not even their folder.
+    pub fn read(set: Set) -> Result<Self, FileError> {
+        if !Path::new(FOLDER).is_dir() {
+            let why = "true values of bearings are there: run this in the folder of the project";
+            return Err(FileError::Read {
+                path: std::path::absolute(FOLDER).unwrap_or_else(|_| FOLDER.into()),
+                source: io::Error::new(io::ErrorKind::NotFound, why),
+            });
+        }
         let text = std::fs::read_to_string(path(set)).unwrap_or_default();
-        Self(serde_json::from_str(&text).unwrap_or_default())
+        Ok(Self(serde_json::from_str(&text).unwrap_or_default()))
     }
 
     /// How many bearings are stored.

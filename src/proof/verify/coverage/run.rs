@@ -72,7 +72,7 @@ impl CoverageRun<'_> {
         // Centred before displaced, elastic before plastic.
         wanted.sort_by_key(|(displaced, plastic, ..)| (*plastic, *displaced));
         for (_, plastic, set, bearing) in wanted {
-            let known = References::read(set);
+            let known = References::read(set)?;
             let stored = known.of(&bearing);
             if stored.is_some_and(|s| s.has(!plastic)) {
                 continue;
@@ -86,7 +86,7 @@ impl CoverageRun<'_> {
                         "{name}: {unknowns:?} unknowns, {coarse} and {fine} s"
                     ));
                     // Another process may have added to it.
-                    let mut known = References::read(set);
+                    let mut known = References::read(set)?;
                     known.keep(&bearing, !plastic, pair);
                     known.write(set)?;
                 }
@@ -112,7 +112,7 @@ impl CoverageRun<'_> {
         let mut answer = CoverageAnswer::default();
         let presets = self.presets.clone();
         for set in self.sets.clone() {
-            let known = References::read(set);
+            let known = References::read(set)?;
             let scatter = known.scatter();
             for bearing in self.bearings(set) {
                 let Some(stored) = known.of(&bearing) else {

@@ -72,7 +72,15 @@ fn run(text: &str, mesh: &Mesh) -> (Value, String) {
     std::fs::write(folder.path().join("mesh.msh"), msh41(mesh)).unwrap();
     let run = cargo_bin_cmd!("brinell")
         .current_dir(folder.path())
-        .args(["run", "scene.toml", "--out", "out", "--threads", "1"])
+        .args([
+            "run",
+            "scene.toml",
+            "--out",
+            "out",
+            "--threads",
+            "1",
+            "--all-tables",
+        ])
         .assert()
         .code(0);
     let json = std::fs::read_to_string(folder.path().join("out/summary.json")).unwrap();

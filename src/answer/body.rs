@@ -19,6 +19,8 @@ pub struct BodyFigures {
     pub at_singular_edge: Three<bool>,
     /// Peaks of the elastic solution, where the body has yielded and that solution is known.
     pub elastic_mises_max: Option<Three<Option<f64>>>,
+    /// Where its steel begins to yield; none of steel that stays elastic.
+    pub yield_stress: Option<f64>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
     /// Plastic strain beside loaded edges and away from them.
@@ -65,6 +67,9 @@ pub fn bodies(
                 nodal: peaks.nodal.is_some_and(touches),
             },
             elastic_mises_max: elastic.map(|e| three(e, |peak| peak.value)),
+            yield_stress: (solved.scene.materials.get(body))
+                .map(|steel| steel.yield_stress)
+                .filter(|stress| stress.is_finite()),
             peeq_max: peaks.peeq_max,
             flow: flows[body],
             yielded_volume: peaks.yielded_volume,

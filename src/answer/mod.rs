@@ -53,6 +53,8 @@ pub struct Answer {
     pub step_done: f64,
     /// The ends of all steps that are done.
     pub steps: Vec<StepFigures>,
+    /// Was steel that has a yield stress let yield?
+    pub plasticity: bool,
     /// Hexahedra of the mesh.
     pub elements: usize,
     /// The load that acts at that moment, as a vector, and its size.
@@ -142,6 +144,8 @@ impl Answer {
             step: step.map_or_else(String::new, |step| step.name.clone()),
             step_done: state.time,
             steps: steps::steps(solved, &peaks),
+            plasticity: scene.controls.plasticity
+                && scene.materials.iter().any(|m| !m.is_elastic()),
             elements: scene.mesh.hexes.len(),
             applied_force: load::resultant(scene, state),
             applied_load: load,

@@ -5,7 +5,7 @@ use clap::Command;
 /// At the end of `brinell --help`.
 pub const EXAMPLES: &str = "Examples:
   brinell check case.toml                 what a run will take, and what is wrong with the case
-  brinell run case.toml                   solve it: tables here, files in results/case
+  brinell run case.toml                   solve it: verdict here, files in results/case
   brinell run case.toml --mesh h0125      the same on a finer mesh
   brinell hertz --diameter \"3 in\" --length \"8 in\" --load \"65 kip\" --yield \"100 ksi\"
 

@@ -10,14 +10,15 @@ use crate::case::Case;
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::product::target::{self, Level, Limits, Target, Verdict};
-use crate::render::terminal;
+use crate::render::{digest, terminal};
 use crate::solver::solve::{Counters, Phase};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  brinell run case.toml                       tables here, files in results/case
+  brinell run case.toml                       a digest here, files in results/case
+  brinell run case.toml --all-tables          and every table
   brinell run case.toml --mesh h0125          another mesh
   brinell run case.toml --target mises=3%     finer meshes until the stress is that good
   brinell run case.toml --resume              on from where it was stopped
@@ -46,7 +47,10 @@ pub struct RunArgs {
     /// Leave out the second solution without plasticity, which gives the elastic peaks.
     #[arg(long)]
     pub no_elastic_peaks: bool,
-    /// Say for each thing left out what that saved.
+    /// Print every table after the digest; report.html has them too.
+    #[arg(long)]
+    pub all_tables: bool,
+    /// Print every table, and say for each thing left out what that saved.
     #[arg(long)]
     pub explain: bool,
     /// Refine the mesh until the certified figures are as good as asked for, such as 3%, or one of them, such as
@@ -60,7 +64,7 @@ pub struct RunArgs {
     /// Leave out report.html, the page of the run for a browser.
     #[arg(long)]
     pub no_report: bool,
-    /// Print the tables only.
+    /// Print no iterations, only what came of them.
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -95,12 +99,19 @@ pub fn run(args: &RunArgs) -> CommandResult {
     console.finish();
     match result {
         Ok((outcome, missed_target)) => {
-            say(&terminal::render(&outcome.summary, args.explain));
-            say(&timer_table(&outcome.solution.counters));
-            if let Some(out) = &options.out {
-                say(&format!("written to {}", out.display()));
-            }
             let mut missed = outcome.missed_limits(&case);
+            say(&digest::digest(&outcome.summary, &missed));
+            if args.all_tables || args.explain {
+                say(&terminal::tables(&outcome.summary, args.explain));
+                say(&timer_table(&outcome.solution.counters));
+            }
+            if let Some(out) = &options.out {
+                let (out, page) = (out.display(), options.report);
+                let page = if page { ", or report.html there" } else { "" };
+                say(&format!(
+                    "written to {out}; every table: --all-tables{page}"
+                ));
+            }
             missed.extend(missed_target);
             for limit in &missed {
                 say(&format!("FAILED: {limit}"));

@@ -5,6 +5,7 @@
 //! [`results`](crate::answer::results); here they get names, units and a file format.
 
 pub mod check;
+pub mod digest;
 pub mod encode;
 mod error;
 pub mod fields;
@@ -24,6 +25,8 @@ pub mod summary;
 pub mod table;
 pub mod terminal;
 pub mod text;
+pub mod utilisation;
+pub mod verdict;
 pub mod warnings;
 
 pub use error::OutputError;

@@ -1,4 +1,4 @@
-//! A run on the terminal: a head, the tables of its sections, and what to know of it in words.
+//! All of a run on the terminal: a head, the tables of its sections, and what to know of it in words.
 
 use super::figures::DIGITS;
 use super::left_out::{LeftOut, Saving};
@@ -12,7 +12,7 @@ use std::fmt::Write;
 
 /// Everything, in the units of the case, every line ended; with `explain` it says what was saved by each thing left
 /// out.
-pub fn render(summary: &Summary, explain: bool) -> String {
+pub fn tables(summary: &Summary, explain: bool) -> String {
     // Tables that belong together follow each other without a blank line.
     let together = |tables: Vec<Table>| tables.iter().map(text).collect::<String>();
     let unloaded: Vec<Table> = sections::unloaded(summary).into_iter().collect();

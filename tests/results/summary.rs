@@ -231,7 +231,7 @@ fn the_checks_are_computed_where_they_are_not_given() {
 #[test]
 fn the_table_shows_the_figures_and_what_to_beware_of() {
     let (scene, state) = loaded();
-    let text = terminal::render(&summarise(&scene, &state), true);
+    let text = terminal::tables(&summarise(&scene, &state), true);
     for part in [
         "initial-centre: converged",
         "65.00 kip",
@@ -264,7 +264,7 @@ fn the_table_shows_the_figures_and_what_to_beware_of() {
 fn the_slopes_of_a_load_in_stages() {
     let (scene, state) = loaded();
     let summary = summarise(&scene, &state);
-    let text = terminal::render(&summary, false);
+    let text = terminal::tables(&summary, false);
     // 26 at 0.005, then 65 at 0.01.
     for slope in ["5200", "7800"] {
         let row = |line: &str| line.trim_end().ends_with(slope);
@@ -272,11 +272,11 @@ fn the_slopes_of_a_load_in_stages() {
     }
     let mut once = summary.clone();
     once.answer.load_line.remove(0);
-    assert!(!terminal::render(&once, false).contains("slope"));
+    assert!(!terminal::tables(&once, false).contains("slope"));
     // Unloading alone is no load line.
     let mut unloaded = summary;
     unloaded.answer.load_line.swap(0, 1);
-    assert!(!terminal::render(&unloaded, false).contains("slope"));
+    assert!(!terminal::tables(&unloaded, false).contains("slope"));
 }
 
 #[test]
@@ -284,7 +284,7 @@ fn an_unconverged_run_says_so_first() {
     let (scene, state) = loaded();
     let mut summary = summarise(&scene, &state);
     summary.answer.converged = false;
-    assert!(terminal::render(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
+    assert!(terminal::tables(&summary, false).starts_with("initial-centre: NOT CONVERGED\n"));
     let warnings = warnings(&summary.answer);
     assert!(warnings[0].0.contains("has not converged"));
 }

@@ -7,7 +7,7 @@ use crate::cli::status::ExitStatus;
 use crate::cli::threads::set_threads;
 use crate::model::state::State;
 use crate::product::sweep::{self, Sweep, SweepError, SweepFolder};
-use crate::render::terminal;
+use crate::render::digest::digest;
 use crate::solver::solve::{Iteration, Observer};
 use std::io::Read;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ pub fn run(
     observer.console.finish();
     let (record, outcome) = ended?;
     if let Some(outcome) = outcome {
-        say(&terminal::render(&outcome.summary, false));
+        say(&digest(&outcome.summary, &[]));
     }
     say(&format!("{} {}", record.status.name(), record.message));
     Ok(match record.status {

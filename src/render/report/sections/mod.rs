@@ -9,5 +9,4 @@ pub mod pressure_map;
 pub mod run;
 pub mod space;
 pub mod strip;
-pub mod utilisation;
 pub mod verdict;

@@ -1,42 +1,25 @@
-//! The verdict: may the answer be used, are the sizing rules met, what is used most.
+//! The verdict at the top of the page, and what is used most.
 
-use super::utilisation::{Utilisation, largest, utilisations};
 use crate::answer::certify::{Figure, Quantity};
-use crate::render::figures::{DASH, DIGITS, NOT_RESOLVED, share, with_error};
+use crate::render::figures::{DASH, DIGITS, NOT_RESOLVED, with_error};
 use crate::render::report::Inputs;
 use crate::render::report::html::list;
 use crate::render::summary::Summary;
 use crate::render::table::html::table;
 use crate::render::table::{Cell, Number, Table};
 use crate::render::text::significant;
+use crate::render::utilisation::{Utilisation, largest, utilisations};
+use crate::render::verdict::{self, Grade, Verdict, missed_rules};
 use maud::{Markup, html};
 
-/// How good the news is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Grade {
-    Good,
-    Care,
-    Bad,
-}
-
-impl Grade {
-    fn class(self) -> &'static str {
-        match self {
-            Self::Good => "good",
-            Self::Care => "care",
-            Self::Bad => "bad",
-        }
-    }
-}
-
 pub fn verdict(inputs: &Inputs) -> Markup {
-    let all = utilisations(inputs);
-    let (grade, head, rest) = said(inputs);
+    let all = utilisations(inputs.summary);
+    let Verdict { grade, head, rest } = verdict::verdict(inputs.summary, inputs.missed);
     let warnings: Vec<String> = (inputs.summary.warnings.iter())
         .map(|w| w.0.clone())
         .collect();
     html! {
-        p class=(format!("verdict {}", grade.class())) role="status" {
+        p class=(format!("verdict {}", class(grade))) role="status" {
             b { (head) } " " (rest.join(" "))
         }
         (cards(inputs, largest(&all)))
@@ -60,99 +43,12 @@ fn unsure(summary: &Summary) -> Vec<String> {
     summary.answer.unresolved().into_iter().map(said).collect()
 }
 
-/// How good, the first sentence and the others.
-fn said(inputs: &Inputs) -> (Grade, &'static str, Vec<String>) {
-    let summary = inputs.summary;
-    if !summary.answer.converged {
-        let done = share(Some(summary.answer.step_done));
-        let why = format!(
-            "The solution has not converged: what follows is the last increment that was done, {done} of \
-             step “{}”.",
-            summary.answer.step
-        );
-        return (Grade::Bad, "No answer.", vec![why]);
+fn class(grade: Grade) -> &'static str {
+    match grade {
+        Grade::Good => "good",
+        Grade::Care => "care",
+        Grade::Bad => "bad",
     }
-    if !inputs.missed.is_empty() {
-        let missed = inputs.missed.join("; ");
-        return (
-            Grade::Bad,
-            "Not to be relied upon.",
-            vec![format!("{missed}.")],
-        );
-    }
-    let missed = missed_rules(summary);
-    let flows =
-        (summary.answer.bodies.0.iter()).max_by(|a, b| a.1.peeq_max.total_cmp(&b.1.peeq_max));
-    let flows = flows.filter(|(_, body)| body.peeq_max > 0.0);
-    let yields = inputs.scene.materials.iter().any(|m| !m.is_elastic());
-    let mut rest = Vec::new();
-    if !missed.is_empty() {
-        rest.push(format!("{}.", missed.join("; ")));
-    } else if summary.sizing.is_some() {
-        rest.push("The sizing rules (2-49) to (2-51) are met.".to_string());
-    }
-    match flows {
-        Some((name, body)) => rest.push(format!(
-            "Plastic strain is up to {} in {name}.",
-            significant(body.peeq_max, 2)
-        )),
-        None if yields && inputs.scene.controls.plasticity => {
-            rest.push("Nothing yields.".to_string());
-        }
-        None => rest.push("Steel is taken as elastic.".to_string()),
-    }
-    rest.push("The solution has converged, and every check of it is within its limit.".to_string());
-    let unsure = summary.answer.unresolved().len();
-    if unsure > 0 {
-        rest.push(format!(
-            "This mesh does not resolve {unsure} of {} certified figures: they are named below.",
-            summary.answer.certificate.len()
-        ));
-    }
-    let (grade, head) = match (missed.is_empty(), flows) {
-        (false, None) => (Grade::Bad, "Solved; the sizing rules are not met."),
-        (false, Some(_)) => (
-            Grade::Bad,
-            "Solved; the sizing rules are not met, and steel yields.",
-        ),
-        (true, Some(_)) => (Grade::Care, "Solved; steel yields."),
-        (true, None) if unsure > 0 => (Grade::Care, "Solved; not all figures are resolved."),
-        (true, None) => (Grade::Good, "Solved."),
-    };
-    (grade, head, rest)
-}
-
-/// The sizing rules that are missed, in words.
-fn missed_rules(summary: &Summary) -> Vec<String> {
-    let Some(sizing) = &summary.sizing else {
-        return Vec::new();
-    };
-    let mut missed = Vec::new();
-    let lines = sizing.lines.iter().filter(|line| line.met == Some(false));
-    let most = |share: &Option<f64>| share.unwrap_or(0.0);
-    let worst = lines
-        .clone()
-        .max_by(|a, b| most(&a.utilisation).total_cmp(&most(&b.utilisation)));
-    if let Some(line) = worst {
-        let (count, of) = (lines.count(), sizing.lines.len());
-        missed.push(format!(
-            "{count} of {of} lines of contact press beyond 1.65 times yield, (2-49), most of all {} at {} of the limit",
-            line.interface,
-            share(line.utilisation)
-        ));
-    }
-    if let Some(rule) = &sizing.rule {
-        for (name, demand) in [("printed", rule.printed), ("exact", rule.exact)] {
-            if !demand.met {
-                let used = demand.required_diameter_times_length / demand.provided;
-                missed.push(format!(
-                    "D L is short by the {name} constant, (2-50): {} of what there is",
-                    share(Some(used))
-                ));
-            }
-        }
-    }
-    missed
 }
 
 fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
@@ -161,7 +57,7 @@ fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
             h3 { (title) }
             div class="value" {
                 @match grade {
-                    Some(grade) => b class=(grade.class()) { (value) },
+                    Some(grade) => b class=(class(grade)) { (value) },
                     None => (value),
                 }
             }

@@ -1,7 +1,7 @@
 //! How much of what the steel can take is used: figure, limit, share and its error.
 
 use crate::answer::certify::Quantity;
-use crate::render::report::Inputs;
+use crate::render::summary::Summary;
 use crate::render::text::significant;
 
 /// A figure over its limit.
@@ -30,27 +30,40 @@ impl Utilisation {
 }
 
 /// Every body against its yield stress, then every line of contact against (2-49).
-pub fn utilisations(inputs: &Inputs) -> Vec<Utilisation> {
-    let mut all = mises(inputs);
-    all.extend(lines(inputs));
+pub fn utilisations(summary: &Summary) -> Vec<Utilisation> {
+    let mut all = mises(summary);
+    all.extend(lines(summary));
     all
 }
 
-/// The largest.
+/// The largest; the first of those that only rounding tells apart.
 pub fn largest(all: &[Utilisation]) -> Option<&Utilisation> {
-    let counted = all.iter().filter(|u| u.share().is_finite());
-    counted.max_by(|a, b| a.share().total_cmp(&b.share()))
+    first_largest(
+        all.iter().filter(|u| u.share().is_finite()),
+        Utilisation::share,
+    )
+}
+
+/// Of values that symmetry makes equal the first.
+pub fn first_largest<'a, T>(
+    all: impl Iterator<Item = &'a T> + Clone,
+    value: impl Fn(&T) -> f64,
+) -> Option<&'a T> {
+    const TIE: f64 = 1e-6;
+    let most = all.clone().map(&value).fold(f64::NEG_INFINITY, f64::max);
+    let mut all = all;
+    all.find(|one| value(one) >= most - TIE * most.abs())
 }
 
 /// The elastic peak where the body has yielded, away from loaded edges where it lies at one.
-fn mises(inputs: &Inputs) -> Vec<Utilisation> {
-    let answer = &inputs.summary.answer;
+fn mises(summary: &Summary) -> Vec<Utilisation> {
+    let answer = &summary.answer;
     let mut all = Vec::new();
-    for (body, steel) in inputs.scene.mesh.bodies.iter().zip(&inputs.scene.materials) {
-        if !steel.yield_stress.is_finite() {
+    for (name, body) in &answer.bodies.0 {
+        let Some(limit) = body.yield_stress else {
             continue;
-        }
-        let of = |what| answer.figure(what, &body.name);
+        };
+        let of = |what| answer.figure(what, name);
         let (peak, away) = match of(Quantity::ElasticPeakMises) {
             Some(peak) => (Some(peak), of(Quantity::ElasticMisesAway)),
             None => (of(Quantity::PeakMises), of(Quantity::MisesAway)),
@@ -59,9 +72,9 @@ fn mises(inputs: &Inputs) -> Vec<Utilisation> {
         let Some(found) = away.or(peak) else { continue };
         all.push(Utilisation {
             what: found.what.name().to_string(),
-            place: body.name.clone(),
+            place: name.clone(),
             value: found.value,
-            limit: steel.yield_stress,
+            limit,
             error: found.bar(),
             resolved: found.is_resolved(),
             against: "yield",
@@ -70,8 +83,7 @@ fn mises(inputs: &Inputs) -> Vec<Utilisation> {
     all
 }
 
-fn lines(inputs: &Inputs) -> Vec<Utilisation> {
-    let summary = inputs.summary;
+fn lines(summary: &Summary) -> Vec<Utilisation> {
     let Some(sizing) = &summary.sizing else {
         return Vec::new();
     };

@@ -1,0 +1,250 @@
+//! A run in some fifteen lines: the verdict, what governs it, the figures that engineers ask for first.
+
+use super::figures::{DIGITS, MESH_DIGITS, off, share, with_error};
+use super::summary::Summary;
+use super::text::{list, percent, significant};
+use super::utilisation::{Utilisation, first_largest, largest, utilisations};
+use super::verdict::verdict;
+use crate::answer::certify::{Figure, Quantity};
+use std::fmt::Write;
+
+/// The digest of a run whose checks miss the limits `missed`, every line ended, in the units of the case.
+pub fn digest(summary: &Summary, missed: &[String]) -> String {
+    let verdict = verdict(summary, missed);
+    let used = utilisations(summary);
+    let lines = [
+        ("VERDICT", Some(verdict.head.to_owned())),
+        ("", verdict.rest.first().cloned()),
+        ("governs", largest(&used).map(|most| governs(summary, most))),
+        ("load", Some(load(summary))),
+        ("p max", pressure(summary)),
+        ("p0", hertz(summary)),
+        ("Mises", mises(summary, &used)),
+        ("plastic strain", plastic_strain(summary)),
+        ("line load", line_load(summary)),
+        ("forces", forces(summary)),
+        ("checks", checks(summary)),
+        ("widest bar", widest_bar(summary)),
+        ("work", Some(work(summary))),
+    ];
+    let state = match summary.answer.converged {
+        true => "converged",
+        false => "NOT CONVERGED",
+    };
+    let mut text = format!("{}: {state}\n", summary.case);
+    for (name, line) in lines {
+        if let Some(line) = line {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {name:<16}{line}");
+        }
+    }
+    text + &list("Warnings", summary.warnings.iter().map(|w| &w.0))
+}
+
+fn governs(summary: &Summary, most: &Utilisation) -> String {
+    let (what, place, against) = (&most.what, &most.place, most.against);
+    let limit = significant(most.limit, DIGITS);
+    let unit = &summary.units.stress;
+    format!(
+        "{what} of {place}: {} of {limit} {unit}, {against}",
+        used(most)
+    )
+}
+
+/// The share of a limit that is used, with its error.
+fn used(most: &Utilisation) -> String {
+    let error = most.share_error().map_or_else(String::new, |error| {
+        format!(" ± {}", significant(100.0 * error, MESH_DIGITS))
+    });
+    let share = significant(100.0 * most.share(), 3);
+    match most.resolved {
+        true => format!("{share}{error} %"),
+        false => format!("{share} %, NOT RESOLVED,"),
+    }
+}
+
+fn load(summary: &Summary) -> String {
+    let answer = &summary.answer;
+    let (force, length) = (&summary.units.force, &summary.units.length);
+    let mut text = format!("{} {force}", significant(answer.applied_load, DIGITS));
+    if !answer.step.is_empty() {
+        let _ = write!(
+            text,
+            ", step {}, {} done",
+            answer.step,
+            percent(answer.step_done)
+        );
+    }
+    if let Some(descent) = answer.descent {
+        let error = answer
+            .figure(Quantity::Descent, "overall")
+            .and_then(Figure::bar);
+        let _ = write!(text, "; descent {} {length}", with_error(descent, error));
+    }
+    text
+}
+
+/// The largest figure of a kind; one that is resolved, where there is any.
+fn largest_of(summary: &Summary, what: Quantity) -> Option<&Figure> {
+    let of_kind = |resolved: bool| {
+        let all = summary.answer.certificate.iter();
+        let all = all.filter(move |f| f.what == what && f.is_resolved() == resolved);
+        first_largest(all, |f| f.value)
+    };
+    of_kind(true).or_else(|| of_kind(false))
+}
+
+/// A figure with its bar, its unit and its place.
+fn told(summary: &Summary, figure: &Figure) -> String {
+    let unit = summary.units.of_measure(figure.what.measure());
+    let value = with_error(figure.value, figure.bar());
+    let unit = if unit.is_empty() {
+        unit
+    } else {
+        format!(" {unit}")
+    };
+    let doubt = match figure.is_resolved() {
+        true => "",
+        false => ", NOT RESOLVED",
+    };
+    format!("{value}{unit}{doubt}, {}", figure.place)
+}
+
+/// The limit of (2-49) on an interface.
+fn limit(summary: &Summary, interface: &str) -> Option<f64> {
+    let mut lines = summary.sizing.iter().flat_map(|sizing| &sizing.lines);
+    lines.find(|line| line.interface == interface)?.limit
+}
+
+/// What a pressure uses of the limit on its interface.
+fn of_limit(summary: &Summary, pressure: f64, interface: &str) -> String {
+    limit(summary, interface).map_or_else(String::new, |limit| {
+        let (used, limit) = (share(Some(pressure / limit)), significant(limit, DIGITS));
+        format!("; {used} of {limit}, 1.65 yield")
+    })
+}
+
+fn pressure(summary: &Summary) -> Option<String> {
+    let peak = largest_of(summary, Quantity::PeakPressure)?;
+    let limit = of_limit(summary, peak.value, &peak.place);
+    Some(told(summary, peak) + &limit)
+}
+
+/// Hertz's pressure under the largest line load, as certified, else as the sizing rules take it.
+fn hertz(summary: &Summary) -> Option<String> {
+    if let Some(hertz) = largest_of(summary, Quantity::HertzPressure) {
+        let limit = of_limit(summary, hertz.value, &hertz.place);
+        return Some(told(summary, hertz) + &limit);
+    }
+    let lines = summary.sizing.iter().flat_map(|sizing| &sizing.lines);
+    let most = first_largest(lines, |line| line.hertz_pressure)?;
+    let value = significant(most.hertz_pressure, DIGITS);
+    let limit = of_limit(summary, most.hertz_pressure, &most.interface);
+    let unit = &summary.units.stress;
+    Some(format!(
+        "{value} {unit}, {}, as if steel stayed elastic{limit}",
+        most.interface
+    ))
+}
+
+/// The Mises peak that uses most of its yield stress; without one the largest.
+fn mises(summary: &Summary, used: &[Utilisation]) -> Option<String> {
+    let of_yield: Vec<Utilisation> = (used.iter())
+        .filter(|u| u.against == "yield")
+        .cloned()
+        .collect();
+    let unit = &summary.units.stress;
+    if let Some(most) = largest(&of_yield) {
+        let value = with_error(most.value, most.error);
+        let limit = significant(most.limit, DIGITS);
+        let share = share(Some(most.share()));
+        let doubt = if most.resolved { "" } else { ", NOT RESOLVED" };
+        return Some(format!(
+            "{value} {unit}{doubt}, {} of {}; {share} of yield, {limit}",
+            most.what, most.place
+        ));
+    }
+    let peak = largest_of(summary, Quantity::MisesAway)
+        .or_else(|| largest_of(summary, Quantity::PeakMises))?;
+    Some(format!("{}, {}", told(summary, peak), peak.what.name()))
+}
+
+fn plastic_strain(summary: &Summary) -> Option<String> {
+    Some(told(
+        summary,
+        largest_of(summary, Quantity::PeakPlasticStrain)?,
+    ))
+}
+
+fn line_load(summary: &Summary) -> Option<String> {
+    Some(told(summary, largest_of(summary, Quantity::LineLoad)?))
+}
+
+/// What the interfaces carry along the load.
+fn forces(summary: &Summary) -> Option<String> {
+    let all = || {
+        summary
+            .answer
+            .interfaces
+            .0
+            .iter()
+            .map(|(_, i)| i.normal_force)
+    };
+    let (least, most) = all().fold((f64::INFINITY, 0.0f64), |(least, most), force| {
+        (least.min(force), most.max(force))
+    });
+    let [least, most] = [least, most].map(|force| significant(force, DIGITS));
+    let unit = &summary.units.force;
+    match all().count() {
+        0 => None,
+        1 => Some(format!("{most} {unit} through the one interface")),
+        count if least == most => Some(format!("{most} {unit} through each of {count} interfaces")),
+        count => Some(format!(
+            "{least} to {most} {unit} through {count} interfaces"
+        )),
+    }
+}
+
+fn checks(summary: &Summary) -> Option<String> {
+    let checks = &summary.answer.checks;
+    let told = [
+        ("force balance", checks.force_balance, "of the load"),
+        (
+            "penetration",
+            checks.max_penetration_relative,
+            "of the descent",
+        ),
+        ("energy", checks.energy_imbalance, "of the work"),
+    ];
+    let told = told.into_iter().filter_map(|(name, value, of)| {
+        let value = value?;
+        Some(format!("{name} {value:.0e} {of}"))
+    });
+    let told: Vec<String> = told.collect();
+    (!told.is_empty()).then(|| told.join(", "))
+}
+
+/// The widest of the bars that are known, relative to its figure, and how many are not.
+fn widest_bar(summary: &Summary) -> Option<String> {
+    let all = &summary.answer.certificate;
+    let bars = all.iter().filter_map(|f| Some((f.relative_bar()?, f)));
+    let (bar, widest) = bars.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let known = all.len() - summary.answer.unresolved().len();
+    let (what, place) = (widest.what.name(), &widest.place);
+    Some(format!(
+        "± {}, {what} of {place}; {known} of {} figures have one",
+        off(bar),
+        all.len()
+    ))
+}
+
+fn work(summary: &Summary) -> String {
+    let (dofs, iterations) = (summary.counters.dofs, summary.counters.iterations);
+    let memory = (summary.peak_memory_bytes).map_or_else(String::new, |bytes| {
+        format!(", {:.0} MB", bytes as f64 / 1e6)
+    });
+    format!(
+        "{dofs} unknowns, {iterations} iterations, {:.1} s{memory}",
+        summary.timing.total_s
+    )
+}

@@ -29,6 +29,7 @@ mod quantity;
 mod reference;
 mod source;
 mod steel;
+mod title_block;
 mod values;
 pub mod variant;
 
@@ -47,6 +48,7 @@ pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
 pub use source::Source;
 pub use steel::{SteelStrength, Steels, StrainIs};
+pub use title_block::TitleBlock;
 
 use crate::ground::units::UnitSystem;
 use crate::model::mesh::Mesh;
@@ -61,6 +63,8 @@ pub struct Case {
     pub title: String,
     /// What it is about, where that is said.
     pub description: Option<String>,
+    /// Whose calculation it is; empty where the case does not say.
+    pub title_block: TitleBlock,
     /// The system all numbers of the case are in.
     pub units: UnitSystem,
     /// The published study the case belongs to.
@@ -152,6 +156,7 @@ impl Case {
         let case = Self {
             title,
             description,
+            title_block: title_block::read(root)?,
             units: root.units(),
             discrepancies: reference::discrepancies(study, displaced),
             reference,

@@ -15,7 +15,7 @@ pub const EXAMPLES: &str = "Examples:
 const GROUPS: [(&str, &[&str]); 5] = [
     ("Begin", &["size", "init", "check", "mesh"]),
     ("Solve", &["run", "sweep"]),
-    ("Hand over", &["export"]),
+    ("Hand over", &["report", "export"]),
     ("Trust", &["converge", "verify", "study", "hertz"]),
     ("Shell", &["completions", "help"]),
 ];

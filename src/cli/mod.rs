@@ -14,6 +14,7 @@ pub mod mesh;
 mod output;
 mod preset;
 pub mod reference;
+pub mod report;
 pub mod run;
 mod signals;
 pub mod size;
@@ -50,6 +51,8 @@ enum Command {
     Mesh(mesh::MeshArgs),
     /// Write a case as a deck for CalculiX or Abaqus.
     Export(export::ExportArgs),
+    /// The page of a run: where it is, and as a PDF.
+    Report(report::ReportArgs),
     /// The handbook: Hertz, ring and groove figures for a roller on a plate.
     Hertz(Box<hertz::HertzArgs>),
     /// One case on a series of meshes: error against unknowns, run time and memory.
@@ -92,6 +95,7 @@ impl Cli {
             Command::Check(args) => check::run(&args),
             Command::Mesh(args) => mesh::run(&args),
             Command::Export(args) => export::run(&args),
+            Command::Report(args) => report::run(&args),
             Command::Converge(args) => converge::run(&args),
             Command::Study(args) => study::run(&args),
             Command::Sweep(args) => sweep::run(&args),

@@ -6,6 +6,8 @@ pub mod converge;
 pub mod deck;
 pub mod job;
 #[doc(hidden)]
+pub mod print;
+#[doc(hidden)]
 pub mod size;
 #[doc(hidden)]
 pub mod sweep;

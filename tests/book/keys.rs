@@ -58,6 +58,11 @@ fn keys_of_every_case_are_read() {
     all_read(&keys::SCENE, &[], |l| {
         format!("{SCENE}mesh = {{ file = \"a.msh\" }}\n{l}")
     });
+    all_read(&keys::TITLE_BLOCK, &[], |l| {
+        format!(
+            "{SCENE}{STEEL}elastic = true\n[mesh]\nfile = \"a.msh\"\n[[pressure]]\nsurface = \"a\"\nvalue = 1\n[title_block]\n{l}"
+        )
+    });
     let steel = |l: &str| format!("{SCENE}[mesh]\nfile = \"a.msh\"\n[steel]\n{l}");
     // Of three keys for the hardening a steel has one.
     all_read(&keys::STEEL, &[], steel);

@@ -29,6 +29,8 @@ fn nasty_case() -> Case {
         false => line,
     });
     let mut text: Vec<&str> = lines.collect();
+    let who = format!("[title_block]\nprepared = {}", json!(NASTY));
+    text.push(&who);
     text.push("# </pre></script><script>window.broken = 2</script><!--");
     let mut case = case::parse(&path.display().to_string(), &text.join("\n")).unwrap();
     case.set_preset("report-like").unwrap();
@@ -206,4 +208,65 @@ fn print_has_pictures_in_place_of_the_view() {
     assert!(picture.coloured() > 2000, "{}", picture.coloured());
     let pdf = browser.call("Page.printToPDF", json!({}));
     assert!(pdf["data"].as_str().unwrap().starts_with("JVBERi0"));
+}
+
+/// The title block has what the case says, as text, and a blank for what it does not.
+#[test]
+fn the_title_block_is_text_and_blanks() {
+    let mut browser = open();
+    let entry = |name: &str| {
+        format!(
+            "[...document.querySelectorAll('.title-block div')] \
+             .find(d => d.querySelector('dt').textContent === '{name}') \
+             .querySelector('dd').textContent"
+        )
+    };
+    assert_eq!(browser.value(&entry("prepared")), json!(NASTY));
+    assert_eq!(browser.value(&entry("checked")), json!(""));
+    let hash = browser.value(&entry("case file, FNV-1a"));
+    assert_eq!(hash.as_str().map(str::len), Some(16));
+}
+
+/// Sizes of paper in points, as the printed file has them.
+#[test]
+fn the_page_is_printed_on_the_paper_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(page(), folder.path().join("report.html")).unwrap();
+    for (paper, size) in [("a4", [595.0, 842.0]), ("letter", [612.0, 792.0])] {
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_brinell"))
+            .args(["report", "--pdf", "--paper", paper])
+            .arg(folder.path())
+            .output()
+            .unwrap();
+        assert!(
+            run.status.success(),
+            "{}",
+            String::from_utf8_lossy(&run.stderr)
+        );
+        let pdf = std::fs::read(folder.path().join("report.pdf")).unwrap();
+        let pdf = String::from_utf8_lossy(&pdf).into_owned();
+        let boxes: Vec<Vec<f64>> = (pdf.split("/MediaBox [").skip(1))
+            .filter_map(|rest| rest.split(']').next())
+            .map(|text| {
+                text.split_whitespace()
+                    .filter_map(|n| n.parse().ok())
+                    .collect()
+            })
+            .collect();
+        assert!(boxes.len() > 2, "{} pages", boxes.len());
+        for sides in boxes {
+            assert!(
+                (sides[2] - size[0]).abs() < 1.0 && (sides[3] - size[1]).abs() < 1.0,
+                "{sides:?}"
+            );
+        }
+    }
+    let empty = tempfile::tempdir().unwrap();
+    let run = std::process::Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args(["report", "--pdf"])
+        .arg(empty.path())
+        .output()
+        .unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&run.stderr).contains("no page of a run"));
 }

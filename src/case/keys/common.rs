@@ -66,6 +66,32 @@ pub const ROOT: Keys = Keys {
             "none",
             "printed values to set beside the answer; they decide nothing",
         ),
+        key(
+            "title_block",
+            "table",
+            "none",
+            "whose calculation it is, at the head of `report.html`",
+        ),
+    ],
+};
+
+pub const TITLE_BLOCK: Keys = Keys {
+    heading: "[title_block]",
+    about: "Heads the page `report.html`, and is in `summary.json`. What is left out stays blank there, to be filled in by hand.",
+    keys: &[
+        key("project", "text", "blank", "the structure or the order"),
+        key("part", "text", "blank", "what is calculated"),
+        key("document", "text", "blank", "the number of the calculation"),
+        key("revision", "text", "blank", "its revision"),
+        key(
+            "date",
+            "text, such as `\"2026-11-24\"`",
+            "blank",
+            "its date",
+        ),
+        key("prepared", "text", "blank", "who made it"),
+        key("checked", "text", "blank", "who checked it"),
+        key("approved", "text", "blank", "who approved it"),
     ],
 };
 

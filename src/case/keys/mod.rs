@@ -8,7 +8,7 @@ mod common;
 mod scene;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
-pub use common::{COMPARISON, CONTROLS, HARDENING, ROOT, STEEL};
+pub use common::{COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
 pub use scene::{
     AXES, BODY, CONTACT, FAMILY_MESH, FILE_MESH, LOAD, PARTNER, PLANE, RIGID_PLANE, SCENE, STEP,
     SUPPORT,
@@ -74,7 +74,14 @@ impl Keys {
 const CHAPTERS: [(&str, &[&Keys]); 3] = [
     (
         "Every case",
-        &[&ROOT, &STEEL, &HARDENING, &CONTROLS, &COMPARISON],
+        &[
+            &ROOT,
+            &TITLE_BLOCK,
+            &STEEL,
+            &HARDENING,
+            &CONTROLS,
+            &COMPARISON,
+        ],
     ),
     (
         "A bearing",

@@ -62,6 +62,7 @@ pub fn summarise(
     warnings.extend(told.chain(found.into_iter().flatten()).map(Warning));
     Ok(Summary {
         case: case.title.clone(),
+        title_block: title_block(case),
         units: UnitLabels::of(case.units),
         brinell_version: env!("CARGO_PKG_VERSION").to_owned(),
         comparison: compare::rows(case, scene, &answer)?,
@@ -75,6 +76,15 @@ pub fn summarise(
         left_out: left_out::list(case, scene, solution, options),
         warnings,
     })
+}
+
+fn title_block(case: &Case) -> Named<Option<String>> {
+    let entries = case.title_block.iter();
+    Named(
+        entries
+            .map(|(key, text)| ((*key).to_owned(), text.clone()))
+            .collect(),
+    )
 }
 
 fn counters(counters: &solve::Counters) -> Counters {

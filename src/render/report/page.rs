@@ -3,7 +3,8 @@
 use super::Inputs;
 use super::html::in_script;
 use super::sections::{
-    convergence, depth, input, line_load, pictures, pressure_map, run, space, strip, verdict,
+    convergence, depth, input, line_load, pictures, pressure_map, run, space, strip, title_block,
+    verdict,
 };
 use crate::render::OutputError;
 use crate::render::sections::{
@@ -117,6 +118,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
             body {
                 h1 { (summary.case) }
                 p class="sub" { "Brinell " (summary.brinell_version) " · " (inputs.case.0) }
+                (title_block::title_block(inputs))
                 section id="verdict" { (verdict::verdict(inputs)) }
                 nav aria-label="Sections" {
                     @for s in &sections { a href=(format!("#{}", s.id)) { (s.heading) } }

@@ -11,7 +11,7 @@ pub use values::{Comparison, Counters, Reported, Timing};
 
 use super::left_out::LeftOut;
 use super::warnings::Warning;
-use crate::answer::Answer;
+use crate::answer::{Answer, Named};
 use crate::ground::file::{FileError, write_atomically};
 use crate::ground::units::UnitLabels;
 use serde::Serialize;
@@ -21,6 +21,8 @@ use std::path::Path;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     pub case: String,
+    /// Whose calculation it is: what the case says, and null for what it leaves blank.
+    pub title_block: Named<Option<String>>,
     pub units: UnitLabels,
     pub brinell_version: String,
     #[serde(flatten)]

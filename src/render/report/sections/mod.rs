@@ -9,4 +9,5 @@ pub mod pressure_map;
 pub mod run;
 pub mod space;
 pub mod strip;
+pub mod title_block;
 pub mod verdict;

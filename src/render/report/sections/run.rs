@@ -1,5 +1,6 @@
 //! Assumptions, what was left out, the model, the time it took, and the versions.
 
+use super::title_block::case_hash;
 use crate::ground::geometry::AXES;
 use crate::render::report::Inputs;
 use crate::render::report::html::list;
@@ -87,6 +88,7 @@ fn settings(inputs: &Inputs) -> Markup {
                 .clone()
                 .unwrap_or_else(|| "none".into()),
         ],
+        ["case file, FNV-1a".into(), case_hash(inputs)],
         [
             "tolerance of forces".into(),
             format!("{:e} of the applied", controls.residual),

@@ -115,6 +115,12 @@ fn in_room(room: &Path, text: &str) -> Result<Vec<u8>, PrintError> {
                 "--no-first-run",
                 "--disable-dev-shm-usage",
             ])
+            // The view in space is drawn without a graphics card, and is done before the page is printed.
+            .args([
+                "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader",
+                "--virtual-time-budget=30000",
+            ])
             .args(sandbox())
             .arg(format!(
                 "--user-data-dir={}",

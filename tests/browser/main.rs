@@ -198,12 +198,17 @@ fn cut_field_and_displacement_change_the_picture() {
 #[test]
 fn print_has_pictures_in_place_of_the_view() {
     let mut browser = open();
+    browser.value("dispatchEvent(new Event('beforeprint'))");
+    browser.wait_for("document.querySelector('#view .still').complete");
     browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
     let shown = |selector: &str| {
         format!("document.querySelector('{selector}').getBoundingClientRect().height > 50")
     };
     assert_eq!(browser.value(&shown(CANVAS)), json!(false));
     assert_eq!(browser.value(&shown("#pictures svg")), json!(true));
+    assert_eq!(browser.value(&shown("#view .still")), json!(true));
+    let still = browser.picture("#view .still");
+    assert!(still.coloured() > 2000, "{}", still.coloured());
     let picture = browser.picture("#pictures svg");
     assert!(picture.coloured() > 2000, "{}", picture.coloured());
     let pdf = browser.call("Page.printToPDF", json!({}));

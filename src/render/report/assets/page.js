@@ -1,4 +1,4 @@
-// Starts the view in space, and opens what is folded before the page is printed.
+// Starts the view in space. Before the page is printed it opens what is folded, and takes a picture of the view.
 
 async function start() {
   const root = document.getElementById("view");
@@ -17,5 +17,9 @@ async function start() {
 
 addEventListener("beforeprint", () => {
   document.querySelectorAll("details").forEach((details) => (details.open = true));
+  if (!window.view) return;
+  const root = document.getElementById("view");
+  root.querySelector(".still").src = window.view.still();
+  root.classList.add("pictured");
 });
 start();

@@ -41,6 +41,12 @@ class View {
     });
   }
 
+  // What is seen now, as an address of a picture.
+  still() {
+    this.renderer.draw(this.camera, this.state);
+    return this.canvas.toDataURL("image/png");
+  }
+
   reset() {
     const { low, high, mirrors, up } = this.model.header;
     const whole = this.state.whole;

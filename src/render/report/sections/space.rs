@@ -90,6 +90,7 @@ fn view(header: &Header) -> Markup {
             div class="stage" {
                 canvas tabindex="0" role="img"
                     aria-label="The parts in space, in the colours of the chosen field. Arrow keys turn, plus and minus zoom." {}
+                img class="still print-only" alt="The parts in space, as the page showed them.";
                 div class="key" {
                     div data-control="quantity" {}
                     div class="bar" { div class="colours" style=(gradient) {} div class="ticks" data-control="ticks" {} }

@@ -70,7 +70,14 @@ const VERIFICATION_PAGE: &str = "docs/verification.md";
 const EXTREME_SUITE: &str = "cases/extreme/suite.toml";
 const STABILITY_PAGE: &str = "docs/stability.md";
 
-const COVERAGE_PAGE: &str = "docs/coverage.md";
+/// The page of the coverage suite; that of another seed than the first has the seed in its name.
+fn coverage_page(seed: u64) -> PathBuf {
+    match seed {
+        1 => "docs/coverage.md".into(),
+        _ => format!("docs/coverage-seed-{seed}.md").into(),
+    }
+}
+
 /// A claim a line, in the folder of `--out`.
 const COVERAGE_LINES: &str = "coverage.jsonl";
 
@@ -284,9 +291,9 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     }
     if write && !answer.interrupted {
         let page = coverage::page(&answer.records, &sets, &answer.unsolved, &answer.unknown);
-        let path = Path::new(COVERAGE_PAGE);
-        std::fs::write(path, page).map_err(|error| cannot(path, error))?;
-        say(&format!("written to {COVERAGE_PAGE}"));
+        let path = coverage_page(all.seed);
+        std::fs::write(&path, page).map_err(|error| cannot(&path, error))?;
+        say(&format!("written to {}", path.display()));
     }
     Ok(status(
         &answer,

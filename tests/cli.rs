@@ -492,6 +492,23 @@ fn the_main_case_runs_from_any_folder_on_its_shipped_mesh() {
     has_every_key(&summary, &BODIES, &INTERFACES);
     assert_eq!(summary["converged"], true);
     close(&summary["applied_load"], 65.0, 1e-9);
+    // What a checker recomputes, here by Hertz's formula with E = 29500 ksi, ν = 0.3 and R = 1.5 in.
+    let by_hand = |what: &str| {
+        let checks = summary["hand_checks"].as_array().unwrap().iter();
+        let mut here = checks.filter(|c| c["where"] == "upper_plate-upper_roller");
+        here.find(|c| c["what"] == what).unwrap()["by_hand"].clone()
+    };
+    let lines = &summary["interfaces"]["upper_plate-upper_roller"]["lines"];
+    let q = lines[0]["peak"].as_f64().unwrap();
+    let pressure = (q * 29500.0 / (2.0 * std::f64::consts::PI * 0.91 * 1.5)).sqrt();
+    close(&by_hand("force along the load, kip"), 65.0, 1e-12);
+    close(&by_hand("even line load, kip/in"), 8.125, 1e-12);
+    close(&by_hand("peak pressure, ksi"), pressure, 1e-9);
+    close(
+        &by_hand("half-width, in"),
+        2.0 * q / (std::f64::consts::PI * pressure),
+        1e-9,
+    );
     for interface in INTERFACES {
         let interface = &summary["interfaces"][interface];
         close(&interface["normal_force"], 65.0, 1e-6);

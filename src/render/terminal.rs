@@ -31,6 +31,7 @@ pub fn tables(summary: &Summary, explain: bool) -> String {
         texts(&unloaded),
         text(&sections::checks(summary)),
         text(&sections::certificate(summary)),
+        text(&sections::hand_checks(summary)),
         list("Assumed", summary.assumptions.iter()),
         left_out(&summary.left_out, explain),
         list("Warnings", summary.warnings.iter().map(|w| &w.0)),

@@ -8,6 +8,7 @@ mod error;
 mod export;
 mod files;
 mod folder;
+mod hand_checks;
 mod left_out;
 mod limits;
 mod mesh;

@@ -3,7 +3,7 @@
 use super::error::JobError;
 use super::options::Options;
 use super::outcome::{reported, unloaded};
-use super::{compare, left_out, rules, sizing, strips};
+use super::{compare, hand_checks, left_out, rules, sizing, strips};
 use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
@@ -60,13 +60,15 @@ pub fn summarise(
         strips::shortcoming(case, scene, state),
     ];
     warnings.extend(told.chain(found.into_iter().flatten()).map(Warning));
+    let sizing = sizing::sizing(case, scene, &answer)?;
     Ok(Summary {
         case: case.title.clone(),
         title_block: title_block(case),
         units: UnitLabels::of(case.units),
         brinell_version: env!("CARGO_PKG_VERSION").to_owned(),
         comparison: compare::rows(case, scene, &answer)?,
-        sizing: sizing::sizing(case, scene, &answer)?,
+        hand_checks: hand_checks::hand_checks(case, scene, (&answer, sizing.as_ref()))?,
+        sizing,
         rules: rules::rules(case, &answer)?,
         answer,
         counters: counters(&solution.counters),

@@ -8,8 +8,8 @@ use super::sections::{
 };
 use crate::render::OutputError;
 use crate::render::sections::{
-    bodies, certificate, checks, compared, contact, lines, load_line, rules, sizing, statics,
-    steps, unloaded,
+    bodies, certificate, checks, compared, contact, hand_checks, lines, load_line, rules, sizing,
+    statics, steps, unloaded,
 };
 use crate::render::table::Table;
 use crate::render::table::html::{table, tables};
@@ -90,6 +90,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
             "What the figures are worth",
             table(&certificate(summary)),
         ),
+        section("checker", "For the checker", table(&hand_checks(summary))),
         section("loading", "Load and descent", tables(&loading)),
         section(
             "convergence",

@@ -1,10 +1,12 @@
 //! Everything that is printed of a run, as plain data: its answer, and what the run adds to it.
 //! `summary.json` and the table are made from it.
 
+mod hand_checks;
 mod rules;
 mod sizing;
 mod values;
 
+pub use hand_checks::HandCheck;
 pub use rules::{JudgedRule, RuleSheet, SteelAfter};
 pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
 pub use values::{Comparison, Counters, Reported, Timing};
@@ -36,6 +38,8 @@ pub struct Summary {
     pub sizing: Option<Sizing>,
     /// Design rules beside the loads that were found, for bearings.
     pub rules: Option<RuleSheet>,
+    /// What can be recomputed by hand, for bearings.
+    pub hand_checks: Vec<HandCheck>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,

@@ -78,6 +78,8 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         comparison: comparison.to_vec(),
         sizing: None,
         rules: None,
+        hand_checks: Vec::new(),
+        title_block: Default::default(),
         assumptions: vec!["plates L x L".to_string()],
         left_out: vec![
             LeftOut::new("friction 0: no tangential unknowns").saving(12, "friction updates"),

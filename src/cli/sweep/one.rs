@@ -13,7 +13,7 @@ use std::io::Read;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Runs row `number`, printing what `brinell run` prints.
+/// Runs row `number`, printing the digest that `brinell run` prints.
 pub fn run(
     args: &SweepArgs,
     sweep: &Sweep,
@@ -30,8 +30,8 @@ pub fn run(
     let ended = sweep::run_row(row, place, args.resume, &mut observer);
     observer.console.finish();
     let (record, outcome) = ended?;
-    if let Some(outcome) = outcome {
-        say(&digest(&outcome.summary, &[]));
+    if let Some((outcome, missed)) = outcome {
+        say(&digest(&outcome.summary, &missed));
     }
     say(&format!("{} {}", record.status.name(), record.message));
     Ok(match record.status {

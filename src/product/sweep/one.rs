@@ -17,9 +17,13 @@ use std::time::{Duration, Instant};
 /// The fingerprint of the row whose checkpoint is in the folder.
 const FINGERPRINT_FILE: &str = "begun";
 
+/// A row that was solved in this process: what came of it, and the limits that it misses.
+pub type SolvedRow = (Outcome, Vec<String>);
+
 /// Runs the row that was prepared in `place`, and keeps what came of it. With `resume` a row that has
 /// been finished stays as it is, and a half-done one goes on from its checkpoint. While another run
-/// has the folder, such as one whose sweep was killed, this one waits.
+/// has the folder, such as one whose sweep was killed, this one waits. Returns the record, and the
+/// outcome where the row was solved here.
 ///
 /// # Errors
 /// [`SweepError`] where the row was not prepared or its folder cannot be used. What is wrong with
@@ -29,7 +33,7 @@ pub fn run(
     place: &SweepFolder,
     resume: bool,
     observer: &mut dyn Observer,
-) -> Result<(RowRecord, Option<Outcome>), SweepError> {
+) -> Result<(RowRecord, Option<SolvedRow>), SweepError> {
     let folder = place.row(row);
     let Some(_lock) = wait(&folder, observer)? else {
         let message = "stopped while another run of the row was waited for";
@@ -60,7 +64,7 @@ pub fn run(
     let start = Instant::now();
     let ended = solve(row, &file, resume && same, observer);
     let (mut record, outcome) = match ended {
-        Ok((outcome, missed)) => (solved(row, &outcome, &missed), Some(outcome)),
+        Ok((outcome, missed)) => (solved(row, &outcome, &missed), Some((outcome, missed))),
         Err(error) => (failed(row, &error, observer.cancelled()), None),
     };
     record.seconds = start.elapsed().as_secs_f64();
@@ -87,13 +91,12 @@ fn wait(folder: &Path, observer: &mut dyn Observer) -> Result<Option<Lock>, Swee
     }
 }
 
-/// The outcome, and the limits that it misses.
 fn solve(
     row: &SweepRow,
     file: &Path,
     resume: bool,
     observer: &mut dyn Observer,
-) -> Result<(Outcome, Vec<String>), JobError> {
+) -> Result<SolvedRow, JobError> {
     let case = case::parse(&file.to_string_lossy(), &row.text)?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let options = |resume| Options {

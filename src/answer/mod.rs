@@ -169,6 +169,18 @@ impl Answer {
         figure(&self.certificate, what, place)
     }
 
+    /// What the yield stress of a body is asked about: the elastic peak where it has yielded and that is known, away from
+    /// loaded edges where the peak lies at one.
+    pub fn elastic_mises(&self, body: &str) -> Option<&Figure> {
+        let of = |what| self.figure(what, body);
+        let (peak, away) = match of(Quantity::ElasticPeakMises) {
+            Some(peak) => (Some(peak), of(Quantity::ElasticMisesAway)),
+            None => (of(Quantity::PeakMises), of(Quantity::MisesAway)),
+        };
+        // A peak at a loaded edge is a figure of the mesh.
+        away.or(peak)
+    }
+
     /// The figures of which nothing can be said, and that nothing is said in place of.
     pub fn unresolved(&self) -> Vec<&Figure> {
         unresolved(&self.certificate)

@@ -1,6 +1,5 @@
 //! How much of what the steel can take is used: figure, limit, share and its error.
 
-use crate::answer::certify::Quantity;
 use crate::render::summary::Summary;
 use crate::render::text::significant;
 
@@ -55,7 +54,7 @@ pub fn first_largest<'a, T>(
     all.find(|one| value(one) >= most - TIE * most.abs())
 }
 
-/// The elastic peak where the body has yielded, away from loaded edges where it lies at one.
+/// Every body whose steel can yield.
 fn mises(summary: &Summary) -> Vec<Utilisation> {
     let answer = &summary.answer;
     let mut all = Vec::new();
@@ -63,13 +62,9 @@ fn mises(summary: &Summary) -> Vec<Utilisation> {
         let Some(limit) = body.yield_stress else {
             continue;
         };
-        let of = |what| answer.figure(what, name);
-        let (peak, away) = match of(Quantity::ElasticPeakMises) {
-            Some(peak) => (Some(peak), of(Quantity::ElasticMisesAway)),
-            None => (of(Quantity::PeakMises), of(Quantity::MisesAway)),
+        let Some(found) = answer.elastic_mises(name) else {
+            continue;
         };
-        // A peak at a loaded edge is a figure of the mesh.
-        let Some(found) = away.or(peak) else { continue };
         all.push(Utilisation {
             what: found.what.name().to_string(),
             place: name.clone(),

@@ -2,18 +2,16 @@
 //! length that the run found.
 
 use super::error::JobError;
+use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::subsurface::LineField;
-use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::answer::Answer;
 use crate::answer::certify::{Figure, Quantity};
 use crate::case::{BearingCase, Case, Kind};
-use crate::model::scene::Scene;
+use crate::ground::units::UnitLabels;
+use crate::model::scene::{ContactPair, Scene};
 use crate::render::summary::{HandCheck, SizedLine, Sizing};
 use crate::render::text::significant;
-
-/// Digits of the numbers in a formula: more than what is compared has.
-const NUMBERS: usize = 5;
 
 const FRICTION: &str = "friction on the slopes carries a part";
 const HALF_SPACE: &str = "bodies are no half spaces, and rollers bend";
@@ -29,173 +27,146 @@ pub fn hand_checks(
     let (Kind::Bearing(bearing), Some(sizing)) = (&case.kind, sizing) else {
         return Ok(Vec::new());
     };
+    let units = UnitLabels::of(case.units);
     let mut checks = Vec::new();
-    for (name, interface) in &answer.interfaces.0 {
-        let force = &case.units.force();
-        checks.push(HandCheck {
-            what: format!("force along the load, {force}"),
-            place: name.clone(),
-            formula: format!("P = {}", significant(bearing.load, NUMBERS)),
-            by_hand: bearing.load,
-            found: Some(interface.normal_force),
-            error: None,
-            differs: ROUNDING,
-        });
-        let lines = sizing
-            .lines
-            .iter()
-            .filter(|l| l.interface == *name && !l.merged);
+    for pair in &scene.contacts {
+        let hand = ByHand {
+            bearing,
+            scene,
+            answer,
+            units: &units,
+            pair,
+        };
+        checks.extend(hand.force());
+        let lines = sizing.lines.iter();
+        let lines = lines.filter(|line| line.interface == pair.name && !line.merged);
         let heaviest = lines.max_by(|a, b| a.peak_line_load.total_cmp(&b.peak_line_load));
         let Some(line) = heaviest else { continue };
-        let checked = LineCheck::new(bearing, scene, (answer, line)).map_err(|error| {
-            JobError::ClosedForm {
-                what: "what can be recomputed by hand".to_owned(),
-                why: error.to_string(),
-            }
+        checks.extend(hand.even(line));
+        let hertz = hand.hertz(line).map_err(|error| JobError::ClosedForm {
+            what: "what can be recomputed by hand".to_owned(),
+            why: error.to_string(),
         })?;
-        checks.extend(checked.into_iter().flat_map(|checked| checked.all(case)));
+        checks.extend(hertz);
     }
     Ok(checks)
 }
 
-/// The heaviest line of an interface.
-struct LineCheck<'a> {
+/// One interface of a solved bearing.
+struct ByHand<'a> {
     bearing: &'a BearingCase,
+    scene: &'a Scene,
     answer: &'a Answer,
-    line: &'a SizedLine,
-    contact: LineContact,
-    /// C_E of (2-46).
-    compliance: f64,
-    /// The plate, and Hertz's largest Mises stress in it.
-    plate: (&'a str, f64),
+    units: &'a UnitLabels,
+    pair: &'a ContactPair,
 }
 
-impl<'a> LineCheck<'a> {
-    /// `None` where the bodies are not those of a bearing.
-    fn new(
-        bearing: &'a BearingCase,
-        scene: &Scene,
-        (answer, line): (&'a Answer, &'a SizedLine),
-    ) -> Result<Option<Self>, DomainError> {
-        let Some((upper, lower)) = line.interface.split_once('-') else {
-            return Ok(None);
-        };
-        let steel = |body: &str| scene.materials.get(scene.mesh.body(body)?);
-        let (Some(above), Some(below)) = (steel(upper), steel(lower)) else {
-            return Ok(None);
-        };
-        let [above, below] =
-            [above, below].map(|steel| Elastic::new(steel.youngs_modulus, steel.poissons_ratio));
-        let (above, below) = (above?, below?);
-        let compliance = contact_compliance(above, below)?;
-        let contact = LineContact::new(line.peak_line_load, bearing.geometry.radius(), compliance)?;
-        let (plate, ratio) = match upper.contains("roller") {
-            true => (lower, below.poissons_ratio()),
-            false => (upper, above.poissons_ratio()),
-        };
-        let mises = LineField::below(&contact, ratio)?.peak_mises().value;
-        Ok(Some(Self {
-            bearing,
-            answer,
-            line,
-            contact,
-            compliance,
-            plate: (plate, mises),
-        }))
-    }
-
-    fn all(&self, case: &Case) -> Vec<HandCheck> {
-        let (length, stress) = (case.units.length(), case.units.stress());
-        let number = |value: f64| significant(value, NUMBERS);
-        let radius = number(self.bearing.geometry.radius());
-        let (q, compliance) = (number(self.line.peak_line_load), number(self.compliance));
-        let with = format!("q = {q} found, R = {radius}, C_E = {compliance}");
-        let interface = &self.line.interface;
-        let check =
-            |what: String, formula: String, by_hand, figure: Option<&Figure>, differs| HandCheck {
-                what,
-                place: figure.map_or(interface, |f| &f.place).clone(),
-                formula,
-                by_hand,
-                found: figure.map(|f| f.value),
-                error: figure.and_then(Figure::bar),
-                differs,
-            };
-        let of = |what| self.answer.figure(what, interface);
-        let (plate, mises) = self.plate;
-        let p0 = number(self.contact.peak_pressure);
-        let peak = [
-            Quantity::ElasticMisesAway,
-            Quantity::ElasticPeakMises,
-            Quantity::MisesAway,
-            Quantity::PeakMises,
-        ];
-        let peak = peak
-            .into_iter()
-            .find_map(|what| self.answer.figure(what, plate));
-        let mut checks: Vec<HandCheck> = self.even(case).into_iter().collect();
-        checks.extend([
-            check(
-                format!("peak pressure, {stress}"),
-                format!("p0 = √(q / π R C_E), {with}"),
-                self.contact.peak_pressure,
-                of(Quantity::PeakPressure),
-                HALF_SPACE,
-            ),
-            check(
-                format!("half-width, {length}"),
-                format!("a = 2 √(q R C_E / π), {with}"),
-                self.contact.half_width,
-                of(Quantity::HalfWidth),
-                HALF_SPACE,
-            ),
-            check(
-                format!("elastic Mises, {stress}"),
-                format!(
-                    "{} p0 below the strip, p0 = {p0}",
-                    significant(mises / self.contact.peak_pressure, 3)
-                ),
-                mises,
-                peak,
-                OTHERS,
-            ),
-        ]);
-        checks
+impl ByHand<'_> {
+    /// The whole load passes through every interface.
+    fn force(&self) -> Option<HandCheck> {
+        let load = self.answer.applied_load;
+        Some(HandCheck {
+            what: format!("force along the load, {}", self.units.force),
+            place: self.pair.name.clone(),
+            formula: format!("P = {}", number(load)),
+            by_hand: load,
+            found: Some(self.answer.interfaces.get(&self.pair.name)?.normal_force),
+            error: None,
+            differs: ROUNDING,
+        })
     }
 
     /// The even load per length of a line of a centred bearing: on the flat one line has all, in a V two share.
-    fn even(&self, case: &Case) -> Option<HandCheck> {
+    fn even(&self, line: &SizedLine) -> Option<HandCheck> {
         let geometry = &self.bearing.geometry;
         if !geometry.is_centred() {
             return None;
         }
-        let (load, length) = (self.bearing.load, geometry.length);
-        let in_valley = self.line.interface.contains("intermediate_plate");
-        let [p, l] = [load, length].map(|value| significant(value, NUMBERS));
+        let (load, length) = (self.answer.applied_load, geometry.length);
+        let numbers = format!("P = {}, L' = {}", number(load), number(length));
+        let in_valley = line.interface.contains("intermediate_plate");
         let (formula, by_hand, differs) = match in_valley {
             true => (
-                format!("P / 2 L' cos θ, P = {p}, L' = {l}"),
+                format!("P / 2 L' cos θ, {numbers}"),
                 load / (2.0 * length * geometry.slope.cos()),
                 FRICTION,
             ),
-            false => (
-                format!("P / L', P = {p}, L' = {l}"),
-                load / length,
-                ROUNDING,
-            ),
+            false => (format!("P / L', {numbers}"), load / length, ROUNDING),
         };
         Some(HandCheck {
-            what: format!(
-                "even line load, {}/{}",
-                case.units.force(),
-                case.units.length()
-            ),
-            place: self.line.interface.clone(),
+            what: format!("even line load, {}", self.units.line_load()),
+            place: line.interface.clone(),
             formula,
             by_hand,
-            found: Some(self.line.even.line_load),
+            found: Some(line.even.line_load),
             error: None,
             differs,
         })
     }
+
+    /// Hertz's line contact under the largest load per length of the heaviest line.
+    fn hertz(&self, line: &SizedLine) -> Result<Vec<HandCheck>, DomainError> {
+        let compliance = self.scene.compliance(self.pair)?;
+        let radius = self.bearing.geometry.radius();
+        let contact = LineContact::new(line.peak_line_load, radius, compliance)?;
+        let [q, r, c] = [line.peak_line_load, radius, compliance].map(number);
+        let with = format!("q = {q} found, R = {r}, C_E = {c}");
+        let of = |what| self.answer.figure(what, &self.pair.name);
+        let mut checks = vec![
+            HandCheck {
+                what: format!("peak pressure, {}", self.units.stress),
+                formula: format!("p0 = √(q / π R C_E), {with}"),
+                ..self.found(contact.peak_pressure, of(Quantity::PeakPressure))
+            },
+            HandCheck {
+                what: format!("half-width, {}", self.units.length),
+                formula: format!("a = 2 √(q R C_E / π), {with}"),
+                ..self.found(contact.half_width, of(Quantity::HalfWidth))
+            },
+        ];
+        checks.extend(self.mises(&contact)?);
+        Ok(checks)
+    }
+
+    /// The largest Mises stress below the strip, in the plate.
+    fn mises(&self, contact: &LineContact) -> Result<Option<HandCheck>, DomainError> {
+        let sides = [&self.pair.upper, &self.pair.lower].map(|side| side.body(&self.scene.mesh));
+        let name = |body: usize| self.scene.mesh.bodies[body].name.as_str();
+        let mut plates = sides.into_iter().flatten();
+        let Some(plate) = plates.find(|body| !name(*body).contains("roller")) else {
+            return Ok(None);
+        };
+        let ratio = self.scene.materials[plate].poissons_ratio;
+        let mises = LineField::below(contact, ratio)?.peak_mises().value;
+        let Some(figure) = self.answer.elastic_mises(name(plate)) else {
+            return Ok(None);
+        };
+        let share = significant(mises / contact.peak_pressure, 3);
+        let p0 = number(contact.peak_pressure);
+        Ok(Some(HandCheck {
+            what: format!("{}, {}", figure.what.name(), self.units.stress),
+            place: figure.place.clone(),
+            formula: format!("{share} p0 below the strip, p0 = {p0}"),
+            differs: OTHERS,
+            ..self.found(mises, Some(figure))
+        }))
+    }
+
+    /// A figure of Hertz's beside what was found on the interface.
+    fn found(&self, by_hand: f64, figure: Option<&Figure>) -> HandCheck {
+        HandCheck {
+            what: String::new(),
+            place: self.pair.name.clone(),
+            formula: String::new(),
+            by_hand,
+            found: figure.map(|f| f.value),
+            error: figure.and_then(Figure::bar),
+            differs: HALF_SPACE,
+        }
+    }
+}
+
+/// A number in a formula, with more digits than what is compared has.
+fn number(value: f64) -> String {
+    significant(value, 5)
 }

@@ -54,6 +54,14 @@ pub enum PrintError {
         )
     )]
     Missing,
+    #[error("`{0}` cannot be started")]
+    #[diagnostic(
+        code(brinell::print::start),
+        help(
+            "check that it is an executable file; the environment variable {EXECUTABLE} names it"
+        )
+    )]
+    Start(String, #[source] std::io::Error),
     #[error("`{browser}` printed nothing ({status}):\n{messages}")]
     #[diagnostic(
         code(brinell::print::failed),
@@ -89,6 +97,8 @@ pub fn print(folder: &Path, paper: Paper) -> Result<PathBuf, PrintError> {
     let size = format!("<style>@page {{ size: {} }}</style></head>", paper.name());
     let text = text.replacen("</head>", &size, 1);
     let room = std::env::temp_dir().join(format!("brinell-print-{}", std::process::id()));
+    // A folder that is there is somebody else's, and stays.
+    std::fs::create_dir(&room).map_err(|error| PrintError::Room(room.clone(), error))?;
     let printed = in_room(&room, &text);
     // Nothing is lost where a leftover stays.
     let _ = std::fs::remove_dir_all(&room);
@@ -101,7 +111,6 @@ pub fn print(folder: &Path, paper: Paper) -> Result<PathBuf, PrintError> {
 /// The printed page; `room` is a folder of its own.
 fn in_room(room: &Path, text: &str) -> Result<Vec<u8>, PrintError> {
     let no_room = |error| PrintError::Room(room.to_owned(), error);
-    std::fs::create_dir(room).map_err(no_room)?;
     let (page, pdf) = (room.join(report::FILE), room.join(FILE));
     std::fs::write(&page, text).map_err(no_room)?;
     let named = std::env::var(EXECUTABLE)
@@ -133,7 +142,7 @@ fn in_room(room: &Path, text: &str) -> Result<Vec<u8>, PrintError> {
             .output();
         let output = match output {
             Err(error) if error.kind() == ErrorKind::NotFound => continue,
-            output => output.map_err(no_room)?,
+            output => output.map_err(|error| PrintError::Start(browser.clone(), error))?,
         };
         let printed = std::fs::read(&pdf).unwrap_or_default();
         if printed.starts_with(b"%PDF") {

@@ -2,6 +2,7 @@
 
 use super::figures::{DIGITS, MESH_DIGITS, off, share, with_error};
 use super::summary::Summary;
+use super::terminal::headline;
 use super::text::{list, percent, significant};
 use super::utilisation::{Utilisation, first_largest, largest, utilisations};
 use super::verdict::verdict;
@@ -27,11 +28,7 @@ pub fn digest(summary: &Summary, missed: &[String]) -> String {
         ("widest bar", widest_bar(summary)),
         ("work", Some(work(summary))),
     ];
-    let state = match summary.answer.converged {
-        true => "converged",
-        false => "NOT CONVERGED",
-    };
-    let mut text = format!("{}: {state}\n", summary.case);
+    let mut text = headline(summary);
     for (name, line) in lines {
         if let Some(line) = line {
             // Writing to a string cannot fail.
@@ -149,12 +146,9 @@ fn hertz(summary: &Summary) -> Option<String> {
 
 /// The Mises peak that uses most of its yield stress; without one the largest.
 fn mises(summary: &Summary, used: &[Utilisation]) -> Option<String> {
-    let of_yield: Vec<Utilisation> = (used.iter())
-        .filter(|u| u.against == "yield")
-        .cloned()
-        .collect();
+    let of_yield = used.iter().filter(|u| u.against == "yield");
     let unit = &summary.units.stress;
-    if let Some(most) = largest(&of_yield) {
+    if let Some(most) = first_largest(of_yield, Utilisation::share) {
         let value = with_error(most.value, most.error);
         let limit = significant(most.limit, DIGITS);
         let share = share(Some(most.share()));

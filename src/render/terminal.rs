@@ -47,14 +47,18 @@ fn number(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_string(), |v| significant(v, DIGITS))
 }
 
+/// The case and whether it has converged, a line.
+pub fn headline(summary: &Summary) -> String {
+    let state = match summary.answer.converged {
+        true => "converged",
+        false => "NOT CONVERGED",
+    };
+    format!("{}: {state}\n", summary.case)
+}
+
 fn header(summary: &Summary) -> String {
     let units = &summary.units;
-    let state = if summary.answer.converged {
-        "converged"
-    } else {
-        "NOT CONVERGED"
-    };
-    let mut text = format!("{}: {state}\n", summary.case);
+    let mut text = headline(summary);
     let mut line = |name: &str, value: String| {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {name:<16}{value}");

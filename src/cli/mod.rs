@@ -43,7 +43,7 @@ enum Command {
     Init(init::InitArgs),
     /// Size a bearing for a load, a steel and a displacement; with --verify, solve it and judge it.
     Size(Box<size::SizeArgs>),
-    /// Solve one case: tables to the terminal, summary.json and VTK files to a folder.
+    /// Solve one case: its verdict to the terminal, summary.json and VTK files to a folder.
     Run(run::RunArgs),
     /// Look at a case and its mesh without solving: cost, gaps, mesh quality, what holds each body.
     Check(check::CheckArgs),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use brinell::case;
 use brinell::case::bearing::{
-    BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, gmsh_parameters, write_template,
+    BearingGeometry, CROSSED, MeshRequest, Preset, RollerEnd, fingerprint, gmsh_parameters,
     write_with_fingerprint,
 };
 use brinell::model::mesh::gmsh;
@@ -19,7 +19,7 @@ fn main() -> Result<()> {
     let work = std::env::temp_dir().join(format!("brinell-meshes-{}", std::process::id()));
     std::fs::create_dir_all(&work).into_diagnostic()?;
     std::fs::create_dir_all(OUT).into_diagnostic()?;
-    let template = write_template(&work).into_diagnostic()?;
+    let template = CROSSED.write(&work).into_diagnostic()?;
     for (design, length) in [("initial", 8.0), ("revised", 10.5)] {
         for (place, offset) in [("centre", 0.0), ("offset-1.25", 1.25), ("offset-2.5", 2.5)] {
             for preset in [Preset::H025, Preset::ReportLike] {

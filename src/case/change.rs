@@ -43,7 +43,7 @@ impl Case {
             ..MeshRequest::default()
         };
         request
-            .check(&bearing.geometry)
+            .check(bearing.layout())
             .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
         bearing.mesh = request;
         self.note("mesh.preset", preset.name());
@@ -55,8 +55,10 @@ impl Case {
     /// # Errors
     /// Where the case is a general scene, whose mesh is what it is.
     pub fn set_full(&mut self) -> Result<(), CaseError> {
-        self.bearing_mut("a full model")?.mesh.full = true;
-        self.note("bearing.full", "the whole bearing");
+        let bearing = self.bearing_mut("a full model")?;
+        bearing.mesh.full = true;
+        let key = format!("{}.full", bearing.geometry.table());
+        self.note(&key, "the whole bearing");
         Ok(())
     }
 
@@ -105,7 +107,7 @@ impl Case {
         let bearing = self.bearing_mut("a scaled template")?;
         let request = bearing.mesh.scaled(scale).sharpened(contact);
         request
-            .check(&bearing.geometry)
+            .check(bearing.layout())
             .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
         bearing.mesh = request;
         Ok(())

@@ -1,14 +1,5 @@
 //! The names of bodies, surfaces and interfaces that the bearing template and a case agree on.
 
-/// Bodies, from the top down.
-pub const BODIES: [&str; 5] = [
-    "upper_plate",
-    "upper_roller",
-    "intermediate_plate",
-    "lower_roller",
-    "lower_plate",
-];
-
 /// An interface: its name, its two surfaces, and whether the roller is the upper one.
 pub struct BearingInterface {
     pub name: &'static str,

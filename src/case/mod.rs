@@ -151,7 +151,7 @@ impl Case {
             }
         };
         let comparison = Comparison::read(root, &mut assumptions)?;
-        let displaced = matches!(&kind, Kind::Bearing(bearing) if !bearing.geometry.is_centred());
+        let displaced = matches!(&kind, Kind::Bearing(bearing) if bearing.geometry.offset() != 0.0);
         let study = reference.as_deref().unwrap_or_default();
         let case = Self {
             title,
@@ -166,8 +166,10 @@ impl Case {
             assumptions,
             source: root.source().clone(),
         };
-        if let Kind::Bearing(_) = case.kind {
-            case.check_comparison(&interfaces::BODIES)?;
+        if let Kind::Bearing(bearing) = &case.kind {
+            let bodies = bearing.geometry.bodies();
+            let bodies: Vec<&str> = bodies.iter().map(|(body, _)| body.as_str()).collect();
+            case.check_comparison(&bodies)?;
         }
         Ok(case)
     }

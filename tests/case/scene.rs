@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
-use brinell::case::bearing::{RollerEnd, TEMPLATE_FILES};
+use brinell::case::bearing::{CROSSED, RollerEnd};
 use brinell::case::{Case, Kind, MisesRead, interfaces, read};
 use brinell::model::scene::{Partner, PlaneMotion, Scene, Side, Step, TractionValue};
 
@@ -119,7 +119,7 @@ fn the_two_meanings_of_an_offset() {
             "\"0 in\"",
             &format!("\"2.5 in\"\noffset_is = \"{is}\""),
         );
-        bearing(&good(&text)).geometry.offset
+        bearing(&good(&text)).geometry.offset()
     };
     assert_eq!((of("roller"), of("bearing")), (2.5, 1.25));
 }
@@ -137,7 +137,7 @@ fn dimensions_of_a_bearing() {
         "plate_thickness = \"1 in\"",
         &format!("plate_thickness = {thick}"),
     ));
-    let geometry = &bearing(&case).geometry;
+    let geometry = bearing(&case).geometry.crossed().unwrap();
     assert_eq!(geometry.wall, None);
     assert_eq!(geometry.end, RollerEnd::Crown(2e-4));
     assert_eq!(geometry.plan, [9.0, 10.0]);
@@ -217,7 +217,7 @@ fn a_scale_multiplies_every_element_size() {
         let mut assumptions = case.assumptions.iter();
         let text = assumptions.find(|a| a.key == "mesh.preset");
         let bearing = bearing(&case);
-        let sizes = bearing.mesh.sizes(&bearing.geometry);
+        let sizes = bearing.mesh.sizes(bearing.layout());
         (sizes, text.map(|a| a.value.clone()))
     };
     let ((base, plain), (finer, text)) = (sizes(""), sizes("scale = 0.5"));
@@ -257,15 +257,16 @@ fn a_case_can_be_changed_from_outside() {
 
 #[test]
 fn the_template_has_the_names_that_the_case_uses() {
-    let (_, template) = TEMPLATE_FILES[0];
+    let (_, template) = CROSSED.files[0];
     let sides = interfaces::INTERFACES
         .iter()
         .flat_map(|i| [i.upper, i.lower]);
+    let bodies = bearing(&good(BEARING)).geometry.bodies();
     let faces = [interfaces::TOP, interfaces::BOTTOM];
     let surfaces = sides.chain(faces).chain(interfaces::SYMMETRIES);
     for (kind, name) in surfaces
         .map(|name| ("Surface", name))
-        .chain(interfaces::BODIES.map(|name| ("Volume", name)))
+        .chain(bodies.iter().map(|(name, _)| ("Volume", name.as_str())))
     {
         let line = format!("Physical {kind}(\"{name}\") =");
         assert!(template.contains(&line), "`{line}` is not in the template");
@@ -404,7 +405,7 @@ fn shipped_cases() {
         for (place, offset) in [("centre", 0.0), ("offset-1.25", 1.25), ("offset-2.5", 2.5)] {
             let case = read(&folder.join(format!("{design}-{place}.toml"))).unwrap();
             let bearing = bearing(&case);
-            let geometry = &bearing.geometry;
+            let geometry = bearing.geometry.crossed().unwrap();
             assert_eq!((geometry.length, geometry.offset), (length, offset));
             assert_eq!((bearing.load, bearing.friction), (65.0, 0.15));
             assert_eq!((geometry.diameter, geometry.wall), (3.0, Some(0.75)));

@@ -62,6 +62,7 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::bearing::layout::Layout;
     use crate::case::bearing::sample::initial;
     use crate::case::bearing::strips::{self, FoundLine};
 
@@ -96,12 +97,12 @@ mod tests {
 
     #[test]
     fn what_was_found_serves_what_was_found() {
-        let line = |valley, across, half_width| FoundLine {
-            valley,
-            across,
-            half_width,
-        };
         let geometry = initial();
+        let seats = geometry.seats(false);
+        let line = |valley: bool, across, half_width| {
+            let seat = &seats[usize::from(valley)];
+            FoundLine::on(seat, across, half_width)
+        };
         let at = geometry.v_line();
         // The narrow line alone, a wide one beside it, one that has moved aside, two that merged.
         for lines in [
@@ -110,18 +111,15 @@ mod tests {
             vec![line(true, at + 0.01, 0.03)],
             vec![line(true, 0.0, 0.15), line(false, 0.0, 0.1)],
         ] {
-            let strips = Strips::found(&geometry, &lines).unwrap();
+            let strips = Strips::found(geometry.diameter, &lines).unwrap();
             let sizes = sizes(&geometry, &strips);
             let reach = sizes.fine_elements * sizes.roller_size;
             for line in lines {
-                assert!(
-                    line.is_served(&geometry, sizes.plate_size, reach),
-                    "{line:?}"
-                );
-                assert!(!line.is_served(&geometry, 0.4 * line.half_width, reach));
-                assert!(!line.is_served(&geometry, sizes.plate_size, 0.5 * line.half_width));
+                assert!(line.is_served(sizes.plate_size, reach), "{line:?}");
+                assert!(!line.is_served(0.4 * line.half_width, reach));
+                assert!(!line.is_served(sizes.plate_size, 0.5 * line.half_width));
             }
         }
-        assert_eq!(Strips::found(&geometry, &[]), None);
+        assert_eq!(Strips::found(geometry.diameter, &[]), None);
     }
 }

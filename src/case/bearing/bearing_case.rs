@@ -1,26 +1,28 @@
 //! `[bearing]`: the rolling bearing of five bodies, its load, friction and steels.
 
-use super::count;
+use super::dimensions::Dimensions;
 use super::error::GeometryError;
 use super::geometry::BearingGeometry;
+use super::layout::Layout;
 use super::reader::BearingReader;
 use super::request::MeshRequest;
+use super::seat::Seat;
 use super::strips::Strips;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::case::assumption::Assumption;
 use crate::case::error::{CaseError, ErrorKind};
-use crate::case::interfaces::BODIES;
 use crate::case::mesh_choice;
 use crate::case::parse::Table;
 use crate::case::place::Located;
 use crate::case::steel::Steels;
 use crate::ground::units::Dimension;
+use crate::model::material::Steel;
 
 /// A bearing, in the units of its case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BearingCase {
     /// Dimensions of the bearing.
-    pub geometry: BearingGeometry,
+    pub geometry: Dimensions,
     /// What mesh is asked for.
     pub mesh: MeshRequest,
     /// Vertical, on the whole bearing.
@@ -60,16 +62,21 @@ impl BearingCase {
         let rollings = reader.rollings()?;
         let mut mesh = mesh_choice::request(root, full, assumptions)?;
         let mut steels = Steels::read(root, assumptions)?;
-        steels.check_names(&BODIES)?;
-        steels.set_sizes(&geometry.sizes_as_delivered(), assumptions);
-        for body in BODIES {
+        let bodies = geometry.bodies();
+        let sizes: Vec<(&str, f64)> = (bodies.iter())
+            .map(|(body, size)| (body.as_str(), *size))
+            .collect();
+        let names: Vec<&str> = sizes.iter().map(|(body, _)| *body).collect();
+        steels.check_names(&names)?;
+        steels.set_sizes(&sizes, assumptions);
+        for body in names {
             steels.of(body)?;
         }
-        mesh.strips = strips(&geometry, load, &steels)?;
+        mesh.strips = strips(&geometry, full, load, &steels)?;
         mesh.check(&geometry)
             .map_err(|error| misfit("mesh", error))?;
         Ok(Self {
-            geometry,
+            geometry: Dimensions::Crossed(geometry),
             mesh,
             load,
             friction: friction.value,
@@ -80,53 +87,58 @@ impl BearingCase {
         })
     }
 
-    /// Is the whole bearing modelled, or a quarter?
-    pub fn is_whole(&self) -> bool {
-        self.mesh.full || !self.geometry.is_centred()
+    /// What its template says of it.
+    pub fn layout(&self) -> &dyn Layout {
+        &*self.geometry
     }
 
-    /// About how many elements its mesh has, see [`elements`](super::elements).
+    /// Is the whole bearing modelled, or a part?
+    pub fn is_whole(&self) -> bool {
+        self.mirrors().is_empty()
+    }
+
+    /// About how many elements its mesh has.
     pub fn elements(&self) -> f64 {
-        let sizes = self.mesh.sizes(&self.geometry);
-        count::elements(&self.geometry, &sizes, self.is_whole())
+        let sizes = self.mesh.sizes(self.layout());
+        self.layout().elements(&sizes, self.mesh.full)
     }
 
     /// Axes of the symmetry planes.
     pub fn mirrors(&self) -> Vec<usize> {
-        if self.is_whole() {
-            Vec::new()
-        } else {
-            vec![0, 1]
-        }
+        self.layout().mirrors(self.mesh.full)
+    }
+
+    /// The interfaces that are modelled, from the top down.
+    pub fn seats(&self) -> Vec<Seat> {
+        self.layout().seats(self.mesh.full)
+    }
+
+    /// The interface of this name.
+    pub fn seat(&self, interface: &str) -> Option<Seat> {
+        let mut seats = self.seats().into_iter();
+        seats.find(|seat| seat.interface == interface)
     }
 }
 
 /// The widths of the lines of contact as statics predicts them; `None` where it cannot.
 fn strips(
-    geometry: &BearingGeometry,
+    geometry: &dyn Layout,
+    full: bool,
     load: f64,
     steels: &Steels,
 ) -> Result<Option<Strips>, CaseError> {
-    let elastic = |body: &str| -> Result<Result<Elastic, DomainError>, CaseError> {
-        let steel = steels.of(body)?;
-        Ok(Elastic::new(steel.youngs_modulus, steel.poissons_ratio))
-    };
-    let [upper, upper_roller, middle, lower_roller, lower] = BODIES.map(elastic);
-    let [upper, upper_roller, middle, lower_roller, lower] =
-        [upper?, upper_roller?, middle?, lower_roller?, lower?];
-    let predicted = || {
-        let (upper_roller, lower_roller, middle) = (upper_roller?, lower_roller?, middle?);
-        let flat = [
-            contact_compliance(upper?, upper_roller)?,
-            contact_compliance(lower_roller, lower?)?,
-        ];
-        let valley = [
-            contact_compliance(upper_roller, middle)?,
-            contact_compliance(middle, lower_roller)?,
-        ];
-        Strips::predicted(geometry, load, flat, valley)
-    };
-    Ok(predicted().ok())
+    let mut compliance: Result<Vec<f64>, DomainError> = Ok(Vec::new());
+    for seat in geometry.seats(full) {
+        let [roller, plate] = [steels.of(&seat.roller)?, steels.of(&seat.plate)?];
+        let elastic = |steel: &Steel| Elastic::new(steel.youngs_modulus, steel.poissons_ratio);
+        let of_pair = || contact_compliance(elastic(&roller)?, elastic(&plate)?);
+        compliance = compliance.and_then(|mut list| {
+            list.push(of_pair()?);
+            Ok(list)
+        });
+    }
+    let predicted = compliance.and_then(|list| geometry.predicted(load, full, &list));
+    Ok(predicted.ok())
 }
 
 /// A displaced roller has one line of contact below and one above, whose normals differ by the

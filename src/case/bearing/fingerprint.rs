@@ -7,10 +7,9 @@ use std::path::Path;
 
 use flate2::{Compression, GzBuilder};
 
-use super::geometry::BearingGeometry;
+use super::layout::Layout;
 use super::parameters::parameters;
 use super::request::MeshRequest;
-use super::template::TEMPLATE_VERSION;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use crate::ground::hash::Fnv;
@@ -19,12 +18,13 @@ use crate::ground::hash::Fnv;
 ///
 /// Lengths enter in diameters and all numbers rounded to 12 digits, so that a bearing has one
 /// fingerprint whatever its unit. The end shape of the rollers does not enter (beyond the element
-/// sizes it asks for): meshes have square ends and are shaped after reading.
-pub fn fingerprint(geometry: &BearingGeometry, request: &MeshRequest) -> String {
-    let mut text = format!("brinell bearing {TEMPLATE_VERSION}\n");
+/// sizes it asks for), nor does a curved face: meshes have square ends and flat faces and are shaped after reading.
+pub fn fingerprint(geometry: &dyn Layout, request: &MeshRequest) -> String {
+    let template = geometry.template();
+    let mut text = format!("brinell {} {}\n", template.name, template.version);
     for parameter in parameters(geometry, request) {
         let value = if parameter.is_length {
-            parameter.value / geometry.diameter
+            parameter.value / geometry.diameter()
         } else {
             parameter.value
         };

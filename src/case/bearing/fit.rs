@@ -3,14 +3,13 @@
 use super::bearing_case::BearingCase;
 use super::fingerprint::fingerprint;
 use super::parameters::rescale;
-use super::roller_end::shape_roller_ends;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::model::mesh::Mesh;
 
 impl BearingCase {
     /// The fingerprint that a mesh of this bearing carries.
     pub fn fingerprint(&self) -> String {
-        fingerprint(&self.geometry, &self.mesh)
+        fingerprint(self.layout(), &self.mesh)
     }
 
     /// The mesh in the units of the case, its rollers with the ends of the case.
@@ -18,8 +17,8 @@ impl BearingCase {
         let wanted = self.fingerprint();
         let why = match mesh.fingerprint.as_deref() {
             Some(found) if found == wanted => {
-                rescale(&mut mesh, &self.geometry);
-                shape_roller_ends(&mut mesh, &self.geometry);
+                rescale(&mut mesh, self.layout());
+                self.layout().shape(&mut mesh, self.mesh.full);
                 return Ok(mesh);
             }
             Some(found) => format!("is of another bearing or preset: {found} is not {wanted}"),

@@ -126,17 +126,6 @@ impl BearingGeometry {
         outer.min(self.intermediate_thickness)
     }
 
-    /// Thickness of the plates and diameter of the rollers, by body: also a hollow roller is turned from a bar.
-    pub fn sizes_as_delivered(&self) -> [(&'static str, f64); 5] {
-        [
-            ("upper_plate", self.upper_thickness),
-            ("upper_roller", self.diameter),
-            ("intermediate_plate", self.intermediate_thickness),
-            ("lower_roller", self.diameter),
-            ("lower_plate", self.lower_thickness),
-        ]
-    }
-
     /// z of the lowest and the highest point of the stack.
     pub fn height_range(&self) -> [f64; 2] {
         [

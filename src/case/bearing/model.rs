@@ -2,8 +2,9 @@
 
 use super::bearing_case::BearingCase;
 use super::preset::Preset;
+use super::seat::Seat;
 use crate::case::contact::Contact;
-use crate::case::interfaces::{BOTTOM, BearingInterface, INTERFACES, SYMMETRIES, TOP};
+use crate::case::interfaces::{BOTTOM, SYMMETRIES, TOP};
 use crate::case::load::{Loads, modelled_share};
 use crate::case::model::Model;
 use crate::case::place::{KeyPlace, Located};
@@ -19,7 +20,7 @@ impl BearingCase {
     pub(in crate::case) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
         let place = KeyPlace {
             source: source.clone(),
-            key: "bearing".to_string(),
+            key: self.layout().table().to_string(),
             span: 0..0,
         };
         Model {
@@ -40,16 +41,16 @@ impl BearingCase {
             value,
             place: place.clone(),
         };
-        let pair = |interface: &BearingInterface| Contact {
+        let pair = |seat: Seat| Contact {
             name: Located {
-                value: interface.name.to_string(),
+                value: seat.interface,
                 place: place.clone(),
             },
-            upper: located(Partner::Surface(interface.upper.to_string())),
-            lower: located(Partner::Surface(interface.lower.to_string())),
+            upper: located(Partner::Surface(seat.upper)),
+            lower: located(Partner::Surface(seat.lower)),
             carrier: None,
             // Both halves of the stack alike.
-            preferred: if interface.roller_above {
+            preferred: if seat.roller_above {
                 Side::Upper
             } else {
                 Side::Lower
@@ -60,7 +61,7 @@ impl BearingCase {
             // The coarse comparison mesh is a polygon in the gap too.
             true_geometry: self.mesh.preset != Preset::ReportLike,
         };
-        INTERFACES.iter().map(pair).collect()
+        self.seats().into_iter().map(pair).collect()
     }
 
     fn loads(&self, place: &KeyPlace) -> Loads {

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::error::GeometryError;
-use super::geometry::BearingGeometry;
+use super::layout::Layout;
 use super::preset::Preset;
 use super::sizes::{MESH_KEYS, PLATE_TO_ROLLER, SizeKind, Sizes};
 use super::strips::{FoundLine, Strips};
@@ -47,7 +47,7 @@ const SCALES: RangeInclusive<f64> = 0.02..=5.0;
 impl MeshRequest {
     /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
     /// are not in [`MESH_KEYS`] are passed over.
-    pub fn sizes(&self, geometry: &BearingGeometry) -> Sizes {
+    pub fn sizes(&self, geometry: &dyn Layout) -> Sizes {
         let mut sizes = self.unscaled(geometry).scaled(self.scale);
         sizes.roller_size *= self.contact_scale;
         sizes.plate_size *= self.contact_scale;
@@ -57,9 +57,9 @@ impl MeshRequest {
         sizes
     }
 
-    fn unscaled(&self, geometry: &BearingGeometry) -> Sizes {
-        let strips = self.strips.unwrap_or_else(|| Strips::nominal(geometry));
-        let mut sizes = self.preset.sizes(geometry, &strips);
+    fn unscaled(&self, geometry: &dyn Layout) -> Sizes {
+        let strips = (self.strips).unwrap_or_else(|| Strips::nominal(geometry.diameter()));
+        let mut sizes = geometry.preset_sizes(self.preset, &strips);
         for (key, value) in &self.overrides {
             if let Some(number) = sizes.get_mut(key) {
                 *number = *value;
@@ -93,13 +93,13 @@ impl MeshRequest {
     /// are made for the same lines.
     pub fn unserved<'l>(
         &self,
-        geometry: &BearingGeometry,
+        geometry: &dyn Layout,
         lines: &'l [FoundLine],
     ) -> Vec<&'l FoundLine> {
         let sizes = self.unscaled(geometry);
         let size = sizes.roller_size;
         let fine = sizes.fine_elements * size;
-        let unserved = |line: &&FoundLine| !line.is_served(geometry, size, fine);
+        let unserved = |line: &&FoundLine| !line.is_served(size, fine);
         lines.iter().filter(unserved).collect()
     }
 
@@ -107,7 +107,7 @@ impl MeshRequest {
     ///
     /// # Errors
     /// Names the first number that is out of its range, with the range.
-    pub fn check(&self, geometry: &BearingGeometry) -> Result<(), GeometryError> {
+    pub fn check(&self, geometry: &dyn Layout) -> Result<(), GeometryError> {
         geometry.check()?;
         let (least, most) = (SCALES.start(), SCALES.end());
         GeometryError::unless(
@@ -124,7 +124,7 @@ impl MeshRequest {
             let (least, most, range) = match key.kind {
                 // Finer meshes than this could not be solved, nor made in reasonable time.
                 SizeKind::Length => {
-                    let least = 1e-4 * geometry.diameter;
+                    let least = 1e-4 * geometry.diameter();
                     let range = format!("must be at least {least} (1e-4 diameters)");
                     (least, f64::MAX, range)
                 }

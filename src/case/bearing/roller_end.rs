@@ -1,43 +1,44 @@
 //! Gives the rollers of a mesh their end shape.
 
 use super::end_shape::RollerEnd;
-use super::geometry::{BearingGeometry, Roller};
+use super::layout::{Layout, RollerPlace};
 use crate::model::mesh::Mesh;
 
-/// Moves the nodes of both rollers from the square-ended cylinder of the mesh onto the profile
-/// of `geometry.end`. The mesh must be in the unit of `geometry`.
+/// Moves the nodes of the rollers that are modelled from the square-ended cylinder of the mesh onto the profile
+/// of their ends. The mesh must be in the unit of `geometry`.
 ///
 /// Nodes move towards the axis: those on the outer surface by the drop of the profile at their
 /// place along the roller, those at the bore (or the axis) not at all, linearly in between.
-pub fn shape_roller_ends(mesh: &mut Mesh, geometry: &BearingGeometry) {
-    if geometry.end == RollerEnd::Square {
+pub fn shape_roller_ends(mesh: &mut Mesh, geometry: &dyn Layout, full: bool) {
+    if geometry.end() == RollerEnd::Square {
         return;
     }
-    for roller in Roller::BOTH {
-        for node in nodes_of(mesh, roller.body()) {
-            move_node(&mut mesh.points[node], roller, geometry);
+    for roller in geometry.rollers(full) {
+        for node in nodes_of(mesh, &roller.body) {
+            move_node(&mut mesh.points[node], &roller, geometry);
         }
     }
 }
 
-fn move_node(point: &mut [f64; 3], roller: Roller, geometry: &BearingGeometry) {
-    let centre = geometry.roller_centre(roller);
-    let [outer, inner] = [geometry.radius(), geometry.bore_radius()];
-    let across = point[roller.across()] - centre[roller.across()];
+fn move_node(point: &mut [f64; 3], roller: &RollerPlace, geometry: &dyn Layout) {
+    let (axis, across, centre) = (roller.axis, 1 - roller.axis, roller.centre);
+    let outer = geometry.diameter() / 2.0;
+    let inner = geometry.wall().map_or(0.0, |wall| outer - wall);
+    let aside = point[across] - centre[across];
     let up = point[2] - centre[2];
-    let radius = across.hypot(up);
+    let radius = aside.hypot(up);
     if radius <= inner || radius == 0.0 {
         return;
     }
-    let along = point[roller.axis()] - centre[roller.axis()];
-    let drop = geometry.end.drop_at(along, geometry.length, outer);
+    let along = point[axis] - centre[axis];
+    let drop = (geometry.end()).drop_at(along, geometry.length(), outer);
     let scale = 1.0 - drop * (radius - inner) / (outer - inner) / radius;
-    point[roller.across()] = centre[roller.across()] + across * scale;
+    point[across] = centre[across] + aside * scale;
     point[2] = centre[2] + up * scale;
 }
 
 /// The nodes of a body, each once.
-fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
+pub(super) fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
     let Some(index) = mesh.body(body) else {
         return Vec::new();
     };
@@ -55,6 +56,7 @@ fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::bearing::geometry::Roller;
     use crate::case::bearing::sample::initial;
     use crate::model::mesh::Body;
 
@@ -83,7 +85,7 @@ mod tests {
                 }],
                 ..Mesh::default()
             };
-            shape_roller_ends(&mut mesh, &bearing);
+            shape_roller_ends(&mut mesh, &bearing, false);
             let wanted = [at(1.49, 4.0), before[1], at(1.12, 4.0), before[3]];
             for (point, wanted) in mesh.points.iter().zip(wanted) {
                 for (a, b) in point.iter().zip(wanted) {

@@ -1,6 +1,7 @@
 //! How wide the lines of contact are: as statics predicts, or as a solution found them.
 
 use super::geometry::BearingGeometry;
+use super::seat::Seat;
 use crate::analytic::DomainError;
 use crate::analytic::displaced::DisplacedRoller;
 use crate::analytic::hertz::LineContact;
@@ -20,12 +21,10 @@ pub struct Strips {
 /// A line of contact of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FoundLine {
-    /// In the valley, or on a flat plate?
-    pub valley: bool,
-    /// Where its pressure is centred, across the roller.
-    pub across: f64,
     /// Half-width a at its heaviest row.
     pub half_width: f64,
+    /// How far fine elements must reach from where a line lies in the geometry.
+    pub reach: f64,
 }
 
 /// The least half-width that a mesh is made for, as a share of the diameter: strips are narrower only in
@@ -34,8 +33,9 @@ const LEAST_HALF_WIDTH: f64 = 1e-3;
 
 impl Strips {
     /// Of steel on steel at p0 = E*/100, where nothing is known of the load: a = 0.02 R.
-    pub fn nominal(geometry: &BearingGeometry) -> Self {
-        Self::predicted_widths(geometry, [0.02 * geometry.radius()])
+    pub fn nominal(diameter: f64) -> Self {
+        let widths = [0.02 * (diameter / 2.0)];
+        Self::of(diameter, &widths, &widths, false)
     }
 
     /// As statics predicts them under the load P; `flat` and `valley` are the compliances C_E
@@ -72,36 +72,35 @@ impl Strips {
         let width = |load: f64, compliance: f64| {
             LineContact::new(load, geometry.radius(), compliance).map(|line| line.half_width)
         };
-        Ok(Self::predicted_widths(
-            geometry,
-            [
-                width(on_flat, flat[0])?,
-                width(on_flat, flat[1])?,
-                width(in_valley, valley[0])?,
-                width(in_valley, valley[1])?,
-            ],
-        ))
+        let widths = [
+            width(on_flat, flat[0])?,
+            width(on_flat, flat[1])?,
+            width(in_valley, valley[0])?,
+            width(in_valley, valley[1])?,
+        ];
+        Ok(Self::even(geometry.diameter, &widths))
     }
 
-    fn predicted_widths<const N: usize>(geometry: &BearingGeometry, widths: [f64; N]) -> Self {
-        Self::of(geometry, &widths, &widths, false)
+    /// Lines of these half-widths where statics predicts them, on rollers of this diameter.
+    pub(super) fn even(diameter: f64, widths: &[f64]) -> Self {
+        Self::of(diameter, widths, widths, false)
     }
 
     /// As these lines have them; `None` where there are none.
-    pub fn found(geometry: &BearingGeometry, lines: &[FoundLine]) -> Option<Self> {
+    pub fn found(diameter: f64, lines: &[FoundLine]) -> Option<Self> {
         let narrow: Vec<f64> = lines.iter().map(|line| line.half_width).collect();
         let wide: Vec<f64> = (lines.iter())
-            .map(|line| line.reach(geometry) / LEAST_REACH)
+            .map(|line| line.reach / LEAST_REACH)
             .collect();
-        (!lines.is_empty()).then(|| Self::of(geometry, &narrow, &wide, true))
+        (!lines.is_empty()).then(|| Self::of(diameter, &narrow, &wide, true))
     }
 
-    fn of(geometry: &BearingGeometry, narrow: &[f64], wide: &[f64], found: bool) -> Self {
+    fn of(diameter: f64, narrow: &[f64], wide: &[f64], found: bool) -> Self {
         // Three digits: one mesh whatever the units, though the numbers differ in their last ones.
         let rounded = |width: f64| {
-            let share = (width / geometry.diameter).max(LEAST_HALF_WIDTH);
+            let share = (width / diameter).max(LEAST_HALF_WIDTH);
             let digits = 10f64.powf(2.0 - share.log10().floor());
-            (share * digits).round() / digits * geometry.diameter
+            (share * digits).round() / digits * diameter
         };
         Self {
             narrowest: rounded(narrow.iter().copied().fold(f64::INFINITY, f64::min)),
@@ -117,26 +116,17 @@ pub const LEAST_REACH: f64 = 1.3;
 pub const FEWEST_ACROSS: f64 = 3.0;
 
 impl FoundLine {
-    /// Do elements of this size across it, and so many half-widths of them, serve this line? `fine`
-    /// is how far elements of `size` reach to either side of where the line lies in the geometry.
-    pub fn is_served(&self, geometry: &BearingGeometry, size: f64, fine: f64) -> bool {
-        FEWEST_ACROSS * size <= self.half_width && self.reach(geometry) <= fine
+    /// A line pressed at `across` of a seat.
+    pub fn on(seat: &Seat, across: f64, half_width: f64) -> Self {
+        Self {
+            half_width,
+            reach: seat.reach(across, LEAST_REACH * half_width),
+        }
     }
 
-    /// How far the fine elements must reach from where the line lies in the geometry. What a
-    /// roller covers between the two lines of its valley is on both their fine elements.
-    fn reach(&self, geometry: &BearingGeometry) -> f64 {
-        if !self.valley {
-            return (self.across - geometry.offset).abs() + LEAST_REACH * self.half_width;
-        }
-        let line = geometry.v_line();
-        let half = LEAST_REACH * self.half_width;
-        if geometry.is_centred() {
-            let across = self.across.abs();
-            let outward = across + half - line;
-            let inward = line - (across - half).max(0.0);
-            return outward.max(inward);
-        }
-        (self.across - line).abs() + half
+    /// Do elements of this size across it, and so many half-widths of them, serve this line? `fine`
+    /// is how far elements of `size` reach to either side of where the line lies in the geometry.
+    pub fn is_served(&self, size: f64, fine: f64) -> bool {
+        FEWEST_ACROSS * size <= self.half_width && self.reach <= fine
     }
 }

@@ -1,10 +1,10 @@
 //! Printed values and Hertz's figures beside those of a run. They decide nothing.
 
 use super::error::JobError;
-use crate::analytic::handbook::{Handbook, HandbookAnswer, Metal, handbook};
+use super::even_load::EvenLoad;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, Three};
-use crate::case::{BearingCase, Case, Kind, Measure, MisesRead, Printed};
+use crate::case::{Case, Kind, Measure, MisesRead, Printed};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::render::summary::{Comparison, Reported};
@@ -12,7 +12,7 @@ use crate::render::summary::{Comparison, Reported};
 /// One row a printed value, then Hertz's figures of a bearing under an even line load.
 pub fn rows(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<Comparison>, JobError> {
     let hertz = match &case.kind {
-        Kind::Bearing(bearing) => Some(even_load(bearing, scene)?),
+        Kind::Bearing(bearing) => Some(EvenLoad::of(bearing, scene)?),
         Kind::General(_) => None,
     };
     let units = UnitLabels::of(case.units);
@@ -37,13 +37,13 @@ fn printed_row(
     printed: &Printed,
     read: MisesRead,
     (answer, units): (&Answer, &UnitLabels),
-    hertz: Option<&HandbookAnswer>,
+    hertz: Option<&EvenLoad>,
 ) -> Comparison {
     let place = printed.place.as_str();
     let (what, value, hertz) = match printed.what {
         Measure::Mises => {
-            let plates = hertz.map(|h| h.plate.mises);
-            let rollers = hertz.map(|h| h.roller.mises);
+            let plates = hertz.map(|h| h.plate_mises);
+            let rollers = hertz.map(|h| h.roller_mises);
             let hertz = match place {
                 p if p.contains("roller") => rollers,
                 p if p.contains("plate") => plates,
@@ -125,41 +125,7 @@ fn mises(
         .reduce(f64::max)
 }
 
-/// Hertz's line contact of the roller under an even line load.
-fn even_load(bearing: &BearingCase, scene: &Scene) -> Result<HandbookAnswer, JobError> {
-    let metal = |body: &str| {
-        let index = scene.mesh.body(body).unwrap_or(0);
-        let steel = &scene.materials[index];
-        Metal {
-            youngs_modulus: steel.youngs_modulus,
-            poissons_ratio: steel.poissons_ratio,
-            // No figure that is taken from here depends on it.
-            yield_stress: match steel.is_elastic() {
-                true => steel.youngs_modulus,
-                false => steel.yield_stress,
-            },
-        }
-    };
-    let g = &bearing.geometry;
-    handbook(&Handbook {
-        diameter: g.diameter,
-        wall: g.wall,
-        length: g.length,
-        load: bearing.load,
-        roller: metal("upper_roller"),
-        plate: metal("intermediate_plate"),
-        plate_thickness: Some(g.intermediate_thickness),
-        offset: (g.offset > 0.0).then_some(g.offset),
-        groove_angle: Some(g.slope.to_degrees()),
-        friction: bearing.friction,
-    })
-    .map_err(|error| JobError::ClosedForm {
-        what: "the roller under an even line load".to_owned(),
-        why: error.to_string(),
-    })
-}
-
-fn hertz_rows(hertz: &HandbookAnswer, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
+fn hertz_rows(hertz: &EvenLoad, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
     let stress = &units.stress;
     let row = |what: &str, place: &str, value: Option<f64>, hertz: f64| Comparison {
         what: format!("{what}, {stress}"),
@@ -169,11 +135,7 @@ fn hertz_rows(hertz: &HandbookAnswer, (answer, units): (&Answer, &UnitLabels)) -
         ..Comparison::default()
     };
     let pressures = answer.interfaces.0.iter().map(|(name, interface)| {
-        let on_v = name.contains("intermediate");
-        let even = match (&hertz.groove, on_v && hertz.displaced.is_none()) {
-            (Some(groove), true) => groove.peak_pressure,
-            _ => hertz.peak_pressure,
-        };
+        let even = hertz.peak_pressure_of(name);
         let printed = row("peak pressure", name, Some(interface.max_pressure), even);
         let certified = certified(Measure::MaxPressure, MisesRead::Nodal, name, answer);
         Comparison {
@@ -183,12 +145,11 @@ fn hertz_rows(hertz: &HandbookAnswer, (answer, units): (&Answer, &UnitLabels)) -
         }
     });
     let bores = answer.rollers.0.iter().filter_map(|(name, roller)| {
-        let ring = hertz.bore.as_ref()?;
         Some(row(
             "bore Mises",
             name,
             roller.bore_mises,
-            ring.mises_under_load,
+            hertz.bore_mises?,
         ))
     });
     pressures.chain(bores).collect()

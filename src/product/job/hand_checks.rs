@@ -7,7 +7,8 @@ use crate::analytic::hertz::LineContact;
 use crate::analytic::subsurface::LineField;
 use crate::answer::Answer;
 use crate::answer::certify::{Figure, Quantity};
-use crate::case::{BearingCase, Case, Kind};
+use crate::case::bearing::Seat;
+use crate::case::{Case, Kind};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::{ContactPair, Scene};
 use crate::render::summary::{HandCheck, SizedLine, Sizing};
@@ -30,8 +31,12 @@ pub fn hand_checks(
     let units = UnitLabels::of(case.units);
     let mut checks = Vec::new();
     for pair in &scene.contacts {
+        let Some(seat) = bearing.seat(&pair.name) else {
+            continue;
+        };
         let hand = ByHand {
-            bearing,
+            length: bearing.geometry.length(),
+            seat: &seat,
             scene,
             answer,
             units: &units,
@@ -54,7 +59,9 @@ pub fn hand_checks(
 
 /// One interface of a solved bearing.
 struct ByHand<'a> {
-    bearing: &'a BearingCase,
+    /// Of the roller.
+    length: f64,
+    seat: &'a Seat,
     scene: &'a Scene,
     answer: &'a Answer,
     units: &'a UnitLabels,
@@ -62,14 +69,21 @@ struct ByHand<'a> {
 }
 
 impl ByHand<'_> {
-    /// The whole load passes through every interface.
+    /// The whole load passes through every interface, or is shared by rollers side by side.
     fn force(&self) -> Option<HandCheck> {
         let load = self.answer.applied_load;
+        let (formula, by_hand) = match self.seat.sharing {
+            1 => (format!("P = {}", number(load)), load),
+            n if self.seat.determinate => {
+                (format!("P / {n}, P = {}", number(load)), load / n as f64)
+            }
+            _ => return None,
+        };
         Some(HandCheck {
             what: format!("force along the load, {}", self.units.force),
             place: self.pair.name.clone(),
-            formula: format!("P = {}", number(load)),
-            by_hand: load,
+            formula,
+            by_hand,
             found: Some(self.answer.interfaces.get(&self.pair.name)?.normal_force),
             error: None,
             differs: ROUNDING,
@@ -78,20 +92,24 @@ impl ByHand<'_> {
 
     /// The even load per length of a line of a centred bearing: on the flat one line has all, in a V two share.
     fn even(&self, line: &SizedLine) -> Option<HandCheck> {
-        let geometry = &self.bearing.geometry;
-        if !geometry.is_centred() {
+        let seat = self.seat;
+        if !seat.determinate {
             return None;
         }
-        let (load, length) = (self.answer.applied_load, geometry.length);
+        let (load, length) = (self.answer.applied_load, self.length);
         let numbers = format!("P = {}, L' = {}", number(load), number(length));
-        let in_valley = line.interface.contains("intermediate_plate");
-        let (formula, by_hand, differs) = match in_valley {
-            true => (
+        let (formula, by_hand, differs) = match (seat.is_valley(), seat.sharing) {
+            (true, _) => (
                 format!("P / 2 L' cos θ, {numbers}"),
-                load / (2.0 * length * geometry.slope.cos()),
+                load / (2.0 * length * seat.slope.cos()),
                 FRICTION,
             ),
-            false => (format!("P / L', {numbers}"), load / length, ROUNDING),
+            (false, 1) => (format!("P / L', {numbers}"), load / length, ROUNDING),
+            (false, n) => (
+                format!("P / {n} L', {numbers}"),
+                load / (n as f64 * length),
+                ROUNDING,
+            ),
         };
         Some(HandCheck {
             what: format!("even line load, {}", self.units.line_load()),
@@ -107,7 +125,7 @@ impl ByHand<'_> {
     /// Hertz's line contact under the largest load per length of the heaviest line.
     fn hertz(&self, line: &SizedLine) -> Result<Vec<HandCheck>, DomainError> {
         let compliance = self.scene.compliance(self.pair)?;
-        let radius = self.bearing.geometry.radius();
+        let radius = self.seat.radius;
         let contact = LineContact::new(line.peak_line_load, radius, compliance)?;
         let [q, r, c] = [line.peak_line_load, radius, compliance].map(number);
         let with = format!("q = {q} found, R = {r}, C_E = {c}");
@@ -130,10 +148,8 @@ impl ByHand<'_> {
 
     /// The largest Mises stress below the strip, in the plate.
     fn mises(&self, contact: &LineContact) -> Result<Option<HandCheck>, DomainError> {
-        let sides = [&self.pair.upper, &self.pair.lower].map(|side| side.body(&self.scene.mesh));
         let name = |body: usize| self.scene.mesh.bodies[body].name.as_str();
-        let mut plates = sides.into_iter().flatten();
-        let Some(plate) = plates.find(|body| !name(*body).contains("roller")) else {
+        let Some(plate) = self.scene.mesh.body(&self.seat.plate) else {
             return Ok(None);
         };
         let ratio = self.scene.materials[plate].poissons_ratio;

@@ -2,7 +2,7 @@
 
 use super::error::JobError;
 use super::files::forget;
-use crate::case::bearing::{gmsh_parameters, write_template, write_with_fingerprint};
+use crate::case::bearing::{gmsh_parameters, write_with_fingerprint};
 use crate::case::{BearingCase, Case, Family, Kind, MeshOrigin};
 use crate::ground::file::write_atomically;
 use crate::ground::memory::available;
@@ -146,11 +146,12 @@ fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
     check_size(bearing)?;
     let scratch = Scratch::new()?;
     let failed = |error| JobError::folder(&scratch.0, error);
-    let template = write_template(&scratch.0).map_err(failed)?;
+    let template = bearing.geometry.template();
+    let template = template.write(&scratch.0).map_err(failed)?;
     let raw = scratch.0.join("bearing.msh");
     gmsh::run(
         &template,
-        &gmsh_parameters(&bearing.geometry, &bearing.mesh),
+        &gmsh_parameters(bearing.layout(), &bearing.mesh),
         &raw,
     )?;
     write_with_fingerprint(&raw, &bearing.fingerprint(), kept)?;

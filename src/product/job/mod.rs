@@ -5,6 +5,7 @@ mod checkpoint;
 mod clock;
 mod compare;
 mod error;
+mod even_load;
 mod export;
 mod files;
 mod folder;

@@ -8,7 +8,7 @@ use crate::analytic::rules::{LoadError, Rule, RuleInput, RuleSteel, rules as all
 use crate::analytic::sizing::effective_length;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, LineFigures};
-use crate::case::bearing::RollerEnd;
+use crate::case::bearing::{RollerEnd, Seat};
 use crate::case::{BearingCase, Case, CaseError, Kind};
 use crate::ground::units::UnitSystem;
 use crate::render::summary::{JudgedRule, RuleSheet, SteelAfter};
@@ -32,17 +32,18 @@ pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError
         },
         notes: Vec::new(),
     };
-    let length = bearing.geometry.length;
+    let length = bearing.geometry.length();
     // Displaced by more than half of its length no part of a roller is left that (2-51) would count.
-    let effective = effective_length(length, bearing.geometry.offset).unwrap_or(length);
+    let effective = effective_length(length, bearing.geometry.offset()).unwrap_or(length);
     for (interface, figures) in &answer.interfaces.0 {
-        let Some(input) = input(bearing, case.units, interface)? else {
+        let Some(seat) = bearing.seat(interface) else {
             continue;
         };
+        let input = input(bearing, case.units, &seat)?;
         let rules = all_rules(&input).map_err(no_form)?;
         let error = load_error(answer, interface);
         for line in &figures.lines {
-            if is_merged(interface, line, &bearing.geometry) {
+            if is_merged(&seat, line) {
                 let note =
                     format!("{interface}: two lines that the mesh does not tell apart, left out");
                 if !sheet.notes.contains(&note) {
@@ -61,7 +62,7 @@ pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError
         }
     }
     sheet.notes.extend(where_worst(&sheet.rules));
-    if bearing.geometry.wall.is_some() {
+    if bearing.geometry.wall().is_some() {
         sheet
             .notes
             .push("the rules are of solid rollers, these are hollow".to_owned());
@@ -69,36 +70,24 @@ pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError
     Ok(Some(sheet))
 }
 
-/// The roller and the plate of the interface `<upper>-<lower>`.
-fn input(
-    bearing: &BearingCase,
-    units: UnitSystem,
-    interface: &str,
-) -> Result<Option<RuleInput>, CaseError> {
-    let Some((upper, lower)) = interface.split_once('-') else {
-        return Ok(None);
-    };
-    let (roller, plate) = match upper.contains("roller") {
-        true => (upper, lower),
-        false => (lower, upper),
-    };
+/// A roller and the plate that it lies on.
+fn input(bearing: &BearingCase, units: UnitSystem, seat: &Seat) -> Result<RuleInput, CaseError> {
     let g = &bearing.geometry;
-    let sides = [rule_steel(bearing, roller)?, rule_steel(bearing, plate)?];
-    let along = usize::from(roller == "upper_roller");
-    let (end_radius, overhang) = match g.end {
+    let sides = [
+        rule_steel(bearing, &seat.roller)?,
+        rule_steel(bearing, &seat.plate)?,
+    ];
+    let (end_radius, overhang) = match g.end() {
         // The plate stands out beyond where the fillet begins.
-        RollerEnd::Radius(radius) => {
-            let beyond = (0.5 * (g.plan[along] - g.length)).max(0.0);
-            (radius, Some(radius + beyond))
-        }
+        RollerEnd::Radius(radius) => (radius, Some(radius + seat.overhang)),
         _ => (0.0, None),
     };
-    Ok(Some(RuleInput {
+    Ok(RuleInput {
         end_radius,
         overhang,
         rollings: bearing.rollings,
-        ..RuleInput::new(units, g.diameter, g.length, sides)
-    }))
+        ..RuleInput::new(units, g.diameter(), g.length(), sides)
+    })
 }
 
 fn rule_steel(bearing: &BearingCase, body: &str) -> Result<RuleSteel, CaseError> {
@@ -189,7 +178,7 @@ fn steel(bearing: &BearingCase, answer: &Answer) -> Result<Vec<SteelAfter>, Case
             yielded_share: figures.yielded_volume / figures.volume,
             dent,
             dent_in: deepest.map(|(surface, _)| surface.clone()),
-            dent_over_diameter: dent.map(|dent| dent / bearing.geometry.diameter),
+            dent_over_diameter: dent.map(|dent| dent / bearing.geometry.diameter()),
         });
     }
     Ok(steel)

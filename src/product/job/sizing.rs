@@ -13,7 +13,7 @@ use crate::analytic::sizing::{
 use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::answer::Answer;
 use crate::answer::LineFigures;
-use crate::case::bearing::BearingGeometry;
+use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, Kind};
 use crate::model::material::Steel;
 use crate::model::scene::Scene;
@@ -35,18 +35,18 @@ fn sized(bearing: &BearingCase, scene: &Scene, answer: &Answer) -> Result<Sizing
     let mut rule: Option<SizingRule> = None;
     let mut lines = Vec::new();
     for (name, interface) in &answer.interfaces.0 {
-        let Some(steels) = steels(scene, name) else {
+        let Some((seat, steels)) = bearing.seat(name).zip(steels(scene, name)) else {
             continue;
         };
-        let pair = Pair::new(bearing.geometry.radius(), steels)?;
+        let pair = Pair::new(seat.radius, steels)?;
         for line in &interface.lines {
             lines.push(SizedLine {
-                merged: is_merged(name, line, &bearing.geometry),
-                ..pair.line(name, line, bearing.geometry.length)?
+                merged: is_merged(&seat, line),
+                ..pair.line(name, line, bearing.geometry.length())?
             });
         }
         let demanded = |rule: &SizingRule| rule.exact.required_diameter_times_length;
-        if let Some(asked) = pair.rule(name, bearing)?
+        if let Some(asked) = pair.rule(&seat, bearing)?
             && rule.as_ref().is_none_or(|r| demanded(r) < demanded(&asked))
         {
             rule = Some(asked);
@@ -63,9 +63,9 @@ fn steels<'s>(scene: &'s Scene, interface: &str) -> Option<[&'s Steel; 2]> {
 }
 
 /// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
-pub(super) fn is_merged(interface: &str, line: &LineFigures, geometry: &BearingGeometry) -> bool {
-    let in_valley = geometry.is_centred() && interface.contains("intermediate_plate");
-    in_valley && line.across.abs() < 0.5 * geometry.v_line()
+pub(super) fn is_merged(seat: &Seat, line: &LineFigures) -> bool {
+    let outermost = seat.lines.last().copied().unwrap_or(0.0);
+    seat.is_valley() && line.across.abs() < 0.5 * outermost
 }
 
 /// A roller and what it presses on.
@@ -129,36 +129,34 @@ impl Pair {
         })
     }
 
-    /// (2-50) and (2-51) for one roller under the whole load.
-    fn rule(
-        &self,
-        interface: &str,
-        bearing: &BearingCase,
-    ) -> Result<Option<SizingRule>, DomainError> {
+    /// (2-50) and (2-51) for one roller under its even share of the load. The roller on a curved plate is as one on a
+    /// flat of the same effective radius.
+    fn rule(&self, seat: &Seat, bearing: &BearingCase) -> Result<Option<SizingRule>, DomainError> {
         let Some(yield_stress) = self.yield_stress else {
             return Ok(None);
         };
         let g = &bearing.geometry;
         let modulus = equivalent_modulus(self.compliance)?;
-        let effective = effective_length(g.length, g.offset)?;
+        let (diameter, length, offset) = (2.0 * seat.radius, g.length(), g.offset());
+        let effective = effective_length(length, offset)?;
+        let load = bearing.load / seat.sharing as f64;
         let demand = |constants: Constants| -> Result<Demand, DomainError> {
-            let required =
-                constants.required_diameter_times_length(bearing.load, modulus, yield_stress)?;
-            let provided = g.diameter * effective;
+            let required = constants.required_diameter_times_length(load, modulus, yield_stress)?;
+            let provided = diameter * effective;
             Ok(Demand {
                 constant: constants.sizing,
                 required_diameter_times_length: required,
                 provided,
-                required_length: final_length(required / g.diameter, g.offset)?,
+                required_length: final_length(required / diameter, offset)?,
                 met: provided >= required,
             })
         };
         Ok(Some(SizingRule {
-            interface: interface.to_owned(),
-            load: bearing.load,
-            diameter: g.diameter,
-            length: g.length,
-            displacement: g.offset,
+            interface: seat.interface.clone(),
+            load,
+            diameter,
+            length,
+            displacement: offset,
             effective_length: effective,
             printed: demand(PRINTED)?,
             exact: demand(exact())?,
@@ -223,7 +221,7 @@ mod tests {
         let pressed = pair.pressed(8.0).unwrap();
         assert_eq!((pressed.utilisation, pressed.met), (None, None));
         let bearing = shipped("initial-centre.toml");
-        assert_eq!(pair.rule("a-b", &bearing), Ok(None));
+        assert_eq!(pair.rule(&bearing.seats()[0], &bearing), Ok(None));
         // Beside steel that yields, that one sets the limit.
         let pair = Pair::new(1.5, [&elastic, &STEEL]).unwrap();
         assert_eq!(pair.limit(), Some(165.0));
@@ -233,7 +231,8 @@ mod tests {
     #[test]
     fn the_initial_design_meets_the_rule_as_printed_only() {
         let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
-        let rule = pair.rule("a-b", &shipped("initial-centre.toml"));
+        let bearing = shipped("initial-centre.toml");
+        let rule = pair.rule(&bearing.seats()[0], &bearing);
         let rule = rule.unwrap().unwrap();
         let demands = [rule.printed, rule.exact];
         for (demand, required) in demands.iter().zip([23.969, 24.636]) {
@@ -252,7 +251,9 @@ mod tests {
             ("revised-offset-1.25.toml", 24.0, true),
             ("revised-offset-2.5.toml", 16.5, false),
         ] {
-            let rule = pair.rule("a-b", &shipped(name)).unwrap().unwrap();
+            let bearing = shipped(name);
+            let rule = pair.rule(&bearing.seats()[0], &bearing);
+            let rule = rule.unwrap().unwrap();
             assert_eq!((rule.printed.provided, rule.printed.met), (provided, met));
             let asked = rule.printed.required_diameter_times_length / 3.0 + 2.0 * rule.displacement;
             assert!((rule.printed.required_length - asked).abs() < 1e-12);

@@ -39,11 +39,12 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
         return Vec::new();
     }
     let whole = share >= 1.0 - 1e-9;
-    let radius = bearing.geometry.radius();
     let mut found = Vec::new();
     for (index, pair) in scene.contacts.iter().enumerate() {
-        let axis = usize::from(pair.name.contains("upper_roller"));
-        let lines = contact_lines(scene, state, index, axis);
+        let Some(seat) = bearing.seat(&pair.name) else {
+            continue;
+        };
+        let lines = contact_lines(scene, state, index, seat.axis);
         let peak =
             |line: &crate::answer::results::contact_lines::ContactLine| line.peak().map(|p| p.0);
         let heaviest = lines.iter().filter_map(peak).fold(0.0, f64::max);
@@ -52,18 +53,15 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
                 continue;
             };
             let hertz = (scene.compliance(pair))
-                .and_then(|compliance| LineContact::new(load / share, radius, compliance));
+                .and_then(|compliance| LineContact::new(load / share, seat.radius, compliance));
             let Ok(hertz) = hertz else { continue };
             let row = &line.heaviest;
             let measured = whole && row.half_width >= MEASURED * row.edge_spacing();
-            found.push(FoundLine {
-                valley: pair.name.contains("intermediate_plate"),
-                across: line.across,
-                half_width: match measured {
-                    true => row.half_width,
-                    false => hertz.half_width,
-                },
-            });
+            let half_width = match measured {
+                true => row.half_width,
+                false => hertz.half_width,
+            };
+            found.push(FoundLine::on(&seat, line.across, half_width));
         }
     }
     found
@@ -74,13 +72,13 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
 fn better(case: &Case, scene: &Scene, state: &State) -> Option<Strips> {
     let bearing = sized_by_lines(case)?;
     let lines = lines(bearing, scene, state);
-    if bearing.mesh.unserved(&bearing.geometry, &lines).is_empty() {
+    if bearing.mesh.unserved(bearing.layout(), &lines).is_empty() {
         return None;
     }
-    let strips = Strips::found(&bearing.geometry, &lines)?;
+    let strips = Strips::found(bearing.geometry.diameter(), &lines)?;
     let mut other = bearing.clone();
     other.mesh.strips = Some(strips);
-    let possible = other.mesh.check(&other.geometry).is_ok();
+    let possible = other.mesh.check(other.layout()).is_ok();
     (possible && other.fingerprint() != bearing.fingerprint()).then_some(strips)
 }
 
@@ -88,7 +86,7 @@ fn better(case: &Case, scene: &Scene, state: &State) -> Option<Strips> {
 pub fn shortcoming(case: &Case, scene: &Scene, state: &State) -> Option<String> {
     let bearing = sized_by_lines(case)?;
     let lines = lines(bearing, scene, state);
-    let unserved = bearing.mesh.unserved(&bearing.geometry, &lines).len();
+    let unserved = bearing.mesh.unserved(bearing.layout(), &lines).len();
     (unserved > 0).then(|| {
         format!(
             "the mesh `auto` has fewer than three elements across the half-width, or coarser ones \

@@ -8,6 +8,7 @@ use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::{Answer, AnswerInputs, Named};
+use crate::case::bearing::RollerPlace;
 use crate::case::{Case, Kind};
 use crate::ground::memory;
 use crate::ground::units::UnitLabels;
@@ -120,16 +121,14 @@ pub fn phases(timers: &Timers) -> Named<f64> {
 /// Inner walls of hollow rollers.
 fn bores(case: &Case) -> Vec<Bore> {
     match &case.kind {
-        Kind::Bearing(bearing) if bearing.geometry.wall.is_some() => {
-            ["upper_roller", "lower_roller"]
-                .into_iter()
-                .zip([1, 0])
-                .map(|(body, axis)| Bore {
-                    body: body.to_owned(),
-                    surface: format!("{body}_bore"),
-                    axis,
-                })
-                .collect()
+        Kind::Bearing(bearing) if bearing.geometry.wall().is_some() => {
+            let rollers = bearing.geometry.rollers(bearing.mesh.full).into_iter();
+            let bore = |roller: RollerPlace| Bore {
+                surface: format!("{}_bore", roller.body),
+                body: roller.body,
+                axis: roller.axis,
+            };
+            rollers.map(bore).collect()
         }
         _ => Vec::new(),
     }

@@ -71,24 +71,15 @@ fn strip(
 fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Line> {
     let [carrier, other] = pair.carrier_first();
     if let Kind::Bearing(bearing) = &case.kind {
-        let g = &bearing.geometry;
-        let along_y = pair.name.contains("upper_roller");
-        let (lines, force) = match pair.name.contains("intermediate_plate") {
-            // Both slopes of the valley share the load; a displaced roller touches one of them.
-            true if g.is_centred() && g.slope > 0.0 => (2, load / (2.0 * g.slope.cos())),
-            true => (1, load / g.slope.cos()),
-            false => (1, load),
-        };
+        let seat = bearing.seat(&pair.name)?;
+        let mut axis = [0.0; 3];
+        axis[seat.axis] = 1.0;
         return Some(Line {
-            axis: if along_y {
-                [0.0, 1.0, 0.0]
-            } else {
-                [1.0, 0.0, 0.0]
-            },
-            radius: g.radius(),
-            length: g.length,
-            lines,
-            force,
+            axis,
+            radius: seat.radius,
+            length: bearing.geometry.length(),
+            lines: seat.lines.len(),
+            force: seat.even(load),
         });
     }
     // Either side may be the cylinder, whichever carries.

@@ -65,9 +65,12 @@ fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseE
     } else {
         CENTRED
     };
-    let steel = bearing.steels.of("upper_roller")?;
+    let rollers = geometry.rollers(bearing.mesh.full);
+    let roller = rollers.first().map_or("", |roller| roller.body.as_str());
+    let steel = bearing.steels.of(roller)?;
+    let radius = geometry.diameter() / 2.0;
     let compliance = 2.0 * (1.0 - steel.poissons_ratio.powi(2)) / steel.youngs_modulus;
-    let half_width = |load: f64| (4.0 * load * geometry.radius() * compliance / PI).sqrt();
+    let half_width = |load: f64| (4.0 * load * radius * compliance / PI).sqrt();
     let widths = coarse.strips.values().map(|s| half_width(s.line_load));
     let (narrow, wide) = widths.fold((f64::INFINITY, 0.0f64), |(least, most), a| {
         (least.min(a), most.max(a))
@@ -76,8 +79,8 @@ fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseE
         return Err(wrong("nothing is in contact".into()));
     }
     let size = narrow / fineness.across;
-    let far = fineness.far * geometry.diameter;
-    let wall = geometry.wall.unwrap_or(geometry.radius());
+    let far = fineness.far * geometry.diameter();
+    let wall = geometry.wall().unwrap_or(radius);
     let overrides = [
         ("roller_size", size),
         ("fine_elements", (FINE_ZONE * wide / size).ceil()),
@@ -96,7 +99,7 @@ fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseE
         full: bearing.mesh.full,
         ..MeshRequest::default()
     };
-    let fits = bearing.mesh.check(&bearing.geometry);
+    let fits = bearing.mesh.check(bearing.layout());
     fits.map_err(|error| wrong(error.to_string()))?;
     Ok(case)
 }

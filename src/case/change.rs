@@ -36,6 +36,14 @@ impl Case {
 
     fn mesh_by(&mut self, preset: Preset) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a mesh preset")?;
+        // The coarsest mesh of a series is no preset of users, and all templates have it.
+        let offered = bearing.geometry.presets();
+        if !offered.contains(&preset) && preset != Preset::Series {
+            let table = bearing.geometry.table();
+            let names = list(offered.iter().map(|preset| preset.name()));
+            let message = format!("the preset `{preset}` does not go with [{table}]");
+            return Err(CaseError::new(ErrorKind::Value, message).help(format!("one of: {names}")));
+        }
         let request = MeshRequest {
             preset,
             strips: bearing.mesh.strips,

@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 
 use super::assumption::Assumption;
-use super::bearing::{MESH_KEYS, MeshKey, MeshRequest, Preset, SizeKind};
+use super::bearing::{Layout, MESH_KEYS, MeshKey, MeshRequest, Preset, SizeKind};
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::parse::Table;
@@ -92,7 +92,7 @@ impl SceneMesh {
 /// Reads `[mesh]` of a bearing.
 pub(super) fn request(
     root: &Table,
-    full: bool,
+    (full, layout): (bool, &dyn Layout),
     assumptions: &mut Vec<Assumption>,
 ) -> Result<MeshRequest, CaseError> {
     let mut request = MeshRequest {
@@ -101,9 +101,15 @@ pub(super) fn request(
     };
     let mut given = false;
     if let Some(field) = root.get("mesh") {
-        let table = field.table()?.only(&keys::BEARING_MESH)?;
+        let keys = match layout.table() {
+            "line_bearing" => &keys::LINE_BEARING_MESH,
+            _ => &keys::BEARING_MESH,
+        };
+        let table = field.table()?.only(keys)?;
         if let Some(field) = table.get("preset") {
-            request.preset = field.choice(&Preset::ALL.map(|p| (p.name(), p)))?.value;
+            let presets = layout.presets().iter();
+            let choices: Vec<(&str, Preset)> = presets.map(|p| (p.name(), *p)).collect();
+            request.preset = field.choice(&choices)?.value;
             given = true;
         }
         if let Some(field) = table.get("scale") {

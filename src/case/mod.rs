@@ -140,12 +140,21 @@ impl Case {
             .transpose()?;
         let reference = reference.map(|r| r.value.to_string());
         let controls = controls::read(root)?;
-        let kind = match root.get("bearing") {
-            Some(_) => {
-                refuse_scene_keys(root)?;
+        let templates = ["bearing", "line_bearing"];
+        let given = templates.into_iter().filter(|key| root.get(key).is_some());
+        let kind = match given.collect::<Vec<_>>().as_slice() {
+            [_, second, ..] => {
+                let why = "and `[bearing]` are two bearings, and a case is of one";
+                let place = root.place_of_key(second);
+                return Err(place
+                    .error(ErrorKind::Conflict, why)
+                    .help("drop one of the two"));
+            }
+            [table] => {
+                refuse_scene_keys(root, table)?;
                 Kind::Bearing(BearingCase::read(root, &mut assumptions)?)
             }
-            None => {
+            [] => {
                 let case = GeneralCase::read(root, &title, controls, &mut assumptions)?;
                 Kind::General(case)
             }
@@ -245,14 +254,14 @@ fn stem(name: &str) -> String {
 }
 
 /// The template writes the contacts, supports and loads of a bearing itself.
-fn refuse_scene_keys(root: &Table) -> Result<(), CaseError> {
+fn refuse_scene_keys(root: &Table, table: &str) -> Result<(), CaseError> {
     let names = keys::SCENE.names();
     match names.into_iter().find(|key| root.get(key).is_some()) {
         None => Ok(()),
         Some(key) => {
             let place = root.place_of_key(key);
-            let why = "does not go with `[bearing]`, which makes its own scene";
-            let help = "describe the bearing by [bearing], or the whole scene without it";
+            let why = format!("does not go with `[{table}]`, which makes its own scene");
+            let help = format!("describe the bearing by [{table}], or the whole scene without it");
             Err(place.error(ErrorKind::Conflict, why).help(help))
         }
     }

@@ -45,7 +45,8 @@ pub struct RuleInput {
     pub units: UnitSystem,
     /// Diameter D of the roller.
     pub diameter: f64,
-    /// Diameter of the groove that it lies in, where it lies in one: larger than the roller's. `None` for a flat.
+    /// Diameter of the groove that it lies in, where it lies in one: larger than the roller's. Negative: of a face that
+    /// bulges towards the roller. `None` for a flat.
     pub mating_diameter: Option<f64>,
     /// Length L of the roller.
     pub length: f64,
@@ -96,8 +97,8 @@ impl<'a> RuleContact<'a> {
         error::non_negative("radius of the edge", input.end_radius)?;
         let mut curvature = 2.0 / roller;
         if let Some(groove) = input.mating_diameter {
-            let is_larger = groove.is_finite() && groove > roller;
-            let allowed = "larger than that of the roller";
+            let is_larger = groove.is_finite() && (groove > roller || groove < 0.0);
+            let allowed = "larger than that of the roller, or negative where it bulges";
             error::require("diameter of the groove", groove, is_larger, allowed)?;
             curvature -= 2.0 / groove;
         }

@@ -10,7 +10,7 @@ use crate::answer::results::contact_lines::StripRow;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::interface::Interface;
-use crate::answer::results::load::copies;
+use crate::answer::results::load::{cutting_pair, times};
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
@@ -95,7 +95,8 @@ impl Contact<'_> {
             ]);
             claims.extend(self.hertz_pressure(line));
         }
-        let band = RIM * copies(self.scene) * rim(self.scene, field, self.pair);
+        let copies = times(&cutting_pair(self.scene, self.pair));
+        let band = RIM * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
         claims.push(self.claim(Quantity::ContactArea, area, Some(band / area), COARSE));
         claims

@@ -1,6 +1,6 @@
 //! Where contact forces act, and whether bodies that nothing but contact holds are in balance.
 
-use super::load::{self, copies, whole};
+use super::load::{self, cutting, cutting_pair, times, whole_of};
 use crate::ground::geometry::{cross, dot};
 use crate::model::mesh::Surface;
 use crate::model::scene::{Partner, Scene, Side};
@@ -28,7 +28,8 @@ pub fn centre_of_force(scene: &Scene, state: &State, pair: usize) -> Option<[f64
         total += force;
         (0..3).for_each(|i| sum[i] += force * at[i]);
     }
-    let centre = |axis: usize| match scene.mirrors.contains(&axis) {
+    let mirrors = cutting_pair(scene, pair);
+    let centre = |axis: usize| match mirrors.contains(&axis) {
         true => 0.0,
         false => sum[axis] / total,
     };
@@ -42,7 +43,8 @@ pub fn balances(scene: &Scene, state: &State) -> Vec<Balance> {
     bodies
         .filter(|(index, _)| !held.contains(index))
         .filter_map(|(index, body)| {
-            let about = middle(scene, index)?;
+            let mirrors = cutting(scene, index);
+            let about = middle(scene, index, &mirrors)?;
             let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
             for (pair, field) in state.contacts.iter().enumerate() {
                 let Some((sign, carries)) = side(scene, pair, index) else {
@@ -61,8 +63,8 @@ pub fn balances(scene: &Scene, state: &State) -> Vec<Balance> {
             }
             Some(Balance {
                 body: body.name.clone(),
-                force: whole(scene, force),
-                moment: whole_moment(scene, moment),
+                force: whole_of(&mirrors, force),
+                moment: whole_moment(&mirrors, moment),
             })
         })
         .collect()
@@ -70,10 +72,10 @@ pub fn balances(scene: &Scene, state: &State) -> Vec<Balance> {
 
 /// The moment on the whole: a mirror doubles the component along its axis and cancels the others,
 /// for a moment is an axial vector.
-fn whole_moment(scene: &Scene, modelled: [f64; 3]) -> [f64; 3] {
-    let survives = |component: usize| scene.mirrors.iter().all(|axis| *axis == component);
+fn whole_moment(mirrors: &[usize], modelled: [f64; 3]) -> [f64; 3] {
+    let survives = |component: usize| mirrors.iter().all(|axis| *axis == component);
     [0, 1, 2].map(|i| match survives(i) {
-        true => copies(scene) * modelled[i],
+        true => times(mirrors) * modelled[i],
         false => 0.0,
     })
 }
@@ -120,7 +122,7 @@ fn side(scene: &Scene, pair: usize, index: usize) -> Option<(f64, bool)> {
 }
 
 /// Mean of the body's nodes, of the whole.
-fn middle(scene: &Scene, body: usize) -> Option<[f64; 3]> {
+fn middle(scene: &Scene, body: usize, mirrors: &[usize]) -> Option<[f64; 3]> {
     let elements = scene.mesh.bodies.get(body)?.elements.clone();
     let count = 8.0 * elements.len() as f64;
     let corners = scene.mesh.hexes[elements].iter().flatten();
@@ -129,7 +131,7 @@ fn middle(scene: &Scene, body: usize) -> Option<[f64; 3]> {
         let at = scene.mesh.points[*node as usize];
         (0..3).for_each(|i| sum[i] += at[i]);
     }
-    let mean = |axis: usize| match scene.mirrors.contains(&axis) {
+    let mean = |axis: usize| match mirrors.contains(&axis) {
         true => 0.0,
         false => sum[axis] / count,
     };

@@ -1,7 +1,7 @@
 //! Scalars of each contact interface, for the whole bearing.
 
 use super::hex::distance;
-use super::load::{along, copies, whole};
+use super::load::{along, cutting_pair, times, whole_of};
 use crate::ground::geometry::{dot, norm};
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
@@ -60,7 +60,8 @@ pub fn interfaces(scene: &Scene, state: &State) -> Vec<Interface> {
 
 fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
     let (contact, field) = (&scene.contacts[pair], &state.contacts[pair]);
-    let copies = copies(scene);
+    let mirrors = cutting_pair(scene, pair);
+    let copies = times(&mirrors);
     let mut result = Interface {
         name: contact.name.clone(),
         max_penetration: field.penetration,
@@ -94,7 +95,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
         }
     }
     result.face_side = face_side(scene, pair, field);
-    result.force = whole(scene, force);
+    result.force = whole_of(&mirrors, force);
     // Contact does not pull, and either side may be the one below.
     result.normal_force = dot(result.force, along(scene, state)).abs();
     let limit = contact.friction * result.max_pressure;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::load::{self, copies};
+use super::load::{self, cutting_pair, times};
 use crate::ground::geometry::dot;
 use crate::model::mesh::Surface;
 use crate::model::mesh::shape::{Shape, fit};
@@ -117,7 +117,7 @@ pub fn line_load(scene: &Scene, state: &State, pair: usize, slices: &Slices) -> 
     let along = load::along(scene, state);
     // A mirror along the axis makes slices of its own, on the other side.
     let mirrored = scene.mirrors.contains(&axis);
-    let copies = copies(scene) * if mirrored { 0.5 } else { 1.0 };
+    let copies = times(&cutting_pair(scene, pair)) * if mirrored { 0.5 } else { 1.0 };
     let mut load = vec![0.0; slices.edges.len() - 1];
     let mut outside = 0.0;
     for (node, force) in field.nodes.iter().zip(&field.force) {

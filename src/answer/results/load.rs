@@ -8,14 +8,51 @@ use crate::model::state::{PlaneField, State};
 
 /// How many times the modelled part makes the whole: each mirror doubles.
 pub fn copies(scene: &Scene) -> f64 {
-    scene.mirrors.iter().fold(1.0, |copies, _| 2.0 * copies)
+    times(&scene.mirrors)
 }
 
 /// The force on the whole, from the force on the modelled part: each mirror doubles it, and
 /// cancels the component along the mirrored axis.
 pub fn whole(scene: &Scene, modelled: [f64; 3]) -> [f64; 3] {
-    let mut force = modelled.map(|f| f * copies(scene));
-    for &axis in scene.mirrors.iter().filter(|axis| **axis < 3) {
+    whole_of(&scene.mirrors, modelled)
+}
+
+/// The mirrors that cut a body: the planes that it reaches. Its image across another one is another body.
+pub fn cutting(scene: &Scene, body: usize) -> Vec<usize> {
+    let elements = scene.mesh.bodies.get(body).map(|b| b.elements.clone());
+    let hexes = elements.and_then(|elements| scene.mesh.hexes.get(elements));
+    let reaches = |axis: &usize| {
+        let mut nodes = hexes.into_iter().flatten().flatten();
+        nodes.any(|node| {
+            let at = &scene.mesh.points[*node as usize];
+            scene.mirrors_through(at).any(|through| through == *axis)
+        })
+    };
+    scene.mirrors.iter().copied().filter(reaches).collect()
+}
+
+/// The mirrors that cut both bodies of a contact pair. A pair beside a plane has an image that is another pair, with
+/// forces of its own.
+pub fn cutting_pair(scene: &Scene, pair: usize) -> Vec<usize> {
+    let sides = scene.contacts.get(pair).map(|c| [&c.upper, &c.lower]);
+    let bodies = sides.into_iter().flatten();
+    let bodies = bodies.filter_map(|side| side.body(&scene.mesh));
+    bodies.fold(scene.mirrors.clone(), |mut axes, body| {
+        let own = cutting(scene, body);
+        axes.retain(|axis| own.contains(axis));
+        axes
+    })
+}
+
+/// How many times the modelled part of what `mirrors` cut makes the whole of it.
+pub fn times(mirrors: &[usize]) -> f64 {
+    mirrors.iter().fold(1.0, |copies, _| 2.0 * copies)
+}
+
+/// The force on the whole of what `mirrors` cut, from the force on its modelled part.
+pub fn whole_of(mirrors: &[usize], modelled: [f64; 3]) -> [f64; 3] {
+    let mut force = modelled.map(|f| f * times(mirrors));
+    for &axis in mirrors.iter().filter(|axis| **axis < 3) {
         force[axis] = 0.0;
     }
     force

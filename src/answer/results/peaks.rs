@@ -2,7 +2,7 @@
 
 use super::edges::LoadedEdges;
 use super::hex::{GaussRule, centre};
-use super::load::copies;
+use super::load::{cutting, times};
 use super::recovery::Recovered;
 use super::tensor::mises;
 use crate::model::mesh::Body;
@@ -110,7 +110,6 @@ pub fn peaks(
 ) -> Vec<BodyPeaks> {
     let mesh = &scene.mesh;
     let rule = GaussRule::new();
-    let copies = copies(scene);
     let nodal = nodal_peaks(scene, recovered, |_| true);
     let far = |at: &[f64; 3]| !edges.are_near(at);
     // Few scenes have a peak at an edge, and then it is worth a second look.
@@ -165,6 +164,7 @@ pub fn peaks(
                 }
             }
         }
+        let copies = times(&cutting(scene, index));
         BodyPeaks {
             name: body.name.clone(),
             centroid,

@@ -1,6 +1,5 @@
 //! The preset `auto`: element sizes from the half-widths of the lines of contact.
 
-use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
 use super::sizes::{PLATE_TO_ROLLER, Sizes};
 use super::strips::Strips;
@@ -29,12 +28,12 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
     let end_size = (diameter / 20.0).min(half_length / 16.0);
     // A few elements on a fillet, where it begins no fewer than at the very end; along a strip
     // nothing changes over less than its width.
-    let (end_size, along_growth) = match geometry.end {
-        RollerEnd::Radius(radius) => {
+    let (end_size, along_growth) = match geometry.end.radius() {
+        Some(radius) => {
             let least = strips.narrowest / 2.0;
             (end_size.min((radius / 8.0).max(least)), 1.6)
         }
-        RollerEnd::Square | RollerEnd::Crown(_) => (end_size, 2.0),
+        None => (end_size, 2.0),
     };
     Sizes {
         uniform: false,

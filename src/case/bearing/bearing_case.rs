@@ -1,9 +1,10 @@
-//! `[bearing]`: the rolling bearing of five bodies, its load, friction and steels.
+//! `[bearing]` and `[line_bearing]`: a bearing by its dimensions, its load, friction and steels.
 
 use super::dimensions::Dimensions;
 use super::error::GeometryError;
 use super::geometry::BearingGeometry;
 use super::layout::Layout;
+use super::line::LineGeometry;
 use super::reader::BearingReader;
 use super::request::MeshRequest;
 use super::seat::Seat;
@@ -11,6 +12,7 @@ use super::strips::Strips;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::case::assumption::Assumption;
 use crate::case::error::{CaseError, ErrorKind};
+use crate::case::keys;
 use crate::case::mesh_choice;
 use crate::case::parse::Table;
 use crate::case::place::Located;
@@ -27,7 +29,7 @@ pub struct BearingCase {
     pub mesh: MeshRequest,
     /// Vertical, on the whole bearing.
     pub load: f64,
-    /// Coulomb's coefficient, on all four interfaces.
+    /// Coulomb's coefficient, on all interfaces.
     pub friction: f64,
     /// Shares of the load at which its descent is read on the way up, ascending, below one.
     pub stages: Vec<f64>,
@@ -44,23 +46,42 @@ impl BearingCase {
         root: &Table,
         assumptions: &mut Vec<Assumption>,
     ) -> Result<Self, CaseError> {
-        let mut reader = BearingReader::new(root, assumptions)?;
+        let parallel = root.get("line_bearing").is_some();
+        let table = match parallel {
+            true => ("line_bearing", &keys::LINE_BEARING),
+            false => ("bearing", &keys::BEARING),
+        };
+        let mut reader = BearingReader::new(root, table, assumptions)?;
         let load = reader.quantity("load", Dimension::FORCE)?.positive()?.value;
         let friction = reader
             .quantity("friction", Dimension::RATIO)?
             .not_negative()?;
-        let geometry = reader.geometry()?;
         let misfit = |table: &str, error: GeometryError| {
             let place = root.deepest(&format!("{table}.{}", error.key));
             place.error(ErrorKind::Value, error.range).help(error.help)
         };
-        geometry.check().map_err(|error| misfit("bearing", error))?;
-        check_grip(&friction, &geometry)?;
-        let full = reader.full(&geometry)?;
+        let (geometry, full) = match parallel {
+            true => {
+                let mut geometry = reader.line_geometry()?;
+                (geometry.check()).map_err(|error| misfit("line_bearing", error))?;
+                // Told to nobody yet: they are read again below, with the names of the bodies.
+                let steels = Steels::read(root, &mut Vec::new())?;
+                geometry.alike = are_alike(&geometry, &steels)?;
+                let full = reader.line_full(&geometry)?;
+                (Dimensions::Line(geometry), full)
+            }
+            false => {
+                let geometry = reader.geometry()?;
+                (geometry.check()).map_err(|error| misfit("bearing", error))?;
+                check_grip(&friction, &geometry)?;
+                let full = reader.full(&geometry)?;
+                (Dimensions::Crossed(geometry), full)
+            }
+        };
         let stages = reader.stages(load)?;
         let unload_to = reader.unload()?;
         let rollings = reader.rollings()?;
-        let mut mesh = mesh_choice::request(root, full, assumptions)?;
+        let mut mesh = mesh_choice::request(root, (full, &*geometry), assumptions)?;
         let mut steels = Steels::read(root, assumptions)?;
         let bodies = geometry.bodies();
         let sizes: Vec<(&str, f64)> = (bodies.iter())
@@ -72,11 +93,11 @@ impl BearingCase {
         for body in names {
             steels.of(body)?;
         }
-        mesh.strips = strips(&geometry, full, load, &steels)?;
-        mesh.check(&geometry)
+        mesh.strips = strips(&*geometry, full, load, &steels)?;
+        mesh.check(&*geometry)
             .map_err(|error| misfit("mesh", error))?;
         Ok(Self {
-            geometry: Dimensions::Crossed(geometry),
+            geometry,
             mesh,
             load,
             friction: friction.value,
@@ -139,6 +160,17 @@ fn strips(
     }
     let predicted = compliance.and_then(|list| geometry.predicted(load, full, &list));
     Ok(predicted.ok())
+}
+
+/// Are rollers that are images of each other across x = 0 of the same steel?
+fn are_alike(geometry: &LineGeometry, steels: &Steels) -> Result<bool, CaseError> {
+    for number in 1..=geometry.rollers / 2 {
+        let [a, b] = [number, geometry.rollers + 1 - number].map(|n| geometry.body(n));
+        if steels.of(&a)? != steels.of(&b)? || steels.strength_of(&a)? != steels.strength_of(&b)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// A displaced roller has one line of contact below and one above, whose normals differ by the

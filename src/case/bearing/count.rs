@@ -8,14 +8,14 @@ use super::sizes::Sizes;
 
 /// A place on a line that nodes are graded towards: where, the element size there (`None`: any), and how many
 /// elements of it on either side.
-type Stop = (f64, Option<f64>, f64);
+pub(super) type Stop = (f64, Option<f64>, f64);
 
 /// How the elements of a line are graded.
-struct GradedInterval {
-    growth: f64,
-    cap: f64,
-    least: f64,
-    uniform: bool,
+pub(super) struct GradedInterval {
+    pub growth: f64,
+    pub cap: f64,
+    pub least: f64,
+    pub uniform: bool,
 }
 
 /// The most elements between two stops of a grading, as in the template; an interval that asks for more gets
@@ -24,7 +24,7 @@ const MOST_ELEMENTS: usize = 1000;
 
 impl GradedInterval {
     /// Elements on a line between its first and its last stop, as `meshes/spacing.geo` places them.
-    fn elements(&self, stops: &[Stop]) -> f64 {
+    pub fn elements(&self, stops: &[Stop]) -> f64 {
         stops.windows(2).map(|ends| self.interval(ends)).sum()
     }
 

@@ -9,9 +9,24 @@ pub enum RollerEnd {
     Radius(f64),
     /// A logarithmic crown that has dropped this much at the ends.
     Crown(f64),
+    /// Both: the drops of the two add up.
+    CrownedRadius {
+        /// Of the rounded edge.
+        radius: f64,
+        /// Drop of the crown at the ends.
+        crown: f64,
+    },
 }
 
 impl RollerEnd {
+    /// Radius of the edge, where it is rounded.
+    pub fn radius(self) -> Option<f64> {
+        match self {
+            Self::Radius(radius) | Self::CrownedRadius { radius, .. } => Some(radius),
+            Self::Square | Self::Crown(_) => None,
+        }
+    }
+
     /// How far the profile of a roller of `length` and `radius` lies below the cylinder at the
     /// distance `along` from its middle.
     ///
@@ -32,6 +47,13 @@ impl RollerEnd {
                 let share = (along / half).powi(2).min(1.0);
                 drop * (1.0 - (1.0 - bound) * share).ln() / bound.ln()
             }
+            Self::CrownedRadius {
+                radius: fillet,
+                crown,
+            } => {
+                let of = |end: Self| end.drop_at(along, length, radius);
+                of(Self::Radius(fillet)) + of(Self::Crown(crown))
+            }
         }
     }
 }
@@ -47,6 +69,17 @@ mod tests {
         assert_eq!(end.drop_at(-4.0, 8.0, 1.5), 0.25);
         let along = 3.75 + 0.25 * 0.6;
         assert!((end.drop_at(along, 8.0, 1.5) - 0.25 * 0.2).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_crown_with_a_fillet_drops_by_both() {
+        let end = RollerEnd::CrownedRadius {
+            radius: 0.25,
+            crown: 0.002,
+        };
+        assert!((end.drop_at(4.0, 8.0, 1.5) - 0.252).abs() < 1e-15);
+        let crown = RollerEnd::Crown(0.002).drop_at(3.0, 8.0, 1.5);
+        assert_eq!(end.drop_at(3.0, 8.0, 1.5), crown);
     }
 
     #[test]

@@ -83,6 +83,12 @@ impl BearingGeometry {
             RollerEnd::Square => return Ok(()),
             RollerEnd::Radius(radius) => ("roller_end.radius", radius),
             RollerEnd::Crown(drop) => ("roller_end.crown", drop),
+            RollerEnd::CrownedRadius { radius, crown } if radius > 0.0 => {
+                // Of both the crown is the smaller, and both must fit.
+                GeometryError::positive("roller_end.crown", crown)?;
+                ("roller_end.radius", radius + crown)
+            }
+            RollerEnd::CrownedRadius { radius, .. } => ("roller_end.radius", radius),
         };
         let wall = self.wall.unwrap_or(self.radius());
         let most = 0.5 * wall.min(self.length / 2.0);

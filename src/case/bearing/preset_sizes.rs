@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use super::auto;
-use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
 use super::preset::Preset;
 use super::sizes::{PLATE_TO_ROLLER, Sizes};
@@ -53,7 +52,7 @@ fn graded(geometry: &BearingGeometry, size: f64, fine_elements: f64) -> Sizes {
         depth_least: 5.0,
         along_least: 12.0,
     };
-    if let RollerEnd::Radius(radius) = geometry.end {
+    if let Some(radius) = geometry.end.radius() {
         // A few elements on the fillet.
         sizes.end_size = sizes.end_size.min(radius / 3.0);
     }

@@ -16,14 +16,24 @@ pub(in crate::case) const UNLOAD_TO: f64 = 1e-3;
 
 /// The table `[bearing]`.
 pub(in crate::case) struct BearingReader<'a, 'b> {
-    table: Table<'a>,
+    pub(super) table: Table<'a>,
+    name: &'static str,
     assumptions: &'b mut Vec<Assumption>,
 }
 
 impl<'a, 'b> BearingReader<'a, 'b> {
-    pub fn new(root: &Table<'a>, assumptions: &'b mut Vec<Assumption>) -> Result<Self, CaseError> {
-        let table = root.need("bearing")?.table()?.only(&keys::BEARING)?;
-        Ok(Self { table, assumptions })
+    /// Reads the table called `name`, whose keys are `keys`.
+    pub fn new(
+        root: &Table<'a>,
+        (name, keys): (&'static str, &keys::Keys),
+        assumptions: &'b mut Vec<Assumption>,
+    ) -> Result<Self, CaseError> {
+        let table = root.need(name)?.table()?.only(keys)?;
+        Ok(Self {
+            table,
+            name,
+            assumptions,
+        })
     }
 
     pub fn quantity(&self, key: &str, dimension: Dimension) -> Result<Located<f64>, CaseError> {
@@ -50,26 +60,26 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         })
     }
 
-    fn length(&self, key: &str) -> Result<f64, CaseError> {
+    pub(super) fn length(&self, key: &str) -> Result<f64, CaseError> {
         Ok(self.quantity(key, Dimension::LENGTH)?.value)
     }
 
-    fn flag(&self, key: &str) -> Result<Option<Located<bool>>, CaseError> {
+    pub(super) fn flag(&self, key: &str) -> Result<Option<Located<bool>>, CaseError> {
         self.table.get(key).map(|field| field.boolean()).transpose()
     }
 
-    fn show(&self, value: f64) -> String {
+    pub(super) fn show(&self, value: f64) -> String {
         self.table.units().show(value, Dimension::LENGTH)
     }
 
-    fn note(&mut self, key: &str, value: impl Into<String>, why: &str) {
+    pub(super) fn note(&mut self, key: &str, value: impl Into<String>, why: &str) {
         let given = self.table.get(key).is_some();
-        let key = format!("bearing.{key}");
+        let key = format!("{}.{key}", self.name);
         self.assumptions
             .push(Assumption::new(&key, value, why, given));
     }
 
-    fn wall(&self) -> Result<Option<f64>, CaseError> {
+    pub(super) fn wall(&self) -> Result<Option<f64>, CaseError> {
         let solid = self.flag("solid")?.filter(|solid| solid.value);
         match (self.table.get("roller_wall"), solid) {
             (Some(wall), Some(solid)) => {
@@ -123,7 +133,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         Ok(size)
     }
 
-    fn end(&mut self) -> Result<RollerEnd, CaseError> {
+    pub(super) fn end(&mut self) -> Result<RollerEnd, CaseError> {
         let end = match self.table.get("roller_end") {
             None => RollerEnd::Square,
             Some(field) => roller_end(&field)?,
@@ -132,6 +142,11 @@ impl<'a, 'b> BearingReader<'a, 'b> {
             RollerEnd::Square => "square".to_string(),
             RollerEnd::Radius(radius) => format!("rounded, radius {}", self.show(radius)),
             RollerEnd::Crown(drop) => format!("crowned, drop {}", self.show(drop)),
+            RollerEnd::CrownedRadius { radius, crown } => format!(
+                "crowned, drop {}, and rounded, radius {}",
+                self.show(crown),
+                self.show(radius)
+            ),
         };
         let why = "a square end is a singular point: the elastic peak stress there grows without \
                    bound as the mesh is refined";
@@ -188,7 +203,10 @@ impl<'a, 'b> BearingReader<'a, 'b> {
             let stage = field.quantity(Dimension::FORCE)?.positive()?;
             let before = stages.last().copied().unwrap_or(0.0);
             let share = stage
-                .require(|stage| *stage < load, "must be less than `bearing.load`")?
+                .require(
+                    |stage| *stage < load,
+                    format!("must be less than `{}.load`", self.name),
+                )?
                 .require(
                     |stage| *stage / load > before,
                     "must be more than the stage before",
@@ -230,19 +248,21 @@ impl<'a, 'b> BearingReader<'a, 'b> {
 fn roller_end(field: &Field) -> Result<RollerEnd, CaseError> {
     if !field.is_table() {
         let word = field.choice(&[("square", RollerEnd::Square)]);
-        let help = "\"square\", { radius = … } or { crown = … }";
+        let help = "\"square\", { radius = … }, { crown = … } or both keys";
         return word.map(|end| end.value).map_err(|error| error.help(help));
     }
     let table = field.table()?.only(&keys::ROLLER_END)?;
-    match (table.get("radius"), table.get("crown")) {
-        (Some(radius), None) => radius
-            .quantity(Dimension::LENGTH)
-            .map(|radius| RollerEnd::Radius(radius.value)),
-        (None, Some(crown)) => crown
-            .quantity(Dimension::LENGTH)
-            .map(|crown| RollerEnd::Crown(crown.value)),
-        _ => Err(field
+    let length = |key: &str| -> Result<Option<f64>, CaseError> {
+        let field = table.get(key);
+        let length = field.map(|field| field.quantity(Dimension::LENGTH));
+        Ok(length.transpose()?.map(|length| length.value))
+    };
+    match (length("radius")?, length("crown")?) {
+        (Some(radius), None) => Ok(RollerEnd::Radius(radius)),
+        (None, Some(crown)) => Ok(RollerEnd::Crown(crown)),
+        (Some(radius), Some(crown)) => Ok(RollerEnd::CrownedRadius { radius, crown }),
+        (None, None) => Err(field
             .place()
-            .error(ErrorKind::Conflict, "must have one of radius and crown")),
+            .error(ErrorKind::Conflict, "must have radius, crown, or both")),
     }
 }

@@ -31,6 +31,21 @@ pub const CROSSED: Template = Template {
     ],
 };
 
+/// Parallel rollers between two plates.
+pub const LINE: Template = Template {
+    name: "line bearing",
+    version: 1,
+    files: &[
+        (
+            "line-bearing.geo",
+            include_str!("../../../meshes/line-bearing.geo"),
+        ),
+        SPACING,
+        ROLLER,
+        SLAB,
+    ],
+};
+
 impl Template {
     /// Writes the template into `directory`; returns the path of the file to give to gmsh.
     ///

@@ -116,7 +116,7 @@ pub const PLATE_THICKNESS: Keys = Keys {
 
 pub const ROLLER_END: Keys = Keys {
     heading: "bearing.roller_end",
-    about: "One of the two, in place of `\"square\"`.",
+    about: "One of the two, or both, in place of `\"square\"`.",
     keys: &[
         key("radius", "length", "none", "of a fillet at the ends"),
         key(

@@ -34,7 +34,13 @@ pub const ROOT: Keys = Keys {
             "bearing",
             "table",
             "none",
-            "a bearing by its dimensions; without it the case is a general scene",
+            "two crossed rollers by their dimensions; with neither this nor `line_bearing` the case is a general scene",
+        ),
+        key(
+            "line_bearing",
+            "table",
+            "none",
+            "parallel rollers between two plates by their dimensions",
         ),
         key(
             "steel",

@@ -5,10 +5,14 @@
 
 mod bearing;
 mod common;
+mod line_bearing;
 mod scene;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
 pub use common::{COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
+pub use line_bearing::{
+    LINE_BEARING, LINE_BEARING_MESH, LINE_PLATE_CURVE, LINE_PLATE_SIZE, LINE_PLATE_THICKNESS,
+};
 pub use scene::{
     AXES, BODY, CONTACT, FAMILY_MESH, FILE_MESH, LOAD, PARTNER, PLANE, RIGID_PLANE, SCENE, STEP,
     SUPPORT,
@@ -71,7 +75,7 @@ impl Keys {
 }
 
 /// Chapters of the page.
-const CHAPTERS: [(&str, &[&Keys]); 3] = [
+const CHAPTERS: [(&str, &[&Keys]); 4] = [
     (
         "Every case",
         &[
@@ -86,6 +90,16 @@ const CHAPTERS: [(&str, &[&Keys]); 3] = [
     (
         "A bearing",
         &[&BEARING, &PLATE_THICKNESS, &ROLLER_END, &BEARING_MESH],
+    ),
+    (
+        "A line bearing",
+        &[
+            &LINE_BEARING,
+            &LINE_PLATE_THICKNESS,
+            &LINE_PLATE_SIZE,
+            &LINE_PLATE_CURVE,
+            &LINE_BEARING_MESH,
+        ],
     ),
     (
         "A general scene",

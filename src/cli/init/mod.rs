@@ -10,15 +10,17 @@ use std::path::{Path, PathBuf};
 /// What the case describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Template {
-    /// A roller bearing, given by its dimensions.
+    /// A bearing of crossed rollers, given by its dimensions.
     Bearing,
+    /// Parallel rollers between two plates, given by their dimensions.
+    LineBearing,
     /// Bodies, contacts, supports and loads by name on a mesh of yours.
     General,
 }
 
 #[derive(Debug, Args)]
 pub struct InitArgs {
-    /// The file to write [default: bearing.toml or scene.toml].
+    /// The file to write [default: bearing.toml, line-bearing.toml or scene.toml].
     pub path: Option<PathBuf>,
     /// What the case describes.
     #[arg(long, value_enum, default_value = "bearing")]
@@ -49,6 +51,7 @@ impl Template {
     fn file(self) -> &'static str {
         match self {
             Self::Bearing => "bearing.toml",
+            Self::LineBearing => "line-bearing.toml",
             Self::General => "scene.toml",
         }
     }
@@ -57,6 +60,7 @@ impl Template {
     fn text(self, file: &Path) -> String {
         let text = match self {
             Self::Bearing => include_str!("bearing.toml"),
+            Self::LineBearing => include_str!("line-bearing.toml"),
             Self::General => include_str!("general.toml"),
         };
         text.replace("{file}", &file.display().to_string())
@@ -70,7 +74,7 @@ pub fn run(args: &InitArgs) -> CommandResult {
     let path = path.display();
     say(&format!("written: {path}"));
     say(&match args.kind {
-        Template::Bearing => format!("next: brinell run {path}"),
+        Template::Bearing | Template::LineBearing => format!("next: brinell run {path}"),
         Template::General => {
             format!("next: put in your mesh and its names, then brinell run {path}")
         }
@@ -98,7 +102,10 @@ mod tests {
     }
 
     #[test]
-    fn both_templates_are_cases() {
+    fn all_templates_are_cases() {
+        let line = Template::LineBearing.text(Path::new("a.toml"));
+        let line = read(Template::LineBearing, &line);
+        assert!(matches!(&line.kind, case::Kind::Bearing(b) if b.geometry.line().is_some()));
         let bearing = read(
             Template::Bearing,
             &Template::Bearing.text(Path::new("a.toml")),
@@ -156,6 +163,24 @@ mod tests {
             let text = bearing.replace(from, to);
             assert_ne!(text, bearing, "{from}");
             read(Template::Bearing, &text);
+        }
+        let line = Template::LineBearing.text(Path::new("a.toml"));
+        let changes = [
+            (
+                "# rollers = 3\n# spacing = \"280 mm\"",
+                "rollers = 3\nspacing = \"280 mm\"\nplate_size = [\"900 mm\", \"500 mm\"]",
+            ),
+            ("solid = true", "roller_wall = \"40 mm\""),
+            ("# plate_curve", "plate_curve"),
+            ("# roller_end", "roller_end"),
+        ];
+        for (from, to) in changes {
+            let mut text = line.replace(from, to);
+            assert_ne!(text, line, "{from}");
+            if from.contains("rollers") {
+                text = text.replace("plate_size = [\"300 mm\", \"500 mm\"]\n", "");
+            }
+            read(Template::LineBearing, &text);
         }
         let general = Template::General.text(Path::new("a.toml"));
         let changes = [

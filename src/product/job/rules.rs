@@ -8,7 +8,7 @@ use crate::analytic::rules::{LoadError, Rule, RuleInput, RuleSteel, rules as all
 use crate::analytic::sizing::effective_length;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, LineFigures};
-use crate::case::bearing::{RollerEnd, Seat};
+use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, CaseError, Kind};
 use crate::ground::units::UnitSystem;
 use crate::render::summary::{JudgedRule, RuleSheet, SteelAfter};
@@ -77,15 +77,16 @@ fn input(bearing: &BearingCase, units: UnitSystem, seat: &Seat) -> Result<RuleIn
         rule_steel(bearing, &seat.roller)?,
         rule_steel(bearing, &seat.plate)?,
     ];
-    let (end_radius, overhang) = match g.end() {
+    let (end_radius, overhang) = match g.end().radius() {
         // The plate stands out beyond where the fillet begins.
-        RollerEnd::Radius(radius) => (radius, Some(radius + seat.overhang)),
-        _ => (0.0, None),
+        Some(radius) => (radius, Some(radius + seat.overhang)),
+        None => (0.0, None),
     };
     Ok(RuleInput {
         end_radius,
         overhang,
         rollings: bearing.rollings,
+        mating_diameter: (seat.curvature != 0.0).then(|| -2.0 / seat.curvature),
         ..RuleInput::new(units, g.diameter(), g.length(), sides)
     })
 }

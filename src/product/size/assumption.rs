@@ -117,6 +117,10 @@ fn end(r: &Request) -> String {
     match r.end.value {
         RollerEnd::Square => "square".to_string(),
         RollerEnd::Radius(radius) => format!("radius {}", r.units.show(radius, Dimension::LENGTH)),
+        RollerEnd::CrownedRadius { radius, crown } => {
+            let [radius, crown] = [radius, crown].map(|l| r.units.show(l, Dimension::LENGTH));
+            format!("radius {radius}, crown {crown}")
+        }
         RollerEnd::Crown(drop) => format!("crown {}", r.units.show(drop, Dimension::LENGTH)),
     }
 }

@@ -165,6 +165,11 @@ fn end(units: UnitSystem, end: RollerEnd) -> String {
     match end {
         RollerEnd::Square => "\"square\"".to_string(),
         RollerEnd::Radius(radius) => format!("{{ radius = \"{}\" }}", length(radius)),
+        RollerEnd::CrownedRadius { radius, crown } => format!(
+            "{{ radius = \"{}\", crown = \"{}\" }}",
+            length(radius),
+            length(crown)
+        ),
         RollerEnd::Crown(drop) => format!("{{ crown = \"{}\" }}", length(drop)),
     }
 }

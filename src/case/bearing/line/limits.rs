@@ -1,0 +1,148 @@
+//! The range of every dimension within which parallel rollers can be built and meshed.
+
+use super::geometry::{LineGeometry, LinePlate};
+use crate::case::bearing::end_shape::RollerEnd;
+use crate::case::bearing::error::GeometryError;
+
+/// The most rollers.
+pub const MOST_ROLLERS: usize = 12;
+/// Neighbours keep this share of a diameter apart.
+const APART: f64 = 0.01;
+/// The plates reach this share of a diameter beyond the outermost lines of contact.
+const BEYOND: f64 = 0.1;
+
+impl LineGeometry {
+    /// Is this a bearing that can be built and meshed?
+    ///
+    /// # Errors
+    /// Names the first dimension that is out of its range, with the range.
+    pub fn check(&self) -> Result<(), GeometryError> {
+        let count = self.rollers as f64;
+        GeometryError::unless(
+            (1..=MOST_ROLLERS).contains(&self.rollers),
+            "rollers",
+            count,
+            || format!("must lie between 1 and {MOST_ROLLERS}"),
+            "how many rollers lie side by side",
+        )?;
+        GeometryError::positive("roller_diameter", self.diameter)?;
+        GeometryError::positive("roller_length", self.length)?;
+        GeometryError::positive("plate_thickness.upper", self.upper.thickness)?;
+        GeometryError::positive("plate_thickness.lower", self.lower.thickness)?;
+        self.check_spacing()?;
+        self.check_wall()?;
+        self.check_plate("plate_size.upper", &self.upper)?;
+        self.check_plate("plate_size.lower", &self.lower)?;
+        self.check_curve()?;
+        self.check_end()
+    }
+
+    fn check_spacing(&self) -> Result<(), GeometryError> {
+        let least = (1.0 + APART) * self.diameter;
+        GeometryError::unless(
+            self.rollers == 1 || self.spacing >= least,
+            "spacing",
+            self.spacing,
+            || format!("must be at least {least} (1.01 diameters)"),
+            "nearer rollers overlap, or touch each other",
+        )
+    }
+
+    fn check_wall(&self) -> Result<(), GeometryError> {
+        let Some(wall) = self.wall else {
+            return Ok(());
+        };
+        let [least, most] = [0.01 * self.diameter, 0.49 * self.diameter];
+        GeometryError::unless(
+            wall >= least && wall <= most,
+            "roller_wall",
+            wall,
+            || format!("must lie between {least} and {most} (0.01 and 0.49 diameters)"),
+            "a roller without a bore is solid",
+        )
+    }
+
+    fn check_plate(&self, key: &'static str, plate: &LinePlate) -> Result<(), GeometryError> {
+        let [across, along] = plate.plan;
+        let least = 2.0 * (self.place(self.rollers) + BEYOND * self.diameter);
+        GeometryError::unless(
+            across >= least,
+            key,
+            across,
+            || format!("must be at least {least} along x"),
+            "the plates must reach a tenth of a diameter beyond the lines of contact of the outermost rollers",
+        )?;
+        let least = self.length;
+        GeometryError::unless(
+            along >= least * (1.0 - 1e-12),
+            key,
+            along,
+            || format!("must be at least {least} along y (the roller's length)"),
+            "the rollers must not stand out beyond the plates: shorten them, or make the plates longer",
+        )
+    }
+
+    fn check_curve(&self) -> Result<(), GeometryError> {
+        let Some(curve) = self.curve else {
+            return Ok(());
+        };
+        let plate = if curve.upper { self.upper } else { self.lower };
+        let half = plate.plan[0] / 2.0;
+        let key = "plate_curve.radius";
+        GeometryError::unless(
+            self.rollers == 1,
+            "rollers",
+            self.rollers as f64,
+            || "must be 1 with a curved plate".into(),
+            "rollers side by side on a curved plate would not all touch a flat one",
+        )?;
+        let least = if curve.convex {
+            half
+        } else {
+            half.max(1.02 * self.diameter / 2.0)
+        };
+        GeometryError::unless(
+            curve.radius > least,
+            key,
+            curve.radius,
+            || format!("must be more than {least}"),
+            "it must be more than half the plate along x, and a groove wider than the roller",
+        )?;
+        let depth = curve.recedes(half).abs();
+        let most = match curve.convex {
+            true => 0.8 * plate.thickness,
+            false => 0.8 * self.diameter / 2.0,
+        };
+        GeometryError::unless(
+            depth <= most,
+            key,
+            curve.radius,
+            || format!("makes the face {depth} deep at its edges, and at most {most} is left"),
+            "a larger radius, or a plate that is narrower along x or thicker",
+        )
+    }
+
+    fn check_end(&self) -> Result<(), GeometryError> {
+        let wall = self.wall.unwrap_or(self.diameter / 2.0);
+        let most = 0.5 * wall.min(self.length / 2.0);
+        let within = |key, value: f64| {
+            GeometryError::unless(
+                value > 0.0 && value <= most,
+                key,
+                value,
+                || format!("must be more than 0 and at most {most} (half the wall)"),
+                "the end of the roller must keep some of its wall",
+            )
+        };
+        match self.end {
+            RollerEnd::Square => Ok(()),
+            RollerEnd::Radius(radius) => within("roller_end.radius", radius),
+            RollerEnd::Crown(crown) => within("roller_end.crown", crown),
+            RollerEnd::CrownedRadius { radius, crown } => {
+                within("roller_end.radius", radius)?;
+                within("roller_end.crown", crown)?;
+                within("roller_end.crown", crown + radius)
+            }
+        }
+    }
+}

@@ -204,6 +204,14 @@ impl Case {
         }
     }
 
+    /// The steels of its bodies.
+    pub fn steels(&self) -> &Steels {
+        match &self.kind {
+            Kind::Bearing(bearing) => &bearing.steels,
+            Kind::General(general) => &general.model.steels,
+        }
+    }
+
     /// The mesh file of a general scene, relative paths taken from the directory of the case;
     /// `None` for a bearing, which is meshed by the template, and for a mesh that is built in.
     pub fn mesh_file(&self) -> Option<PathBuf> {

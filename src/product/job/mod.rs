@@ -16,6 +16,7 @@ mod options;
 mod outcome;
 mod record;
 mod report;
+mod rollers;
 mod rules;
 mod run;
 mod second;

@@ -4,7 +4,7 @@
 //! [`dundurs_beta`](crate::analytic::elastic::dundurs_beta)), Coulomb's coefficient μ. The stresses under
 //! full sliding are in [`LineField::sliding`](crate::analytic::subsurface::LineField::sliding).
 
-use super::hertz::PointContact;
+use crate::analytic::hertz::PointContact;
 use crate::analytic::elastic::Elastic;
 use crate::analytic::error::{self, DomainError};
 use crate::analytic::hertz::LineContact;

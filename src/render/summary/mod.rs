@@ -8,7 +8,7 @@ mod values;
 
 pub use hand_checks::HandCheck;
 pub use rules::{JudgedRule, RuleSheet, SteelAfter};
-pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
+pub use sizing::{Demand, EvenLoad, SizedLine, SizedPatch, Sizing, SizingRule};
 pub use values::{Comparison, Counters, Reported, Timing};
 
 use super::left_out::LeftOut;
@@ -34,11 +34,11 @@ pub struct Summary {
     pub timing: Timing,
     pub peak_memory_bytes: Option<u64>,
     pub comparison: Vec<Comparison>,
-    /// The sizing rules, for bearings.
+    /// The sizing rules, for bearings and for lines and patches of contact that are recognised.
     pub sizing: Option<Sizing>,
-    /// Design rules beside the loads that were found, for bearings.
+    /// Design rules beside the loads that were found, for lines of contact.
     pub rules: Option<RuleSheet>,
-    /// What can be recomputed by hand, for bearings.
+    /// What can be recomputed by hand.
     pub hand_checks: Vec<HandCheck>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,

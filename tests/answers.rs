@@ -175,7 +175,10 @@ force = {{ z = -660000 }}
         );
         // The patch is recognised by the shapes of its surfaces, and Hertz's figures are of its whole force.
         let patch = &summary.sizing.as_ref().unwrap().patches[0];
-        assert_eq!((patch.images, patch.not_hertz, patch.first_yield), (1, None, None));
+        assert_eq!(
+            (patch.images, patch.not_hertz, patch.first_yield),
+            (1, None, None)
+        );
         let radius = (0.75 * 660_000.0 * 25.0 / reduced).cbrt();
         let close = |value: f64, to: f64| assert!((value / to - 1.0).abs() < 1e-4, "{value}, {to}");
         close(patch.force, 660_000.0);
@@ -345,12 +348,18 @@ force = { z = "-1 kN" }
     for line in &sizing.lines {
         assert!((line.relative_radius / 80.0 - 1.0).abs() < 1e-6 && line.not_hertz.is_none());
         let used = line.utilisation.unwrap();
-        assert!((used / (p0 / 1650.0) - 1.0).abs() < 0.002 && line.met == Some(true), "{used}");
+        assert!(
+            (used / (p0 / 1650.0) - 1.0).abs() < 0.002 && line.met == Some(true),
+            "{used}"
+        );
     }
     let rules = &summary.rules.as_ref().unwrap().rules;
     let named = |name: &str| rules.iter().find(|rule| rule.rule.name == name).unwrap();
     let yields = named("first yield").largest.unwrap();
-    assert!((yields.utilisation / (p0 / 1793.7) - 1.0).abs() < 0.002, "{yields:?}");
+    assert!(
+        (yields.utilisation / (p0 / 1793.7) - 1.0).abs() < 0.002,
+        "{yields:?}"
+    );
     // A slice of 10 mm is no roller of EN 1337-4, which wants a length of two diameters.
     assert!(named("EN 1337-4").largest.is_none());
 }

@@ -10,10 +10,10 @@ use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
 use crate::answer::results::strip::half_width;
 use crate::model::scene::Scene;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// Line load of an interface.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LineLoadFigures {
     /// The axis along the carrier body: x, y or z.
     pub axis: &'static str,
@@ -28,7 +28,7 @@ pub struct LineLoadFigures {
 }
 
 /// An interface; forces and areas are those of the whole bearing.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct InterfaceFigures {
     /// Of the upper side on the lower one.
     pub force: [f64; 3],
@@ -69,7 +69,7 @@ pub struct InterfaceFigures {
 }
 
 /// A line of contact.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LineFigures {
     /// The axis along which it runs: x, y or z.
     pub axis: &'static str,
@@ -205,15 +205,5 @@ impl From<LineLoad> for LineLoadFigures {
             mirrored: load.mirrored,
             outside: load.outside,
         }
-    }
-}
-
-impl Serialize for StatusCounts {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map([
-            ("open", self.open),
-            ("stick", self.stick),
-            ("slip", self.slip),
-        ])
     }
 }

@@ -44,7 +44,7 @@ use results::strain::largest_strain;
 use serde::Serialize;
 
 /// Every figure of a solved scene. What is missing is null in JSON, never "not a number".
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Answer {
     /// Did the solution reach the end of the last step?
     pub converged: bool,

@@ -11,7 +11,7 @@ use nalgebra::{Matrix2, Vector3};
 use serde::Serialize;
 
 /// Hertz's elliptic contact under the force that a patch carries.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PatchFigures {
     /// Where its force acts, on the undeformed surface of the modelled part.
     pub at: [f64; 3],
@@ -37,7 +37,8 @@ const FLOWS: &str = "steel flows below it";
 const LARGE: &str = "it is not small beside the radii";
 const AREA: &str = "its area is not that of the ellipse";
 
-/// A patch is small up to this share of its smaller relative radius: there Hertz's parabola leaves a circle by 1 %.
+/// A patch is small while its short semi-axis is up to this share of the smaller radius: there Hertz's parabola leaves
+/// a circle by 2 %.
 const SMALL: f64 = 0.3;
 /// By how much the area of nodes may differ from the ellipse: a coarse mesh knows it no better.
 const SHARE: f64 = 0.5;
@@ -63,12 +64,14 @@ impl PatchFigures {
         let compliance = scene.compliance(contact).ok()?;
         let hertz = EllipticContact::new(force, curvatures.map(|k| 0.5 * k), compliance).ok()?;
         let [a, b] = hertz.semi_axes;
+        let radii = sides.iter().filter_map(Shape::radius);
+        let radius = radii.fold(f64::INFINITY, f64::min);
         let ellipse = f64::from(images) * std::f64::consts::PI * a * b;
         let bodies = [&contact.upper, &contact.lower].map(|side| side.body(&scene.mesh));
         let flows = |body: Option<usize>| body.is_some_and(|body| has_yielded(scene, state, body));
         let departs = match () {
             () if bodies.into_iter().any(flows) => Some(FLOWS),
-            () if b * curvatures[1] > SMALL || a * curvatures[0] > SMALL => Some(LARGE),
+            () if b > SMALL * radius => Some(LARGE),
             () if (measured.area / ellipse - 1.0).abs() > SHARE => Some(AREA),
             () => None,
         };

@@ -6,6 +6,7 @@
 mod bearing;
 mod common;
 mod scene;
+pub mod schema;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
 pub use common::{COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};

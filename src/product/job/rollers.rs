@@ -134,7 +134,7 @@ impl Span {
     }
 
     /// From a place to the nearer end; a mirror plane is none.
-    pub fn from_end(&self, at: f64) -> f64 {
+    pub fn distance_to_end(&self, at: f64) -> f64 {
         let [low, high] = self.ends;
         let from_low = if self.mirrored {
             f64::INFINITY

@@ -47,7 +47,7 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
                     (bearing.geometry.radius(), [length, from_end])
                 }
                 (Kind::General(_), Some(radius)) => {
-                    (radius, [span.length(), span.from_end(line.peak_at)])
+                    (radius, [span.length(), span.distance_to_end(line.peak_at)])
                 }
                 (Kind::General(_), None) => continue,
             };

@@ -16,11 +16,12 @@ use super::warnings::Warning;
 use crate::answer::{Answer, Named};
 use crate::ground::file::{FileError, write_atomically};
 use crate::ground::units::UnitLabels;
+use schemars::generate::{Contract, SchemaSettings};
 use serde::Serialize;
 use std::path::Path;
 
 /// Everything that is said of a run. What is missing is null in JSON, never "not a number".
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Summary {
     pub case: String,
     /// Whose calculation it is: what the case says, and null for what it leaves blank.
@@ -43,6 +44,18 @@ pub struct Summary {
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,
+}
+
+/// The JSON schema of `summary.json`: made from these types and what is said of them.
+pub fn schema() -> serde_json::Value {
+    let mut settings = SchemaSettings::draft2020_12();
+    settings.contract = Contract::Serialize;
+    let mut schema = settings.into_generator().into_root_schema_for::<Summary>();
+    schema.insert(
+        "title".to_owned(),
+        "summary.json of a run of Brinell".into(),
+    );
+    schema.to_value()
 }
 
 impl Summary {

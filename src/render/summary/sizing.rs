@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// What the sizing rules say of a bearing, and of the lines of a general scene.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Sizing {
     /// (2-50) and (2-51), of a bearing; none where nothing can yield.
     pub rule: Option<SizingRule>,
@@ -14,7 +14,7 @@ pub struct Sizing {
 }
 
 /// Hertz's elliptic contact under the force of a patch, beside the pressure at which steel first yields below it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SizedPatch {
     pub interface: String,
     /// How many such patches the whole has.
@@ -36,7 +36,7 @@ pub struct SizedPatch {
 }
 
 /// The rule (2-50) with the effective length of (2-51).
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SizingRule {
     /// The interface whose steels ask for most.
     pub interface: String,
@@ -55,7 +55,7 @@ pub struct SizingRule {
 }
 
 /// (2-50) with one constant: D L ≥ P E_s / (c σ_y²).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Demand {
     /// c.
     pub constant: f64,
@@ -68,7 +68,7 @@ pub struct Demand {
 }
 
 /// The demand σ_c ≤ 1.65 σ_y, (2-49), on a line of contact.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SizedLine {
     pub interface: String,
     /// Mean coordinate across, and how many such lines the whole bearing has.
@@ -99,7 +99,7 @@ pub struct SizedLine {
 }
 
 /// A line of contact under an even load.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct EvenLoad {
     pub line_load: f64,
     pub hertz_pressure: f64,

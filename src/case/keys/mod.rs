@@ -107,6 +107,31 @@ const CHAPTERS: [(&str, &[&Keys]); 3] = [
     ),
 ];
 
+/// What the dotted key of a case file means, entries of lists by number or name; `None` of what is no key here.
+pub fn meaning(path: &str) -> Option<&'static str> {
+    let parts: Vec<&str> = path.split('.').collect();
+    let (name, tables) = parts.split_last()?;
+    let all = || CHAPTERS.iter().flat_map(|(_, tables)| tables.iter());
+    let of = |keys: &Keys| {
+        keys.keys
+            .iter()
+            .find(|key| key.name == *name)
+            .map(|key| key.meaning)
+    };
+    if tables.is_empty() {
+        return of(&ROOT).or_else(|| of(&SCENE));
+    }
+    // The innermost table that has such a key.
+    tables.iter().rev().find_map(|table| {
+        let words = |keys: &Keys| {
+            keys.heading
+                .split(['[', ']', '.', ' '])
+                .any(|word| word == *table)
+        };
+        all().filter(|keys| words(keys)).find_map(|keys| of(keys))
+    })
+}
+
 /// The page about the keys, in Markdown.
 pub fn page() -> String {
     let mut text = String::from(

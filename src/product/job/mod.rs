@@ -1,5 +1,6 @@
 //! One case from its file to its results on disk: mesh, solve, write, summarise.
 
+mod calculation;
 mod check;
 mod checkpoint;
 mod clock;
@@ -23,6 +24,7 @@ mod second;
 mod sizing;
 mod strips;
 mod summarise;
+mod verified;
 
 pub use check::check;
 pub use checkpoint::{Checkpoint, FILE as CHECKPOINT_FILE};

@@ -9,7 +9,7 @@ mod scene;
 pub mod schema;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
-pub use common::{COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
+pub use common::{ACTION, COMBINATION, COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
 pub use scene::{
     AXES, BODY, CONTACT, FAMILY_MESH, FILE_MESH, LOAD, PARTNER, PLANE, RIGID_PLANE, SCENE, STEP,
     SUPPORT,
@@ -78,6 +78,8 @@ const CHAPTERS: [(&str, &[&Keys]); 3] = [
         &[
             &ROOT,
             &TITLE_BLOCK,
+            &ACTION,
+            &COMBINATION,
             &STEEL,
             &HARDENING,
             &CONTROLS,

@@ -1,9 +1,9 @@
 //! The JSON schema of case files, read as JSON: made from what the keys say that they take.
 
 use super::{
-    AXES, BEARING, BEARING_MESH, BODY, COMPARISON, CONTACT, CONTROLS, FAMILY_MESH, FILE_MESH,
-    HARDENING, Key, Keys, LOAD, PARTNER, PLANE, PLATE_THICKNESS, RIGID_PLANE, ROLLER_END, ROOT,
-    SCENE, STEEL, STEP, SUPPORT, TITLE_BLOCK,
+    ACTION, AXES, BEARING, BEARING_MESH, BODY, COMBINATION, COMPARISON, CONTACT, CONTROLS,
+    FAMILY_MESH, FILE_MESH, HARDENING, Key, Keys, LOAD, PARTNER, PLANE, PLATE_THICKNESS,
+    RIGID_PLANE, ROLLER_END, ROOT, SCENE, STEEL, STEP, SUPPORT, TITLE_BLOCK,
 };
 use serde_json::{Map, Value, json};
 
@@ -23,6 +23,8 @@ pub fn schema() -> Value {
         ("controls", object(&CONTROLS, &[])),
         ("comparison", object(&COMPARISON, &[])),
         ("title_block", object(&TITLE_BLOCK, &[])),
+        ("action", list(object(&ACTION, &[]))),
+        ("combination", list(object(&COMBINATION, &[]))),
         ("body", list(object(&BODY, &[("steel", body_steel)]))),
         ("contact", list(contact())),
         ("support", list(object(&SUPPORT, &[]))),
@@ -175,10 +177,11 @@ fn listed(words: &str) -> Option<Value> {
     if words.starts_with('`') {
         return Some(choice(words));
     }
-    let of = ["tables", "forces", "three shares", "three lengths"];
+    let of = ["tables", "names", "forces", "three shares", "three lengths"];
     let found = of.iter().find(|of| words.starts_with(*of))?;
     Some(match *found {
         "tables" => json!({ "type": "object" }),
+        "names" => json!({ "type": "string" }),
         _ => quantity(),
     })
 }

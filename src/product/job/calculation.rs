@@ -42,8 +42,11 @@ fn scope(case: &Case, scene: &Scene) -> Vec<String> {
     let mut said: Vec<String> = case.description.iter().cloned().collect();
     said.push(format!(
         "Static contact analysis by finite elements in three dimensions: {bodies} bodies of {steel} steel, {pairs} {plural} \
-         of surfaces that may touch, small displacements, one path of loading of {} steps.",
-        scene.steps.len().max(1)
+         of surfaces that may touch, small displacements, loaded in {}.",
+        match scene.steps.len() {
+            0 | 1 => "one step".to_owned(),
+            steps => format!("{steps} steps, one after the other"),
+        }
     ));
     said.push(format!(
         "It answers for stresses, plastic strain, pressures and forces of contact, and displacements under the actions \
@@ -95,7 +98,12 @@ fn actions(case: &Case, scene: &Scene) -> Vec<String> {
         let factors: Vec<String> = (step.factors.iter())
             .map(|(name, factor)| format!("{name} × {}", significant(*factor, 4)))
             .collect();
-        said.push(format!("step {}: {}", step.name, factors.join(", ")));
+        let others = match factors.is_empty() {
+            true => "everything".to_owned(),
+            false => format!("{}, everything else", factors.join(", ")),
+        };
+        let factor = significant(step.factor, 4);
+        said.push(format!("step {}: {others} × {factor}", step.name));
     }
     said
 }

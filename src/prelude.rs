@@ -1,6 +1,7 @@
 //! What a program that builds, solves and reads scenes needs, in one line: `use brinell::prelude::*;`.
 
 pub use crate::analytic::hertz::LineContact;
+pub use crate::analytic::hertz::PointContact;
 pub use crate::analytic::{Elastic, contact_compliance};
 pub use crate::answer::certify::{Figure, Quantity};
 pub use crate::answer::{Answer, BodyFigures, InterfaceFigures, Solved};
@@ -15,5 +16,4 @@ pub use crate::model::scene::{
     Controls, ElementKind, PlaneMotion, Scene, Side, SolverKind, Step, Support,
 };
 pub use crate::model::state::{ContactField, State};
-pub use crate::proof::closed_forms::hertz::PointContact;
 pub use crate::solver::solve::{Observer, Silent, SolveError, solve};

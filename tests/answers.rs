@@ -173,6 +173,23 @@ force = {{ z = -660000 }}
             pressure,
             0.015,
         );
+        // The patch is recognised by the shapes of its surfaces, and Hertz's figures are of its whole force.
+        let patch = &summary.sizing.as_ref().unwrap().patches[0];
+        assert_eq!(
+            (patch.images, patch.not_hertz, patch.first_yield),
+            (1, None, None)
+        );
+        let radius = (0.75 * 660_000.0 * 25.0 / reduced).cbrt();
+        let close = |value: f64, to: f64| assert!((value / to - 1.0).abs() < 1e-4, "{value}, {to}");
+        close(patch.force, 660_000.0);
+        close(patch.hertz_pressure, pressure);
+        for (axis, relative) in patch.semi_axes.into_iter().zip(patch.relative_radii) {
+            close(axis, radius);
+            close(relative, 25.0);
+        }
+        assert!(summary.sizing.unwrap().lines.is_empty() && summary.rules.is_none());
+        let by_hand = &summary.hand_checks[..];
+        assert!(matches!(by_hand, [one] if (one.by_hand / pressure - 1.0).abs() < 1e-4));
     }
 }
 
@@ -289,7 +306,8 @@ file = "FIXTURES/roller-between-plates.msh.gz"
 [steel]
 youngs_modulus = "210 GPa"
 poissons_ratio = 0.3
-elastic = true
+yield_stress = "1000 MPa"
+ultimate_strength = "1100 MPa"
 [[contact]]
 name = "above"
 upper = "upper_face"
@@ -324,6 +342,26 @@ force = { z = "-1 kN" }
         check(figure(&summary, Quantity::PeakPressure, pair), p0, 0.03);
         check(figure(&summary, Quantity::HertzPressure, pair), p0, 0.002);
     }
+    // Both lines are a roller of 160 mm on a flat to the rules, and are used by what Hertz says of them.
+    let sizing = summary.sizing.as_ref().unwrap();
+    assert_eq!(sizing.lines.len(), 2);
+    for line in &sizing.lines {
+        assert!((line.relative_radius / 80.0 - 1.0).abs() < 1e-6 && line.not_hertz.is_none());
+        let used = line.utilisation.unwrap();
+        assert!(
+            (used / (p0 / 1650.0) - 1.0).abs() < 0.002 && line.met == Some(true),
+            "{used}"
+        );
+    }
+    let rules = &summary.rules.as_ref().unwrap().rules;
+    let named = |name: &str| rules.iter().find(|rule| rule.rule.name == name).unwrap();
+    let yields = named("first yield").largest.unwrap();
+    assert!(
+        (yields.utilisation / (p0 / 1793.7) - 1.0).abs() < 0.002,
+        "{yields:?}"
+    );
+    // A slice of 10 mm is no roller of EN 1337-4, which wants a length of two diameters.
+    assert!(named("EN 1337-4").largest.is_none());
 }
 
 /// A flat punch with a rounded edge of which the meshes have one element and two (NAFEMS, advanced contact

@@ -7,7 +7,7 @@
 //!
 //! | question | where |
 //! |---|---|
-//! | width and pressure of a line contact | [`hertz`] |
+//! | width and pressure of a line, point or elliptic contact | [`hertz`] |
 //! | stress below the surface, first yield | [`subsurface`] |
 //! | equations (2-45) to (2-51) of the reference study | [`sizing`] |
 //! | what design rules allow: EN 1337-4, AASHTO, EN 13001-3-3, ISO 76, yield | [`rules`] |
@@ -25,6 +25,7 @@
 pub mod curved_beam;
 pub mod displaced;
 pub mod elastic;
+pub mod elliptic_integrals;
 pub mod error;
 pub mod handbook;
 pub mod hertz;

@@ -9,7 +9,7 @@ use crate::answer::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
 
 /// A body.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BodyFigures {
     /// Largest Mises stress, read in three ways.
     pub mises_max: Three<Option<f64>>,
@@ -33,7 +33,7 @@ pub struct BodyFigures {
 }
 
 /// A hollow roller.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct RollerFigures {
     /// Mises stress on the inner wall below the load, from the strain of its surface.
     pub bore_mises: Option<f64>,

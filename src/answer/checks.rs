@@ -9,7 +9,7 @@ use crate::model::state::State;
 use serde::Serialize;
 
 /// Relative figures that say how well the answer satisfies its own equations.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Checks {
     /// Largest difference between the load and the force of an interface, relative to the load.
     /// Says something of bodies in series only.
@@ -45,7 +45,7 @@ pub fn checks(
 }
 
 /// Sums of the contact forces on a body, and of their moments about its middle; of the whole.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BalanceFigures {
     /// Sum of the contact forces on the body.
     pub force: [f64; 3],

@@ -2,17 +2,18 @@
 
 use super::inputs::AnswerInputs;
 use super::named::Named;
+use super::patch::PatchFigures;
 use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::contact_lines::{ContactLine, contact_lines};
-use crate::answer::results::hertz::HeaviestLine;
+use crate::answer::results::hertz::{HeaviestLine, line_contact};
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
 use crate::answer::results::strip::half_width;
 use crate::model::scene::Scene;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// Line load of an interface.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LineLoadFigures {
     /// The axis along the carrier body: x, y or z.
     pub axis: &'static str,
@@ -27,7 +28,7 @@ pub struct LineLoadFigures {
 }
 
 /// An interface; forces and areas are those of the whole bearing.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct InterfaceFigures {
     /// Of the upper side on the lower one.
     pub force: [f64; 3],
@@ -61,10 +62,14 @@ pub struct InterfaceFigures {
     pub centre_of_force: Option<[f64; 3]>,
     /// The lines of contact along the carrier; empty where its nodes do not stand in rows.
     pub lines: Vec<LineFigures>,
+    /// Why the strip of the line that carries most is not Hertz's, where it is not.
+    pub not_hertz: Option<&'static str>,
+    /// Hertz's figures of a contact at a point or over an ellipse; null of lines and of shapes that are not known.
+    pub patch: Option<PatchFigures>,
 }
 
 /// A line of contact.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LineFigures {
     /// The axis along which it runs: x, y or z.
     pub axis: &'static str,
@@ -91,6 +96,9 @@ pub struct LineFigures {
     pub length: f64,
     /// Length of the carrier that has lifted off.
     pub lifted_off: f64,
+    /// Relative radius of curvature across, where the load is largest; null where it is not known, and where the contact
+    /// is too short for a line.
+    pub relative_radius: Option<f64>,
 }
 
 /// The figures of every interface; `measured` and `lines` are in the order of the contact pairs.
@@ -122,7 +130,7 @@ fn interface(
     let axis = slices.as_ref().map(|s| s.axis);
     let lines = axis.into_iter().flat_map(|axis| {
         let lines = contact_lines(scene, state, pair, axis).into_iter();
-        lines.filter_map(move |line| line_figures(scene, line, axis))
+        lines.filter_map(move |line| line_figures(scene, line, (pair, axis)))
     });
     InterfaceFigures {
         force: measured.force,
@@ -152,6 +160,8 @@ fn interface(
             .map(LineLoadFigures::from),
         centre_of_force: centre_of_force(scene, state, pair),
         lines: lines.collect(),
+        not_hertz: heaviest.and_then(HeaviestLine::not_hertz),
+        patch: PatchFigures::find(scene, state, pair, measured),
     }
 }
 
@@ -159,9 +169,18 @@ fn axis_name(axis: usize) -> &'static str {
     ["x", "y", "z"].get(axis).copied().unwrap_or("?")
 }
 
-fn line_figures(scene: &Scene, line: ContactLine, axis: usize) -> Option<LineFigures> {
+fn line_figures(
+    scene: &Scene,
+    line: ContactLine,
+    (pair, axis): (usize, usize),
+) -> Option<LineFigures> {
     let (peak, peak_at) = line.peak()?;
+    let contact = scene.contacts.get(pair);
+    let contact = contact.filter(|_| line.is_long());
+    let hertz =
+        contact.and_then(|contact| line_contact(scene, contact, (axis, &line.heaviest), peak));
     Some(LineFigures {
+        relative_radius: hertz.map(|hertz| hertz.radius),
         axis: axis_name(axis),
         mean: line.mean(),
         mirrored: scene.mirrors.contains(&axis),
@@ -186,15 +205,5 @@ impl From<LineLoad> for LineLoadFigures {
             mirrored: load.mirrored,
             outside: load.outside,
         }
-    }
-}
-
-impl Serialize for StatusCounts {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map([
-            ("open", self.open),
-            ("stick", self.stick),
-            ("slip", self.slip),
-        ])
     }
 }

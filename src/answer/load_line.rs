@@ -6,7 +6,7 @@ use crate::model::state::State;
 use serde::Serialize;
 
 /// The end of a step.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LoadPoint {
     /// Its name.
     pub step: String,

@@ -14,6 +14,7 @@ mod inputs;
 mod interface;
 mod load_line;
 mod named;
+mod patch;
 mod solved;
 mod steps;
 mod unloaded;
@@ -24,6 +25,7 @@ pub use inputs::{AnswerInputs, Measured};
 pub use interface::{InterfaceFigures, LineFigures, LineLoadFigures};
 pub use load_line::LoadPoint;
 pub use named::{Named, Three};
+pub use patch::PatchFigures;
 pub use solved::Solved;
 pub use steps::{StepFigures, StepInterface};
 pub use unloaded::{DentFigures, Unloaded};
@@ -42,7 +44,7 @@ use results::strain::largest_strain;
 use serde::Serialize;
 
 /// Every figure of a solved scene. What is missing is null in JSON, never "not a number".
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Answer {
     /// Did the solution reach the end of the last step?
     pub converged: bool,

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::borrow::Cow;
 
 /// The end of a step that is done.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct StepFigures {
     /// Its name.
     pub name: String,
@@ -35,7 +35,7 @@ pub struct StepFigures {
 }
 
 /// An interface at the end of a step.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct StepInterface {
     /// On the lower body, of the whole.
     pub force: [f64; 3],

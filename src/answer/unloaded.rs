@@ -8,7 +8,7 @@ use crate::model::state::State;
 use serde::Serialize;
 
 /// The state after unloading.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Unloaded {
     /// The load that is left.
     pub applied_load: f64,
@@ -23,7 +23,7 @@ pub struct Unloaded {
 }
 
 /// What stays in a contact surface.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct DentFigures {
     /// The body that it is in.
     pub body: String,

@@ -8,6 +8,7 @@
 mod assumption;
 pub mod bearing;
 mod change;
+pub mod combinations;
 mod comparison;
 mod contact;
 mod controls;
@@ -140,6 +141,7 @@ impl Case {
             .transpose()?;
         let reference = reference.map(|r| r.value.to_string());
         let controls = controls::read(root)?;
+        refuse_combinations(root)?;
         let templates = ["bearing", "line_bearing"];
         let given = templates.into_iter().filter(|key| root.get(key).is_some());
         let kind = match given.collect::<Vec<_>>().as_slice() {
@@ -215,6 +217,14 @@ impl Case {
         }
     }
 
+    /// The steels of its bodies.
+    pub fn steels(&self) -> &Steels {
+        match &self.kind {
+            Kind::Bearing(bearing) => &bearing.steels,
+            Kind::General(general) => &general.model.steels,
+        }
+    }
+
     /// The mesh file of a general scene, relative paths taken from the directory of the case;
     /// `None` for a bearing, which is meshed by the template, and for a mesh that is built in.
     pub fn mesh_file(&self) -> Option<PathBuf> {
@@ -251,6 +261,22 @@ fn stem(name: &str) -> String {
         || name.to_string(),
         |stem| stem.to_string_lossy().into_owned(),
     )
+}
+
+/// A file with combinations is several cases.
+fn refuse_combinations(root: &Table) -> Result<(), CaseError> {
+    let keys = ["action", "combination"];
+    match keys.into_iter().find(|key| root.get(key).is_some()) {
+        None => Ok(()),
+        Some(key) => {
+            let why = "the file has combinations of actions, each a case of its own";
+            let help = "`brinell run` solves all of them; leave them out where one case is wanted";
+            Err(root
+                .place_of_key(key)
+                .error(ErrorKind::Conflict, why)
+                .help(help))
+        }
+    }
 }
 
 /// The template writes the contacts, supports and loads of a bearing itself.

@@ -17,7 +17,8 @@ pub struct MeshArgs {
     /// Model the whole bearing though it is symmetric.
     #[arg(long)]
     pub full: bool,
-    /// The mesh file to write; `brinell run --out` looks for mesh.msh.gz in its folder.
+    /// The mesh file to write, compressed where its name ends in `.gz`; `brinell run --out` looks for mesh.msh.gz in its
+    /// folder.
     #[arg(long, value_name = "FILE", default_value = "mesh.msh.gz")]
     pub out: PathBuf,
 }

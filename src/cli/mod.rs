@@ -2,6 +2,7 @@
 
 mod case_file;
 pub mod check;
+mod combinations;
 pub mod completions;
 mod console;
 pub mod converge;

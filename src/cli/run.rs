@@ -1,12 +1,14 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
 use super::case_file::read_case;
+use super::combinations;
 use super::console::{Console, LEGEND};
 use super::failure::failure;
 use super::output::say;
 use super::status::{CommandResult, ExitStatus};
 use super::threads::set_threads;
 use crate::case::Case;
+use crate::case::combinations::{Combination, combinations as combinations_at};
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::product::target::{self, Level, Limits, Target, Verdict};
@@ -72,7 +74,7 @@ pub struct RunArgs {
 /// Carries out the command.
 pub fn run(args: &RunArgs) -> CommandResult {
     let bad = |report: miette::Report| (ExitStatus::BadInput, report);
-    let case = read(args).map_err(|error| bad(error.into()))?;
+    let combinations = combinations_of(args).map_err(|error| bad(error.into()))?;
     set_threads(args.threads);
     let options = Options {
         out: Some(
@@ -84,6 +86,13 @@ pub fn run(args: &RunArgs) -> CommandResult {
         resume: args.resume,
         report: !args.no_report,
     };
+    if let Some(all) = combinations {
+        let mut console = Console::new(args.quiet);
+        let title = all.first().map_or("", |one| one.case.title.as_str());
+        let title = title.rsplit_once(": ").map_or(title, |(title, _)| title);
+        return combinations::run(title, &all, &options, &mut console);
+    }
+    let case = read(args).map_err(|error| bad(error.into()))?;
     let target = args.target.as_deref().map(str::parse::<Target>).transpose();
     let target = target.map_err(|error| bad(error.into()))?;
     let mut console = Console::new(args.quiet);
@@ -169,6 +178,34 @@ fn read(args: &RunArgs) -> Result<Case, JobError> {
         case.set_elastic();
     }
     Ok(case)
+}
+
+/// The combinations of the case, with what the arguments change; `None` where it is one case.
+fn combinations_of(args: &RunArgs) -> Result<Option<Vec<Combination>>, JobError> {
+    let Some(mut all) = combinations_at(&args.case)? else {
+        return Ok(None);
+    };
+    let refused = [
+        (args.target.is_some(), "--target"),
+        (args.resume, "--resume"),
+    ];
+    if let Some((_, option)) = refused.into_iter().find(|(asked, _)| *asked) {
+        return Err(JobError::Combinations { option });
+    }
+    for combination in &mut all {
+        let case = &mut combination.case;
+        args.mesh
+            .as_deref()
+            .map(|mesh| case.set_preset(mesh))
+            .transpose()?;
+        if args.full {
+            case.set_full()?;
+        }
+        if args.elastic {
+            case.set_elastic();
+        }
+    }
+    Ok(Some(all))
 }
 
 fn default_folder(case: &Path) -> PathBuf {

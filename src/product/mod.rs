@@ -1,6 +1,8 @@
 //! What users ask for: one case, many of them, a size, a goal, a series of meshes.
 
 #[doc(hidden)]
+pub mod combinations;
+#[doc(hidden)]
 pub mod converge;
 #[doc(hidden)]
 pub mod deck;

@@ -107,17 +107,20 @@ fn told(summary: &Summary, figure: &Figure) -> String {
     format!("{value}{unit}{doubt}, {}", figure.place)
 }
 
-/// The limit of (2-49) on an interface.
-fn limit(summary: &Summary, interface: &str) -> Option<f64> {
-    let mut lines = summary.sizing.iter().flat_map(|sizing| &sizing.lines);
-    lines.find(|line| line.interface == interface)?.limit
+/// The limit of the pressure on an interface, and what it is: (2-49) of a line, first yield of a patch.
+fn limit(summary: &Summary, interface: &str) -> Option<(f64, &'static str)> {
+    let sizing = summary.sizing.as_ref()?;
+    let line = sizing.lines.iter().find(|line| line.interface == interface);
+    let patch = (sizing.patches.iter()).find(|patch| patch.interface == interface);
+    let of_line = line.and_then(|line| Some((line.limit?, "1.65 yield")));
+    of_line.or_else(|| Some((patch?.first_yield?, "first yield below it")))
 }
 
 /// What a pressure uses of the limit on its interface.
 fn of_limit(summary: &Summary, pressure: f64, interface: &str) -> String {
-    limit(summary, interface).map_or_else(String::new, |limit| {
+    limit(summary, interface).map_or_else(String::new, |(limit, what)| {
         let (used, limit) = (share(Some(pressure / limit)), significant(limit, DIGITS));
-        format!("; {used} of {limit}, 1.65 yield")
+        format!("; {used} of {limit}, {what}")
     })
 }
 
@@ -134,13 +137,16 @@ fn hertz(summary: &Summary) -> Option<String> {
         return Some(told(summary, hertz) + &limit);
     }
     let lines = summary.sizing.iter().flat_map(|sizing| &sizing.lines);
-    let most = first_largest(lines, |line| line.hertz_pressure)?;
-    let value = significant(most.hertz_pressure, DIGITS);
-    let limit = of_limit(summary, most.hertz_pressure, &most.interface);
+    let patches = summary.sizing.iter().flat_map(|sizing| &sizing.patches);
+    let of_lines = lines.map(|line| (line.hertz_pressure, &line.interface));
+    let all = of_lines.chain(patches.map(|patch| (patch.hertz_pressure, &patch.interface)));
+    let all: Vec<(f64, &String)> = all.collect();
+    let (pressure, interface) = *first_largest(all.iter(), |one| one.0)?;
+    let value = significant(pressure, DIGITS);
+    let limit = of_limit(summary, pressure, interface);
     let unit = &summary.units.stress;
     Some(format!(
-        "{value} {unit}, {}, as if steel stayed elastic{limit}",
-        most.interface
+        "{value} {unit}, {interface}, as if steel stayed elastic{limit}"
     ))
 }
 

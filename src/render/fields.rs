@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::encode::Values;
 use super::grid::{Array, CellType, Grid};
 use crate::answer::results::recovery::Recovered;
+use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::render::OutputError;
@@ -51,7 +52,7 @@ pub fn bodies<'a>(
         ],
         names: vec![(
             "body_names",
-            mesh.bodies.iter().map(|b| b.name.as_str()).collect(),
+            mesh.bodies.iter().map(|b| b.name.clone()).collect(),
         )],
     })
 }
@@ -104,10 +105,26 @@ pub fn contacts<'a>(scene: &'a Scene, state: &State) -> Result<Grid<'a>, OutputE
             scene
                 .contacts
                 .iter()
-                .map(|pair| pair.name.as_str())
+                .map(|pair| pair.name.clone())
                 .collect(),
         )],
     })
+}
+
+/// The field data `units` of a grid: what its coordinates and every array that has a unit are in, as "gap: mm".
+pub fn units(grid: &Grid, units: &UnitLabels) -> (&'static str, Vec<String>) {
+    let arrays = grid.point_data.iter().chain(&grid.cell_data);
+    let unit = |name: &str| match name {
+        "displacement" | "gap" | "slip" => Some(&units.length),
+        "stress" | "mises_nodal" | "mises_mean" | "mises_max" | "contact_pressure" | "traction" => {
+            Some(&units.stress)
+        }
+        _ => None,
+    };
+    let of_arrays =
+        arrays.filter_map(|array| Some(format!("{}: {}", array.name, unit(array.name)?)));
+    let points = format!("Points: {}", units.length);
+    ("units", std::iter::once(points).chain(of_arrays).collect())
 }
 
 #[derive(Default)]

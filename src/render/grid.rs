@@ -38,7 +38,7 @@ pub struct Grid<'a> {
     pub point_data: Vec<Array<'a>>,
     pub cell_data: Vec<Array<'a>>,
     /// Lists of names that explain indices, such as those of the bodies.
-    pub names: Vec<(&'a str, Vec<&'a str>)>,
+    pub names: Vec<(&'a str, Vec<String>)>,
 }
 
 impl CellType {
@@ -154,7 +154,7 @@ fn write_section(out: &mut dyn Write, name: &str, arrays: &[Array]) -> io::Resul
 }
 
 /// VTK keeps strings as character codes, each string ended by a zero.
-fn write_names(out: &mut dyn Write, name: &str, list: &[&str]) -> io::Result<()> {
+fn write_names(out: &mut dyn Write, name: &str, list: &[String]) -> io::Result<()> {
     write!(out, "<DataArray type=\"String\" Name=\"{}\"", escape(name))?;
     writeln!(out, " NumberOfTuples=\"{}\" format=\"ascii\">", list.len())?;
     for entry in list {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::text::significant;
 
 /// Something that a run did not need to do.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct LeftOut {
     /// In words, such as "intermediate_plate: elastic, yield never checked".
     pub what: String,
@@ -15,7 +15,7 @@ pub struct LeftOut {
 }
 
 /// A count of something that was saved.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Saving {
     pub count: u64,
     /// What is counted, in the plural.

@@ -12,6 +12,7 @@ pub mod fields;
 pub mod figures;
 pub mod grid;
 pub mod inp;
+pub mod joint;
 pub mod left_out;
 pub mod line_load;
 pub mod page;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::fields;
 use super::pvd::{Collection, Entry};
 use crate::answer::results::recovery::Recovered;
+use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::render::OutputError;
@@ -19,6 +20,7 @@ pub struct Series {
     name: String,
     written: usize,
     collection: Collection,
+    units: Option<UnitLabels>,
 }
 
 impl Series {
@@ -38,7 +40,14 @@ impl Series {
             name,
             written: 0,
             collection,
+            units: None,
         }
+    }
+
+    /// The units of all arrays, which the files then say in their field data.
+    pub fn in_units(mut self, units: UnitLabels) -> Self {
+        self.units = Some(units);
+        self
     }
 
     /// What its files are called by.
@@ -98,7 +107,10 @@ impl Series {
             Some(fields::contacts(scene, state)?)
         };
         for (part, name, infix, grid) in [bodies, (1, "contact surfaces", "_contact", contacts)] {
-            let Some(grid) = grid else { continue };
+            let Some(mut grid) = grid else { continue };
+            if let Some(units) = &self.units {
+                grid.names.push(fields::units(&grid, units));
+            }
             let file = format!("{}{infix}_{number:04}.vtu", self.name);
             let path = self.folder.join(&file);
             grid.write(&path)?;

@@ -1,6 +1,6 @@
 //! How much of what the steel can take is used: figure, limit, share and its error.
 
-use crate::render::summary::Summary;
+use crate::render::summary::{SizedPatch, Summary};
 use crate::render::text::significant;
 
 /// A figure over its limit.
@@ -28,10 +28,11 @@ impl Utilisation {
     }
 }
 
-/// Every body against its yield stress, then every line of contact against (2-49).
+/// Every body against its yield stress, then every line of contact against (2-49), every patch against first yield.
 pub fn utilisations(summary: &Summary) -> Vec<Utilisation> {
     let mut all = mises(summary);
     all.extend(lines(summary));
+    all.extend(patches(summary));
     all
 }
 
@@ -97,4 +98,20 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
         });
     }
     all
+}
+
+fn patches(summary: &Summary) -> Vec<Utilisation> {
+    let patches = summary.sizing.iter().flat_map(|sizing| &sizing.patches);
+    let of = |patch: &SizedPatch| {
+        Some(Utilisation {
+            what: "Hertz p0".to_string(),
+            place: format!("{}, patch", patch.interface),
+            value: patch.hertz_pressure,
+            limit: patch.first_yield?,
+            error: None,
+            resolved: true,
+            against: "first yield below a patch",
+        })
+    };
+    patches.filter_map(of).collect()
 }

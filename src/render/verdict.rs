@@ -51,8 +51,8 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
     let mut rest = Vec::new();
     if !missed.is_empty() {
         rest.push(format!("{}.", missed.join("; ")));
-    } else if summary.sizing.is_some() {
-        rest.push("The sizing rules (2-49) to (2-51) are met.".to_string());
+    } else if let Some(rules) = judged_rules(summary) {
+        rest.push(format!("{rules} met."));
     }
     match flows {
         Some((name, body)) => rest.push(format!(
@@ -81,6 +81,16 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
         (true, None) => (Grade::Good, "Solved."),
     };
     Verdict { grade, head, rest }
+}
+
+/// The sizing rules that have a limit here, as the beginning of a sentence; `None` where nothing can yield.
+fn judged_rules(summary: &Summary) -> Option<&'static str> {
+    let sizing = summary.sizing.as_ref()?;
+    if sizing.rule.is_some() {
+        return Some("The sizing rules (2-49) to (2-51) are");
+    }
+    let has_limit = sizing.lines.iter().any(|line| line.met.is_some());
+    has_limit.then_some("The pressure limit (2-49) is")
 }
 
 /// The sizing rules that are missed, in words.

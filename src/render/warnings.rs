@@ -8,7 +8,7 @@ use crate::answer::BodyFigures;
 use crate::answer::certify::Figure;
 
 /// A sentence of warning.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(transparent)]
 pub struct Warning(pub String);
 

@@ -1,13 +1,13 @@
 //! Approach, crown, stick and slip, punches and sphere beyond yield.
 
 use brinell::analytic::hertz::LineContact;
+use brinell::analytic::hertz::PointContact;
 use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
 use brinell::analytic::{Elastic, contact_compliance};
 use brinell::proof::closed_forms::approach;
 use brinell::proof::closed_forms::crown::lundberg_drop;
 use brinell::proof::closed_forms::flattening::{self, exact_critical, jackson_green, kogut_etsion};
 use brinell::proof::closed_forms::friction::{CattaneoMindlin, MindlinSpheres};
-use brinell::proof::closed_forms::hertz::PointContact;
 use brinell::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
 use brinell::proof::closed_forms::rounded_punch::RoundedPunch;
 use proptest::prelude::*;

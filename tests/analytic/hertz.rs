@@ -1,8 +1,8 @@
 //! Hertz contacts: Johnson (4.22) to (4.24), (4.24) to (4.32), (4.43) to (4.46).
 
+use brinell::analytic::hertz::{EllipticContact, PointContact};
 use brinell::analytic::hertz::{LineContact, effective_radius};
 use brinell::analytic::{Elastic, contact_compliance};
-use brinell::proof::closed_forms::hertz::{EllipticContact, PointContact};
 use proptest::prelude::*;
 
 use crate::{close, steel};

@@ -1,9 +1,9 @@
 //! Stresses below Hertz contacts: Johnson (3.45), (3.69), (4.49), (7.8).
 
+use brinell::analytic::hertz::EllipticContact;
+use brinell::analytic::subsurface::{EllipseField, SphereField};
 use brinell::analytic::subsurface::{LineField, onset};
-use brinell::proof::closed_forms::hertz::EllipticContact;
 use brinell::proof::closed_forms::subsurface::onset as point_onset;
-use brinell::proof::closed_forms::subsurface::{EllipseField, SphereField};
 use proptest::prelude::*;
 
 use crate::close;

@@ -1,5 +1,6 @@
 //! The pages: reference made from the code, contents complete, links that lead somewhere.
 
+use brinell::render::summary;
 use brinell::{case, cli};
 use std::path::{Path, PathBuf};
 
@@ -58,6 +59,21 @@ fn the_reference_is_what_the_code_says() {
             "{page} is not what the code says: {help}"
         );
     }
+}
+
+#[test]
+fn the_schemas_are_what_the_code_says() {
+    let help = "`cargo run --release --example reference` writes it anew";
+    for (file, made) in [
+        ("docs/schema/case.schema.json", case::keys::schema::schema()),
+        ("docs/schema/summary.schema.json", summary::schema()),
+    ] {
+        let there: serde_json::Value = serde_json::from_str(&read(file)).unwrap();
+        assert!(there == made, "{file} is not what the code says: {help}");
+    }
+    let strange = case::keys::schema::not_understood();
+    let help = "`src/case/keys/schema.rs` turns what a key takes into its type: say it in words that it knows, or teach it";
+    assert!(strange.is_empty(), "{help}:\n{}", strange.join("\n"));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::process::Command;
 
 use crate::block::{add_block, fill_stress, pressed, stack};
 use brinell::answer::results::recovery::{Recovered, recover};
+use brinell::ground::units::UnitLabels;
 use brinell::model::mesh::Mesh;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
@@ -173,6 +174,15 @@ fn check_bodies(found: &Value, scene: &Scene, state: &State, recovered: &Recover
         .collect();
     check(cells, "body", "int32", &body, 1);
     assert_eq!(found["field_data"]["body_names"], json!(["block", "plate"]));
+    let units = [
+        "Points: in",
+        "displacement: in",
+        "stress: ksi",
+        "mises_nodal: ksi",
+        "mises_mean: ksi",
+        "mises_max: ksi",
+    ];
+    assert_eq!(found["field_data"]["units"], json!(units));
 }
 
 fn check_contacts(found: &Value, state: &State) {
@@ -211,7 +221,8 @@ fn a_series_opens_with_every_array_part_and_time() {
     let (scene, mut state) = loaded();
     let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
-    let mut series = Series::new(folder.path().join("out"), "a case/1");
+    let series = Series::new(folder.path().join("out"), "a case/1");
+    let mut series = series.in_units(UnitLabels::new("in", "kip", "ksi"));
     state.time = 0.1;
     let paths = series.write(&scene, &state, &recovered).unwrap();
     let names: Vec<_> = paths

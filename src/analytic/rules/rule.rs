@@ -5,7 +5,7 @@ use crate::analytic::error::DomainError;
 use serde::Serialize;
 
 /// What a rule limits, so that it is clear of what a utilisation is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
     /// Load per length.
@@ -15,7 +15,7 @@ pub enum Measure {
 }
 
 /// A limit, both as load per length and as Hertz's peak pressure under that load.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Bound {
     /// Load per length.
     pub line_load: f64,
@@ -24,7 +24,7 @@ pub struct Bound {
 }
 
 /// What a rule says of a roller.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Limit {
     /// It applies.
@@ -59,7 +59,7 @@ impl From<Result<Bound, NoLimit>> for Limit {
 }
 
 /// A rule and its limit for one roller.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rule {
     /// What it is called.
     pub name: &'static str,

@@ -1,10 +1,12 @@
 //! What a rule says of a load.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 use std::fmt;
 
 /// What a rule is worth.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Standing {
     /// A rule whose text was read.
@@ -48,6 +50,17 @@ pub enum LoadError {
 }
 
 impl Verdict {
+    const ALL: [Self; 8] = [
+        Self::Met,
+        Self::NotMet,
+        Self::IndicativeWithin,
+        Self::IndicativeExceeded,
+        Self::Below,
+        Self::Beyond,
+        Self::Open,
+        Self::Unresolved,
+    ];
+
     /// Of a utilisation that lies between `least` and `most`.
     pub(super) fn of(standing: Standing, least: f64, most: f64) -> Self {
         let within = match (most <= 1.0, least > 1.0) {
@@ -96,8 +109,18 @@ impl Serialize for Verdict {
     }
 }
 
+impl JsonSchema for Verdict {
+    fn schema_name() -> Cow<'static, str> {
+        "Verdict".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "description": "What a rule says of a load.", "enum": Self::ALL.map(|v| v.to_string()) })
+    }
+}
+
 /// A rule applied to a load.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Judged {
     /// Load per length.
     pub line_load: f64,

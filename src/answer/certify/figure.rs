@@ -1,8 +1,9 @@
 //! A figure and what it is worth.
 
 use crate::ground::units::Measure;
-use serde::ser::SerializeStruct;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 
 /// A figure and what it is worth.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,18 +38,51 @@ impl Figure {
     }
 }
 
+/// A figure as `summary.json` has it.
+#[derive(Serialize, JsonSchema)]
+struct Record<'a> {
+    /// The quantity.
+    what: Quantity,
+    /// Body, interface or surface; "overall" for the scene.
+    #[serde(rename = "where")]
+    place: &'a str,
+    /// In the unit of the case.
+    value: f64,
+    /// The absolute error, in the unit of `value`; null where nothing is known.
+    error: Option<f64>,
+    /// The same over the size of `value`, a bare number; null where nothing is known, and of zero.
+    relative_error: Option<f64>,
+    /// Is the error known?
+    resolved: bool,
+    /// Why the figure or its error should be read with care.
+    note: Option<&'a str>,
+    /// Absolute errors by cause, in the unit of `value`.
+    causes: Errors,
+}
+
 impl Serialize for Figure {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut claim = serializer.serialize_struct("Figure", 8)?;
-        claim.serialize_field("what", &self.what)?;
-        claim.serialize_field("where", &self.place)?;
-        claim.serialize_field("value", &self.value)?;
-        claim.serialize_field("error", &self.bar())?;
-        claim.serialize_field("relative_error", &self.relative_bar())?;
-        claim.serialize_field("resolved", &self.is_resolved())?;
-        claim.serialize_field("note", &self.note)?;
-        claim.serialize_field("causes", &self.error)?;
-        claim.end()
+        let record = Record {
+            what: self.what,
+            place: &self.place,
+            value: self.value,
+            error: self.bar(),
+            relative_error: self.relative_bar(),
+            resolved: self.is_resolved(),
+            note: self.note,
+            causes: self.error,
+        };
+        record.serialize(serializer)
+    }
+}
+
+impl JsonSchema for Figure {
+    fn schema_name() -> Cow<'static, str> {
+        "Figure".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        Record::json_schema(generator)
     }
 }
 
@@ -69,7 +103,7 @@ pub fn figure<'f>(figures: &'f [Figure], what: Quantity, place: &str) -> Option<
 }
 
 /// What a claim is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Travel of what loads the scene, along the load.
@@ -105,7 +139,7 @@ pub enum Quantity {
 }
 
 /// Estimated errors of a figure, in its unit and without sign; `None` where nothing is known.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Errors {
     /// Of the mesh.
     pub discretisation: Option<f64>,

@@ -90,6 +90,12 @@ impl ContactLine {
             .reduce(|most, row| if row.0 > most.0 { row } else { most })
     }
 
+    /// Is it a line? Where it lifts off it has to be three times as long as it is wide: a patch that is
+    /// no longer is one of spheres.
+    pub fn is_long(&self) -> bool {
+        self.lifted_off <= 0.0 || self.length > 6.0 * self.heaviest.half_width
+    }
+
     /// How many rows in the whole one row of the modelled part stands for.
     pub fn length_share(&self) -> f64 {
         match (self.at.first(), self.at.last()) {

@@ -47,6 +47,18 @@ pub enum Departure {
     Kink,
 }
 
+impl Departure {
+    /// The reason, of a strip.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::LoadedEdge => "it carries up to an edge",
+            Self::Flow => "steel flows below it",
+            Self::Width => "it is wider or narrower than its load makes it",
+            Self::Kink => "its load changes from row to row",
+        }
+    }
+}
+
 /// Lines whose middles are nearer than this share of both half-widths press as one. Two that just touch are each
 /// still Hertz's within the errors of a line load (`cases/coverage/solid-heavy.toml`).
 const MERGED: f64 = 0.9;
@@ -80,11 +92,18 @@ impl HeaviestLine {
         })
     }
 
-    /// Is it a line? Where it lifts off it has to be three times as long as it is wide: a patch that is
-    /// no longer is one of spheres.
+    /// See [`ContactLine::is_long`].
     pub fn is_long(&self) -> bool {
-        let line = &self.line;
-        line.lifted_off <= 0.0 || line.length > 6.0 * line.heaviest.half_width
+        self.line.is_long()
+    }
+
+    /// Why the strip is not Hertz's, in words; `None` where it is, and where it has no closed form at all.
+    pub fn not_hertz(&self) -> Option<&'static str> {
+        self.contact?;
+        match self.departs {
+            Some(departure) => Some(departure.in_words()),
+            None => (!self.is_long()).then_some("it is no longer than three widths"),
+        }
     }
 
     /// Hertz's pressure under the largest line load; `None` where the strip is not Hertz's.

@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 
 /// How many nodes of the modelled part of a carrier surface are open, stick and slip.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
 pub struct StatusCounts {
     /// Nodes that are open.
     pub open: usize,

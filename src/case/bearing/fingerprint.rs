@@ -34,8 +34,8 @@ pub fn fingerprint(geometry: &dyn Layout, request: &MeshRequest) -> String {
     format!("{:016x}", Fnv::of(text.as_bytes()))
 }
 
-/// Compresses the mesh file `raw_msh` into `out`, with the fingerprint in a `$Comments` section
-/// at its end. The same input gives the same bytes: no time is written.
+/// Copies the mesh file `raw_msh` into `out`, with the fingerprint in a `$Comments` section at its end: compressed where
+/// the name of `out` ends in `.gz`, else as it is. The same input gives the same bytes: no time is written.
 ///
 /// # Errors
 /// Where one of the files cannot be read or written.
@@ -44,14 +44,17 @@ pub fn write_with_fingerprint(
     fingerprint: &str,
     out: &Path,
 ) -> Result<(), FileError> {
-    write_atomically(out, |file| {
+    let comment = format!("$Comments\nbrinell-fingerprint: {fingerprint}\n$EndComments\n");
+    let compressed = out.extension().is_some_and(|ending| ending == "gz");
+    write_atomically(out, |mut file| {
         let mut raw = File::open(raw_msh)?;
+        if !compressed {
+            io::copy(&mut raw, &mut file)?;
+            return file.write_all(comment.as_bytes());
+        }
         let mut gzip = GzBuilder::new().mtime(0).write(file, Compression::best());
         io::copy(&mut raw, &mut gzip)?;
-        write!(
-            gzip,
-            "$Comments\nbrinell-fingerprint: {fingerprint}\n$EndComments\n"
-        )?;
+        gzip.write_all(comment.as_bytes())?;
         gzip.finish()?.flush()
     })
 }

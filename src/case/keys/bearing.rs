@@ -7,7 +7,12 @@ pub const BEARING: Keys = Keys {
     about: "Two crossed rollers between three plates, the intermediate one with V valleys. Forces are \
             those of the whole bearing.",
     keys: &[
-        key("load", "force", "required", "vertical, on the top face"),
+        key(
+            "load",
+            "force",
+            "required without `[[combination]]`",
+            "vertical, on the top face",
+        ),
         key(
             "friction",
             "share, 0 or more",

@@ -73,10 +73,63 @@ pub const ROOT: Keys = Keys {
             "printed values to set beside the answer; they decide nothing",
         ),
         key(
+            "action",
+            "list of tables",
+            "none",
+            "what acts, for combinations",
+        ),
+        key(
+            "combination",
+            "list of tables",
+            "none",
+            "actions with factors, each combination a case of its own",
+        ),
+        key(
             "title_block",
             "table",
             "none",
             "whose calculation it is, at the head of `report.html`",
+        ),
+    ],
+};
+
+pub const ACTION: Keys = Keys {
+    heading: "[[action]]",
+    about: "What acts, at its characteristic value. In a bearing it is a vertical load, and `bearing.load` is left out; in \
+            a general scene it is some of the supports, planes, pressures and tractions by name, and `step` is left out.",
+    keys: &[
+        key("name", "text", "required", "for `combination.factors`"),
+        key(
+            "load",
+            "force",
+            "required of a bearing",
+            "vertical, on the top face",
+        ),
+        key(
+            "loads",
+            "list of names",
+            "required of a general scene",
+            "what acts; what no action of a combination names acts with factor 1",
+        ),
+    ],
+};
+
+pub const COMBINATION: Keys = Keys {
+    heading: "[[combination]]",
+    about: "Actions with their factors, as in EN 1990. `brinell run` solves each combination by itself, for contact is not \
+            linear, and names the one that governs.",
+    keys: &[
+        key(
+            "name",
+            "text",
+            "required",
+            "of the combination, and of its folder",
+        ),
+        key(
+            "factors",
+            "table of shares by name of an action",
+            "required",
+            "such as `{ permanent = 1.35, traffic = 1.5 }`",
         ),
     ],
 };

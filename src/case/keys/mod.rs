@@ -7,9 +7,10 @@ mod bearing;
 mod common;
 mod line_bearing;
 mod scene;
+pub mod schema;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
-pub use common::{COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
+pub use common::{ACTION, COMBINATION, COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
 pub use line_bearing::{
     LINE_BEARING, LINE_BEARING_MESH, LINE_PLATE_CURVE, LINE_PLATE_SIZE, LINE_PLATE_THICKNESS,
 };
@@ -81,6 +82,8 @@ const CHAPTERS: [(&str, &[&Keys]); 4] = [
         &[
             &ROOT,
             &TITLE_BLOCK,
+            &ACTION,
+            &COMBINATION,
             &STEEL,
             &HARDENING,
             &CONTROLS,
@@ -119,6 +122,31 @@ const CHAPTERS: [(&str, &[&Keys]); 4] = [
         ],
     ),
 ];
+
+/// What the dotted key of a case file means, entries of lists by number or name; `None` of what is no key here.
+pub fn meaning(path: &str) -> Option<&'static str> {
+    let parts: Vec<&str> = path.split('.').collect();
+    let (name, tables) = parts.split_last()?;
+    let all = || CHAPTERS.iter().flat_map(|(_, tables)| tables.iter());
+    let of = |keys: &Keys| {
+        keys.keys
+            .iter()
+            .find(|key| key.name == *name)
+            .map(|key| key.meaning)
+    };
+    if tables.is_empty() {
+        return of(&ROOT).or_else(|| of(&SCENE));
+    }
+    // The innermost table that has such a key.
+    tables.iter().rev().find_map(|table| {
+        let words = |keys: &Keys| {
+            keys.heading
+                .split(['[', ']', '.', ' '])
+                .any(|word| word == *table)
+        };
+        all().filter(|keys| words(keys)).find_map(|keys| of(keys))
+    })
+}
 
 /// The page about the keys, in Markdown.
 pub fn page() -> String {

@@ -4,7 +4,7 @@ use super::UnitSystem;
 use serde::Serialize;
 
 /// What the case calls its units; figures come in these units.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct UnitLabels {
     pub length: String,
     pub force: String,

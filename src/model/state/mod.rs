@@ -29,7 +29,7 @@ pub struct State {
 }
 
 /// Work since the start, and what became of it.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Energy {
     /// Of loads and moved planes.
     pub work: f64,

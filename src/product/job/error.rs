@@ -44,6 +44,16 @@ pub enum JobError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     BuiltIn(#[from] FamilyError),
+    /// An option that is of one case alone.
+    #[error("{option} is of one case, and this file has several combinations of actions")]
+    #[diagnostic(
+        code(brinell::job::combinations),
+        help("leave it out, or make a case file of the combination that is wanted")
+    )]
+    Combinations {
+        /// The option.
+        option: &'static str,
+    },
     /// An earlier run cannot be gone on from.
     #[error("{} cannot be gone on from: {why}", path.display())]
     #[diagnostic(

@@ -3,7 +3,7 @@
 
 use super::error::JobError;
 use crate::analytic::DomainError;
-use crate::analytic::hertz::LineContact;
+use crate::analytic::hertz::{LineContact, PointContact};
 use crate::analytic::subsurface::LineField;
 use crate::answer::Answer;
 use crate::answer::certify::{Figure, Quantity};
@@ -11,7 +11,7 @@ use crate::case::bearing::Seat;
 use crate::case::{Case, Kind};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::{ContactPair, Scene};
-use crate::render::summary::{HandCheck, SizedLine, Sizing};
+use crate::render::summary::{HandCheck, SizedLine, SizedPatch, Sizing};
 use crate::render::text::significant;
 
 const FRICTION: &str = "friction on the slopes carries a part";
@@ -19,49 +19,52 @@ const HALF_SPACE: &str = "bodies are no half spaces, and rollers bend";
 const OTHERS: &str = "bodies are no half spaces; other lines and bending add to the peak of a body";
 const ROUNDING: &str = "they agree but for rounding";
 
-/// The checks of a bearing; none of a general scene.
+/// The checks of every line and patch of contact, and of the equilibrium of a bearing.
 pub fn hand_checks(
     case: &Case,
     scene: &Scene,
     (answer, sizing): (&Answer, Option<&Sizing>),
 ) -> Result<Vec<HandCheck>, JobError> {
-    let (Kind::Bearing(bearing), Some(sizing)) = (&case.kind, sizing) else {
+    let Some(sizing) = sizing else {
         return Ok(Vec::new());
+    };
+    let no_form = |error: DomainError| JobError::ClosedForm {
+        what: "what can be recomputed by hand".to_owned(),
+        why: error.to_string(),
     };
     let units = UnitLabels::of(case.units);
     let mut checks = Vec::new();
     for pair in &scene.contacts {
-        let Some(seat) = bearing.seat(&pair.name) else {
-            continue;
-        };
         let hand = ByHand {
-            length: bearing.geometry.length(),
-            seat: &seat,
             scene,
             answer,
             units: &units,
             pair,
         };
-        checks.extend(hand.force());
+        let bearing = match &case.kind {
+            Kind::Bearing(bearing) => Some(bearing),
+            Kind::General(_) => None,
+        };
+        let seat = bearing.and_then(|bearing| bearing.seat(&pair.name));
+        checks.extend(seat.as_ref().and_then(|seat| hand.force(seat)));
+        let patches = sizing.patches.iter().filter(|p| p.interface == pair.name);
+        for patch in patches {
+            checks.extend(hand.patch(patch).map_err(no_form)?);
+        }
         let lines = sizing.lines.iter();
         let lines = lines.filter(|line| line.interface == pair.name && !line.merged);
         let heaviest = lines.max_by(|a, b| a.peak_line_load.total_cmp(&b.peak_line_load));
         let Some(line) = heaviest else { continue };
-        checks.extend(hand.even(line));
-        let hertz = hand.hertz(line).map_err(|error| JobError::ClosedForm {
-            what: "what can be recomputed by hand".to_owned(),
-            why: error.to_string(),
-        })?;
-        checks.extend(hertz);
+        let length = bearing.map(|bearing| bearing.geometry.length());
+        let even = seat.as_ref().zip(length);
+        checks.extend(even.and_then(|(seat, length)| hand.even(seat, length, line)));
+        checks.extend(hand.hertz(line).map_err(no_form)?);
     }
     Ok(checks)
 }
 
-/// One interface of a solved bearing.
+/// One interface of what was solved.
 struct ByHand<'a> {
-    /// Of the roller.
-    length: f64,
-    seat: &'a Seat,
     scene: &'a Scene,
     answer: &'a Answer,
     units: &'a UnitLabels,
@@ -69,14 +72,12 @@ struct ByHand<'a> {
 }
 
 impl ByHand<'_> {
-    /// The whole load passes through every interface, or is shared by rollers side by side.
-    fn force(&self) -> Option<HandCheck> {
+    /// The whole load passes through every interface of a bearing, or is shared by rollers side by side.
+    fn force(&self, seat: &Seat) -> Option<HandCheck> {
         let load = self.answer.applied_load;
-        let (formula, by_hand) = match self.seat.sharing {
+        let (formula, by_hand) = match seat.sharing {
             1 => (format!("P = {}", number(load)), load),
-            n if self.seat.determinate => {
-                (format!("P / {n}, P = {}", number(load)), load / n as f64)
-            }
+            n if seat.determinate => (format!("P / {n}, P = {}", number(load)), load / n as f64),
             _ => return None,
         };
         Some(HandCheck {
@@ -91,12 +92,11 @@ impl ByHand<'_> {
     }
 
     /// The even load per length of a line of a centred bearing: on the flat one line has all, in a V two share.
-    fn even(&self, line: &SizedLine) -> Option<HandCheck> {
-        let seat = self.seat;
+    fn even(&self, seat: &Seat, length: f64, line: &SizedLine) -> Option<HandCheck> {
         if !seat.determinate {
             return None;
         }
-        let (load, length) = (self.answer.applied_load, self.length);
+        let load = self.answer.applied_load;
         let numbers = format!("P = {}, L' = {}", number(load), number(length));
         let (formula, by_hand, differs) = match (seat.is_valley(), seat.sharing) {
             (true, _) => (
@@ -125,7 +125,7 @@ impl ByHand<'_> {
     /// Hertz's line contact under the largest load per length of the heaviest line.
     fn hertz(&self, line: &SizedLine) -> Result<Vec<HandCheck>, DomainError> {
         let compliance = self.scene.compliance(self.pair)?;
-        let radius = self.seat.radius;
+        let radius = line.relative_radius;
         let contact = LineContact::new(line.peak_line_load, radius, compliance)?;
         let [q, r, c] = [line.peak_line_load, radius, compliance].map(number);
         let with = format!("q = {q} found, R = {r}, C_E = {c}");
@@ -146,10 +146,31 @@ impl ByHand<'_> {
         Ok(checks)
     }
 
-    /// The largest Mises stress below the strip, in the plate.
+    /// Hertz's contact of a sphere; of an ellipse no formula is for a pocket calculator.
+    fn patch(&self, patch: &SizedPatch) -> Result<Option<HandCheck>, DomainError> {
+        /// Relative radii that differ by less are alike.
+        const ALIKE: f64 = 1e-3;
+        let [radius, other] = patch.relative_radii;
+        if radius > (1.0 + ALIKE) * other {
+            return Ok(None);
+        }
+        let compliance = self.scene.compliance(self.pair)?;
+        let contact = PointContact::new(patch.force, radius, compliance)?;
+        let [p, r, c] = [patch.force, radius, compliance].map(number);
+        let figure = self.answer.figure(Quantity::PeakPressure, &self.pair.name);
+        Ok(Some(HandCheck {
+            what: format!("peak pressure, {}", self.units.stress),
+            formula: format!("p0 = ∛(6 P / π³ R² C_E²), P = {p} found, R = {r}, C_E = {c}"),
+            ..self.found(contact.peak_pressure, figure)
+        }))
+    }
+
+    /// The largest Mises stress below the strip, in the plate; without a roller in the lower body.
     fn mises(&self, contact: &LineContact) -> Result<Option<HandCheck>, DomainError> {
+        let sides = [&self.pair.upper, &self.pair.lower].map(|side| side.body(&self.scene.mesh));
         let name = |body: usize| self.scene.mesh.bodies[body].name.as_str();
-        let Some(plate) = self.scene.mesh.body(&self.seat.plate) else {
+        let mut plates = sides.into_iter().rev().flatten();
+        let Some(plate) = plates.find(|body| !name(*body).contains("roller")) else {
             return Ok(None);
         };
         let ratio = self.scene.materials[plate].poissons_ratio;

@@ -1,5 +1,6 @@
 //! One case from its file to its results on disk: mesh, solve, write, summarise.
 
+mod calculation;
 mod check;
 mod checkpoint;
 mod clock;
@@ -17,12 +18,14 @@ mod options;
 mod outcome;
 mod record;
 mod report;
+mod rollers;
 mod rules;
 mod run;
 mod second;
 mod sizing;
 mod strips;
 mod summarise;
+mod verified;
 
 pub use check::check;
 pub use checkpoint::{Checkpoint, FILE as CHECKPOINT_FILE};

@@ -89,7 +89,7 @@ impl<'o> Recorder<'o> {
         let files = files.map(|(out, checkpoint)| {
             Ok::<_, JobError>(Files {
                 folder: out.to_owned(),
-                series: series(out)?,
+                series: series(out)?.in_units(UnitLabels::of(case.units)),
                 checkpoint,
                 earlier: Some(Earlier {
                     resumed: restart.is_some(),

@@ -1,5 +1,6 @@
 //! The page of a run.
 
+use super::calculation::calculation;
 use super::error::JobError;
 use super::limits;
 use crate::answer::pictures::Pictures;
@@ -29,6 +30,7 @@ pub fn write(
             state,
             recovered,
             pictures: &pictures,
+            calculation: &calculation(case, scene),
             history,
             missed: &limits::missed(case, &summary.answer.checks),
             case: (case.source.name(), case.source.text()),

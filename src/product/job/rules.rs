@@ -2,48 +2,34 @@
 //! and under the largest load per length, and told for the line that uses it most.
 
 use super::error::JobError;
-use super::sizing::is_merged;
+use super::rollers::{is_merged, roller};
 use crate::analytic::DomainError;
-use crate::analytic::rules::{LoadError, Rule, RuleInput, RuleSteel, rules as all_rules};
-use crate::analytic::sizing::effective_length;
+use crate::analytic::rules::{LoadError, Rule, rules as all_rules};
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, LineFigures};
-use crate::case::bearing::Seat;
-use crate::case::{BearingCase, Case, CaseError, Kind};
-use crate::ground::units::UnitSystem;
+use crate::case::{Case, CaseError, Kind};
+use crate::model::scene::{Partner, Scene};
 use crate::render::summary::{JudgedRule, RuleSheet, SteelAfter};
 
-/// What the rules say of a bearing; nothing of a general scene.
-pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError> {
-    let Kind::Bearing(bearing) = &case.kind else {
-        return Ok(None);
-    };
-    let plastic = case.controls.plasticity;
+/// What the rules say of every line of contact whose bodies are known; nothing where there is none.
+pub fn rules(case: &Case, scene: &Scene, answer: &Answer) -> Result<Option<RuleSheet>, JobError> {
     let no_form = |error: DomainError| JobError::ClosedForm {
         what: "the design rules".to_owned(),
         why: error.to_string(),
     };
     let mut sheet = RuleSheet {
         rules: Vec::new(),
-        steel: if plastic {
-            steel(bearing, answer)?
-        } else {
-            Vec::new()
-        },
+        steel: Vec::new(),
         notes: Vec::new(),
     };
-    let length = bearing.geometry.length();
-    // Displaced by more than half of its length no part of a roller is left that (2-51) would count.
-    let effective = effective_length(length, bearing.geometry.offset()).unwrap_or(length);
-    for (interface, figures) in &answer.interfaces.0 {
-        let Some(seat) = bearing.seat(interface) else {
-            continue;
-        };
-        let input = input(bearing, case.units, &seat)?;
-        let rules = all_rules(&input).map_err(no_form)?;
+    for (pair, (interface, figures)) in scene.contacts.iter().zip(&answer.interfaces.0) {
         let error = load_error(answer, interface);
-        for line in &figures.lines {
-            if is_merged(&seat, line) {
+        let lines = figures.lines.iter().filter(|_| figures.patch.is_none());
+        for line in lines {
+            let Some(roller) = roller(case, scene, (pair, line))? else {
+                continue;
+            };
+            if is_merged(case, interface, line) {
                 let note =
                     format!("{interface}: two lines that the mesh does not tell apart, left out");
                 if !sheet.notes.contains(&note) {
@@ -51,8 +37,12 @@ pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError
                 }
                 continue;
             }
-            let loads = [force(line) / effective, line.peak];
-            for (k, rule) in rules.iter().enumerate() {
+            let loads = [force(line) / roller.effective, line.peak];
+            for (k, rule) in all_rules(&roller.input)
+                .map_err(no_form)?
+                .iter()
+                .enumerate()
+            {
                 let judged = judge(rule, interface, loads, error);
                 match sheet.rules.get_mut(k) {
                     Some(worst) => keep_worse(worst, judged),
@@ -61,46 +51,28 @@ pub fn rules(case: &Case, answer: &Answer) -> Result<Option<RuleSheet>, JobError
             }
         }
     }
-    sheet.notes.extend(where_worst(&sheet.rules));
-    if bearing.geometry.wall().is_some() {
-        sheet
-            .notes
-            .push("the rules are of solid rollers, these are hollow".to_owned());
+    if sheet.rules.is_empty() && sheet.notes.is_empty() {
+        return Ok(None);
     }
+    if case.controls.plasticity {
+        sheet.steel = steel(case, scene, answer)?;
+    }
+    sheet.notes.extend(where_worst(&sheet.rules));
+    sheet
+        .notes
+        .extend(taken_for_granted(&case.kind).map(str::to_owned));
     Ok(Some(sheet))
 }
 
-/// A roller and the plate that it lies on.
-fn input(bearing: &BearingCase, units: UnitSystem, seat: &Seat) -> Result<RuleInput, CaseError> {
-    let g = &bearing.geometry;
-    let sides = [
-        rule_steel(bearing, &seat.roller)?,
-        rule_steel(bearing, &seat.plate)?,
-    ];
-    let (end_radius, overhang) = match g.end().radius() {
-        // The plate stands out beyond where the fillet begins.
-        Some(radius) => (radius, Some(radius + seat.overhang)),
-        None => (0.0, None),
-    };
-    Ok(RuleInput {
-        end_radius,
-        overhang,
-        rollings: bearing.rollings,
-        mating_diameter: (seat.curvature != 0.0).then(|| -2.0 / seat.curvature),
-        ..RuleInput::new(units, g.diameter(), g.length(), sides)
-    })
-}
-
-fn rule_steel(bearing: &BearingCase, body: &str) -> Result<RuleSteel, CaseError> {
-    let steel = bearing.steels.of(body)?;
-    let strength = bearing.steels.strength_of(body)?;
-    Ok(RuleSteel {
-        yield_stress: strength.yield_stress,
-        ultimate_strength: strength.ultimate_strength,
-        hardness: strength.hardness,
-        surface_hardened: strength.surface_hardened,
-        ..RuleSteel::elastic(steel.youngs_modulus, steel.poissons_ratio)
-    })
+/// What the rules do not know of the bodies.
+fn taken_for_granted(kind: &Kind) -> Option<&'static str> {
+    match kind {
+        Kind::Bearing(bearing) => (bearing.geometry.wall().is_some())
+            .then_some("the rules are of solid rollers, these are hollow"),
+        Kind::General(_) => Some(
+            "each line is taken as a solid roller on a flat, with the relative radius of its surfaces and square ends",
+        ),
+    }
 }
 
 /// How well the largest load per length of an interface is known.
@@ -158,10 +130,10 @@ fn where_worst(rules: &[JudgedRule]) -> Vec<String> {
 }
 
 /// What the steel of every body that can yield does.
-fn steel(bearing: &BearingCase, answer: &Answer) -> Result<Vec<SteelAfter>, CaseError> {
+fn steel(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<SteelAfter>, CaseError> {
     let mut steel = Vec::new();
     for (body, figures) in &answer.bodies.0 {
-        if bearing.steels.of(body)?.is_elastic() {
+        if case.steels().of(body)?.is_elastic() {
             continue;
         }
         let dents = answer
@@ -171,6 +143,7 @@ fn steel(bearing: &BearingCase, answer: &Answer) -> Result<Vec<SteelAfter>, Case
         let of_body = dents.filter(|(_, dent)| &dent.body == body);
         let deepest = of_body.max_by(|a, b| a.1.depth.total_cmp(&b.1.depth));
         let dent = deepest.map(|(_, dent)| dent.depth);
+        let diameter = deepest.and_then(|(surface, _)| diameter(case, scene, answer, surface));
         steel.push(SteelAfter {
             body: body.clone(),
             peeq_max: figures.peeq_max,
@@ -179,8 +152,23 @@ fn steel(bearing: &BearingCase, answer: &Answer) -> Result<Vec<SteelAfter>, Case
             yielded_share: figures.yielded_volume / figures.volume,
             dent,
             dent_in: deepest.map(|(surface, _)| surface.clone()),
-            dent_over_diameter: dent.map(|dent| dent / bearing.geometry.diameter()),
+            dent_over_diameter: dent.zip(diameter).map(|(dent, diameter)| dent / diameter),
         });
     }
     Ok(steel)
+}
+
+/// Diameter of the roller that presses on a surface, or of one on a flat with the same relative radius.
+fn diameter(case: &Case, scene: &Scene, answer: &Answer, surface: &str) -> Option<f64> {
+    if let Kind::Bearing(bearing) = &case.kind {
+        return Some(bearing.geometry.diameter());
+    }
+    let is_side = |side: &Partner| matches!(side, Partner::Surface(name) if name == surface);
+    let mut pairs = scene.contacts.iter();
+    let pair = pairs.find(|pair| is_side(&pair.upper) || is_side(&pair.lower))?;
+    let lines = &answer.interfaces.get(&pair.name)?.lines;
+    lines
+        .iter()
+        .find_map(|line| line.relative_radius)
+        .map(|radius| 2.0 * radius)
 }

@@ -5,67 +5,96 @@
 //! and under its even one. A line that misses is told, and decides nothing.
 
 use super::error::JobError;
+use super::rollers::{Span, is_merged};
 use crate::analytic::hertz::LineContact;
 use crate::analytic::sizing::{
     Constants, PRESSURE_LIMIT, PRINTED, effective_length, equivalent_modulus, exact, final_length,
     within_limit,
 };
 use crate::analytic::{DomainError, Elastic, contact_compliance};
-use crate::answer::Answer;
-use crate::answer::LineFigures;
+use crate::answer::{Answer, LineFigures, PatchFigures};
 use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, Kind};
 use crate::model::material::Steel;
 use crate::model::scene::Scene;
-use crate::render::summary::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
+use crate::render::summary::{Demand, EvenLoad, SizedLine, SizedPatch, Sizing, SizingRule};
 
-/// What the rules say of a bearing; nothing of a general scene.
+/// What the rules say of the lines of contact, and first yield of the patches; `None` where a general scene has neither.
 pub fn sizing(case: &Case, scene: &Scene, answer: &Answer) -> Result<Option<Sizing>, JobError> {
-    match &case.kind {
-        Kind::Bearing(bearing) => sized(bearing, scene, answer).map(Some),
-        Kind::General(_) => Ok(None),
-    }
-    .map_err(|error: DomainError| JobError::ClosedForm {
+    let sizing = sized(case, scene, answer).map_err(|error| JobError::ClosedForm {
         what: "the sizing of the rollers".to_owned(),
         why: error.to_string(),
-    })
+    })?;
+    let says_nothing = sizing.lines.is_empty() && sizing.patches.is_empty();
+    let is_bearing = matches!(case.kind, Kind::Bearing(_));
+    Ok(Some(sizing).filter(|_| is_bearing || !says_nothing))
 }
 
-fn sized(bearing: &BearingCase, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainError> {
-    let mut rule: Option<SizingRule> = None;
-    let mut lines = Vec::new();
-    for (name, interface) in &answer.interfaces.0 {
-        let Some((seat, steels)) = bearing.seat(name).zip(steels(scene, name)) else {
+fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainError> {
+    let mut sizing = Sizing::default();
+    for (contact, (name, interface)) in scene.contacts.iter().zip(&answer.interfaces.0) {
+        let steels = [&contact.upper, &contact.lower]
+            .map(|side| scene.materials.get(side.body(&scene.mesh)?));
+        if let Some(patch) = &interface.patch {
+            sizing.patches.push(sized_patch(name, patch, steels));
+            continue;
+        }
+        for line in &interface.lines {
+            let span = Span::of(scene, contact, line);
+            let (radius, [length, from_end]) = match (&case.kind, line.relative_radius) {
+                (Kind::Bearing(bearing), _) => {
+                    let Some(seat) = bearing.seat(name) else {
+                        continue;
+                    };
+                    let length = bearing.geometry.length();
+                    let from_end = (0.5 * length - line.peak_at.abs()).max(0.0);
+                    (seat.radius, [length, from_end])
+                }
+                (Kind::General(_), Some(radius)) => {
+                    (radius, [span.length(), span.distance_to_end(line.peak_at)])
+                }
+                (Kind::General(_), None) => continue,
+            };
+            let is_heaviest = interface.largest_line_load == Some(line.peak);
+            sizing.lines.push(SizedLine {
+                merged: is_merged(case, name, line),
+                not_hertz: interface.not_hertz.filter(|_| is_heaviest),
+                ..Pair::new(radius, steels)?.line(name, line, [length, from_end])?
+            });
+        }
+        let Kind::Bearing(bearing) = &case.kind else {
+            continue;
+        };
+        let demanded = |rule: &SizingRule| rule.exact.required_diameter_times_length;
+        let Some(seat) = bearing.seat(name) else {
             continue;
         };
         let pair = Pair::new(seat.radius, steels)?;
-        for line in &interface.lines {
-            lines.push(SizedLine {
-                merged: is_merged(&seat, line),
-                ..pair.line(name, line, bearing.geometry.length())?
-            });
-        }
-        let demanded = |rule: &SizingRule| rule.exact.required_diameter_times_length;
         if let Some(asked) = pair.rule(&seat, bearing)?
-            && rule.as_ref().is_none_or(|r| demanded(r) < demanded(&asked))
+            && (sizing.rule.as_ref()).is_none_or(|r| demanded(r) < demanded(&asked))
         {
-            rule = Some(asked);
+            sizing.rule = Some(asked);
         }
     }
-    Ok(Sizing { rule, lines })
+    Ok(sizing)
 }
 
-/// The steels of the two bodies of the interface `<upper>-<lower>`.
-fn steels<'s>(scene: &'s Scene, interface: &str) -> Option<[&'s Steel; 2]> {
-    let (upper, lower) = interface.split_once('-')?;
-    let steel = |body: &str| scene.materials.get(scene.mesh.body(body)?);
-    Some([steel(upper)?, steel(lower)?])
-}
-
-/// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
-pub(super) fn is_merged(seat: &Seat, line: &LineFigures) -> bool {
-    let outermost = seat.lines.last().copied().unwrap_or(0.0);
-    seat.is_valley() && line.across.abs() < 0.5 * outermost
+/// A patch, its peak pressure beside that at which steel below it first yields.
+fn sized_patch(name: &str, patch: &PatchFigures, steels: [Option<&Steel>; 2]) -> SizedPatch {
+    let sides = steels.iter().zip(patch.mises_over_p0);
+    let yields = sides.filter_map(|(steel, share)| Some(steel.as_ref()?.yield_stress / share?));
+    let limit = Some(yields.fold(f64::INFINITY, f64::min)).filter(|limit| limit.is_finite());
+    SizedPatch {
+        interface: name.to_owned(),
+        images: patch.images,
+        force: patch.force,
+        relative_radii: patch.relative_radii,
+        semi_axes: patch.semi_axes,
+        hertz_pressure: patch.hertz_p0,
+        first_yield: limit,
+        utilisation: limit.map(|limit| patch.hertz_p0 / limit),
+        not_hertz: patch.departs,
+    }
 }
 
 /// A roller and what it presses on.
@@ -78,10 +107,17 @@ struct Pair {
 }
 
 impl Pair {
-    fn new(radius: f64, steels: [&Steel; 2]) -> Result<Self, DomainError> {
-        let elastic = |steel: &Steel| Elastic::new(steel.youngs_modulus, steel.poissons_ratio);
+    /// Of the steels of both sides; a side without one is rigid.
+    fn new(radius: f64, steels: [Option<&Steel>; 2]) -> Result<Self, DomainError> {
+        let elastic = |steel: Option<&Steel>| match steel {
+            Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
+            None => Ok(Elastic::RIGID),
+        };
         let [upper, lower] = steels;
-        let lowest = upper.yield_stress.min(lower.yield_stress);
+        let lowest = steels.into_iter().flatten();
+        let lowest = lowest.fold(f64::INFINITY, |lowest, steel| {
+            lowest.min(steel.yield_stress)
+        });
         Ok(Self {
             radius,
             compliance: contact_compliance(elastic(upper)?, elastic(lower)?)?,
@@ -109,7 +145,7 @@ impl Pair {
         &self,
         interface: &str,
         line: &LineFigures,
-        roller: f64,
+        [roller, from_end]: [f64; 2],
     ) -> Result<SizedLine, DomainError> {
         let peak = self.pressed(line.peak)?;
         let force = line.mean * (line.length + line.lifted_off);
@@ -117,10 +153,12 @@ impl Pair {
             interface: interface.to_owned(),
             across: line.across,
             images: line.images,
+            relative_radius: self.radius,
             merged: false,
+            not_hertz: None,
             peak_line_load: line.peak,
             at: line.peak_at,
-            from_end: (0.5 * roller - line.peak_at.abs()).max(0.0),
+            from_end,
             hertz_pressure: peak.hertz_pressure,
             limit: self.limit(),
             utilisation: peak.utilisation,
@@ -129,17 +167,17 @@ impl Pair {
         })
     }
 
-    /// (2-50) and (2-51) for one roller under its even share of the load. The roller on a curved plate is as one on a
-    /// flat of the same effective radius.
+    /// (2-50) and (2-51) for one roller under the whole load.
     fn rule(&self, seat: &Seat, bearing: &BearingCase) -> Result<Option<SizingRule>, DomainError> {
         let Some(yield_stress) = self.yield_stress else {
             return Ok(None);
         };
         let g = &bearing.geometry;
         let modulus = equivalent_modulus(self.compliance)?;
+        // On a curved plate as on a flat one of the same effective radius.
         let (diameter, length, offset) = (2.0 * seat.radius, g.length(), g.offset());
-        let effective = effective_length(length, offset)?;
         let load = bearing.load / seat.sharing as f64;
+        let effective = effective_length(length, offset)?;
         let demand = |constants: Constants| -> Result<Demand, DomainError> {
             let required = constants.required_diameter_times_length(load, modulus, yield_stress)?;
             let provided = diameter * effective;
@@ -189,7 +227,7 @@ mod tests {
     /// By hand for 65 kip on 8 in, D = 3 in: p0 = √(8.125 · 29500 / (2π · 0.91 · 1.5)).
     #[test]
     fn an_even_load_presses_as_the_report_has_it() {
-        let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
+        let pair = Pair::new(1.5, [Some(&STEEL); 2]).unwrap();
         let even = pair.pressed(65.0 / 8.0).unwrap();
         let p0 = (8.125 * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
         assert!((even.hertz_pressure / p0 - 1.0).abs() < 1e-12);
@@ -206,7 +244,7 @@ mod tests {
             yield_stress: 40.0,
             ..STEEL
         };
-        let pair = Pair::new(1.5, [&STEEL, &iron]).unwrap();
+        let pair = Pair::new(1.5, [Some(&STEEL), Some(&iron)]).unwrap();
         let compliance = 0.91 / 29500.0 + 0.9375 / 15000.0;
         let p0 = (5.0 / (PI * 1.5 * compliance)).sqrt();
         let pressed = pair.pressed(5.0).unwrap();
@@ -217,22 +255,24 @@ mod tests {
     #[test]
     fn what_cannot_yield_has_no_limit() {
         let elastic = Steel::elastic(29500.0, 0.3);
-        let pair = Pair::new(1.5, [&elastic, &elastic]).unwrap();
+        let pair = Pair::new(1.5, [Some(&elastic); 2]).unwrap();
         let pressed = pair.pressed(8.0).unwrap();
         assert_eq!((pressed.utilisation, pressed.met), (None, None));
         let bearing = shipped("initial-centre.toml");
         assert_eq!(pair.rule(&bearing.seats()[0], &bearing), Ok(None));
         // Beside steel that yields, that one sets the limit.
-        let pair = Pair::new(1.5, [&elastic, &STEEL]).unwrap();
+        let pair = Pair::new(1.5, [Some(&elastic), Some(&STEEL)]).unwrap();
         assert_eq!(pair.limit(), Some(165.0));
     }
 
     /// Table 1.2 of the references: 23.969 in² with the printed constant, 24.636 with the exact one.
     #[test]
     fn the_initial_design_meets_the_rule_as_printed_only() {
-        let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
-        let bearing = shipped("initial-centre.toml");
-        let rule = pair.rule(&bearing.seats()[0], &bearing);
+        let pair = Pair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let rule = pair.rule(
+            &shipped("initial-centre.toml").seats()[0],
+            &shipped("initial-centre.toml"),
+        );
         let rule = rule.unwrap().unwrap();
         let demands = [rule.printed, rule.exact];
         for (demand, required) in demands.iter().zip([23.969, 24.636]) {
@@ -246,14 +286,15 @@ mod tests {
     /// (2-51): 10.5 in are just enough at D_r = 1.25 in, and far too short at 2.5 in.
     #[test]
     fn a_displaced_roller_bears_on_less() {
-        let pair = Pair::new(1.5, [&STEEL, &STEEL]).unwrap();
+        let pair = Pair::new(1.5, [Some(&STEEL); 2]).unwrap();
         for (name, provided, met) in [
             ("revised-offset-1.25.toml", 24.0, true),
             ("revised-offset-2.5.toml", 16.5, false),
         ] {
-            let bearing = shipped(name);
-            let rule = pair.rule(&bearing.seats()[0], &bearing);
-            let rule = rule.unwrap().unwrap();
+            let rule = pair
+                .rule(&shipped(name).seats()[0], &shipped(name))
+                .unwrap()
+                .unwrap();
             assert_eq!((rule.printed.provided, rule.printed.met), (provided, met));
             let asked = rule.printed.required_diameter_times_length / 3.0 + 2.0 * rule.displacement;
             assert!((rule.printed.required_length - asked).abs() < 1e-12);

@@ -70,7 +70,7 @@ pub fn summarise(
         comparison: compare::rows(case, scene, &answer)?,
         hand_checks: hand_checks::hand_checks(case, scene, (&answer, sizing.as_ref()))?,
         sizing,
-        rules: rules::rules(case, &answer)?,
+        rules: rules::rules(case, scene, &answer)?,
         answer,
         counters: counters(&solution.counters),
         timing,

@@ -9,6 +9,8 @@ use crate::case;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use crate::product::job::{self, JobError, Options, Outcome};
+use crate::render::joint::{self, Part};
+use crate::render::{Summary, report};
 use crate::solver::solve::Observer;
 use std::path::{Path, PathBuf};
 
@@ -56,6 +58,7 @@ pub fn verify(
     observer: &mut dyn Observer,
 ) -> Result<Verification, SizeError> {
     let mut positions = Vec::new();
+    let mut solved: Vec<(&str, Summary, Vec<String>)> = Vec::new();
     for position in Position::of(proposal.request.capacity) {
         let case = case::read(&folder.join(format!("{}.toml", position.name())))?;
         observer.message(&format!("{}: {}", position.name(), case.title));
@@ -64,7 +67,26 @@ pub fn verify(
             return Ok(Verification::Interrupted);
         }
         positions.push(Placed::new(proposal, *position, &case, &outcome));
+        let missed = outcome.missed_limits(&case);
+        solved.push((position.name(), outcome.summary, missed));
     }
+    let parts = solved.iter().map(|(name, summary, missed)| Part {
+        name,
+        acts: "the load of the request",
+        folder: name,
+        summary,
+        missed,
+    });
+    let about = [
+        "The bearing is solved with its rollers at the centre and displaced; its verdict is in verdict.md.".to_owned(),
+    ];
+    let parts: Vec<Part> = parts.collect();
+    joint::write(
+        "A bearing, sized and verified",
+        &about,
+        &parts,
+        &folder.join(report::FILE),
+    )?;
     let verdict = DesignVerdict::new(proposal, candidate, positions)?;
     verdict.write(folder)?;
     Ok(Verification::Done(Box::new(verdict)))

@@ -4,10 +4,10 @@
 //! [`dundurs_beta`](crate::analytic::elastic::dundurs_beta)), Coulomb's coefficient μ. The stresses under
 //! full sliding are in [`LineField::sliding`](crate::analytic::subsurface::LineField::sliding).
 
-use super::hertz::PointContact;
 use crate::analytic::elastic::Elastic;
 use crate::analytic::error::{self, DomainError};
 use crate::analytic::hertz::LineContact;
+use crate::analytic::hertz::PointContact;
 
 /// Share Q/μP of the sliding load, in [0, 1].
 fn sliding_share(tangential: f64, friction: f64, normal: f64) -> Result<f64, DomainError> {

@@ -4,9 +4,8 @@
 //!
 //! | question | where |
 //! |---|---|
-//! | width, pressure and approach of a point or elliptic contact | [`hertz`] |
 //! | approach of bodies in line contact | [`approach`] |
-//! | stress below them, first yield | [`subsurface`] |
+//! | first yield below a point or elliptic contact | [`subsurface`] |
 //! | stick and slip | [`friction`] |
 //! | steel curve, yielding tube, limit load | [`steel`], [`tube`], [`tube_mises`], [`limit`] |
 //! | sphere pressed beyond yield | [`flattening`] |
@@ -15,10 +14,8 @@
 
 pub mod approach;
 pub mod crown;
-pub mod elliptic_integrals;
 pub mod flattening;
 pub mod friction;
-pub mod hertz;
 pub mod limit;
 pub mod patch;
 pub mod rounded_punch;

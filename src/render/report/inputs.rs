@@ -1,5 +1,6 @@
 //! What the page is made from.
 
+use super::calculation::Calculation;
 use super::history::Iterate;
 use crate::answer::pictures::Pictures;
 use crate::answer::results::recovery::Recovered;
@@ -19,6 +20,8 @@ pub struct Inputs<'a> {
     pub state: &'a State,
     pub recovered: &'a Recovered,
     pub pictures: &'a Pictures,
+    /// What is known of the calculation beside its answer.
+    pub calculation: &'a Calculation,
     /// The iterations of this run, in their order.
     pub history: &'a [Iterate],
     /// Limits of the checks that the answer misses, in words.

@@ -4,6 +4,7 @@
 //! the user's file passes through [`maud`], which escapes it, and the page forbids itself every
 //! access to the network.
 
+pub mod calculation;
 mod drawing;
 pub mod history;
 mod html;
@@ -13,6 +14,7 @@ mod page;
 mod sections;
 
 pub use inputs::{FILE, Inputs};
+pub(super) use page::STYLE;
 
 use crate::ground::file::write_atomically;
 use crate::render::OutputError;

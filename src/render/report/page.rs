@@ -3,8 +3,8 @@
 use super::Inputs;
 use super::html::in_script;
 use super::sections::{
-    convergence, depth, input, line_load, pictures, pressure_map, run, space, strip, title_block,
-    verdict,
+    convergence, depth, input, line_load, model, pictures, pressure_map, run, scope, sketch, space,
+    strip, title_block, verdict, verified,
 };
 use crate::render::OutputError;
 use crate::render::sections::{
@@ -19,7 +19,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
-const STYLE: &str = include_str!("assets/style.css");
+pub const STYLE: &str = include_str!("assets/style.css");
 
 /// In the order in which they need each other.
 const SCRIPTS: [&str; 7] = [
@@ -50,6 +50,10 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
     let mut loading: Vec<Table> = vec![load_line(summary), steps(summary)];
     loading.extend(unloaded(summary));
     let sections = [
+        section("scope", "Scope and actions", scope::scope(inputs)),
+        section("sketch", "Sketch", sketch::sketch(inputs)),
+        section("inputs", "Inputs and their origin", scope::inputs(inputs)),
+        section("model", "Model", model::model(inputs)),
         section("peaks", "Peak stresses", tables(&bodies(summary))),
         section("sizing", "Sizing rules", tables(&sizing(summary))),
         section("rules", "Design rules", tables(&rules(summary))),
@@ -90,6 +94,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
             "What the figures are worth",
             table(&certificate(summary)),
         ),
+        section("verified", "Verification", verified::verified(inputs)),
         section("checker", "For the checker", table(&hand_checks(summary))),
         section("loading", "Load and descent", tables(&loading)),
         section(

@@ -5,7 +5,9 @@ use crate::render::summary::{Sizing, SizingRule, Summary};
 use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
 
-const TITLE: &str = "Sizing rules (2-49) to (2-51)";
+const RULES: &str = "Sizing rules (2-49) to (2-51)";
+const LIMIT: &str = "Pressure limit (2-49)";
+const PATCHES: &str = "Patches of contact and first yield";
 
 /// What the rules ask for and what there is; then Hertz's pressure on each line of contact.
 pub fn sizing(summary: &Summary) -> Vec<Table> {
@@ -15,11 +17,44 @@ pub fn sizing(summary: &Summary) -> Vec<Table> {
     let mut tables: Vec<Table> = (sizing.rule.iter())
         .map(|rule| demands(rule, summary))
         .collect();
+    let title = if tables.is_empty() { LIMIT } else { RULES };
     tables.push(lines(sizing, summary));
     if let Some(first) = tables.iter_mut().find(|table| !table.rows.is_empty()) {
-        first.title = TITLE.to_string();
+        first.title = title.to_string();
     }
+    tables.push(patches(sizing, summary));
     tables
+}
+
+/// Each patch: Hertz's pressure under its force, and that at which steel first yields below it.
+fn patches(sizing: &Sizing, summary: &Summary) -> Table {
+    let units = &summary.units;
+    let mut table = Table::new(PATCHES)
+        .words("patch of contact")
+        .figure("force", &units.force)
+        .figure("relative radii", &units.length)
+        .wide()
+        .figure("semi-axes", &units.length)
+        .wide()
+        .figure("p0", &units.stress)
+        .figures(["first yield at", "of it"])
+        .about("Hertz's elliptic contact under the force that each patch carries; first yield by Mises on its axis.");
+    for patch in &sizing.patches {
+        let both = |values: [f64; 2]| values.map(|v| significant(v, DIGITS)).join(", ");
+        table.row([
+            (&patch.interface).into(),
+            Cell::figure(patch.force),
+            both(patch.relative_radii).into(),
+            both(patch.semi_axes).into(),
+            Cell::figure(patch.hertz_pressure),
+            Cell::figure(patch.first_yield),
+            Cell::Share(patch.utilisation),
+        ]);
+        if let Some(why) = patch.not_hertz {
+            table.note(format!("{} is no patch of Hertz's: {why}", patch.interface));
+        }
+    }
+    table
 }
 
 fn demands(rule: &SizingRule, summary: &Summary) -> Table {
@@ -88,6 +123,11 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Table {
             Cell::figure(line.even.hertz_pressure),
             Cell::Share(line.even.utilisation),
         ]);
+    }
+    for line in &sizing.lines {
+        if let Some(why) = line.not_hertz.filter(|_| !line.merged) {
+            table.note(format!("{} is no strip of Hertz's: {why}", line.interface));
+        }
     }
     if sizing.lines.iter().any(|line| line.merged) {
         table.note("both: both lines of the V in one: the mesh is too coarse to tell them apart");

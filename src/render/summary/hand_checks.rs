@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// A figure by a formula that a pocket calculator does, and what the run found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct HandCheck {
     /// The quantity, with its unit.
     pub what: String,

@@ -8,7 +8,7 @@ mod values;
 
 pub use hand_checks::HandCheck;
 pub use rules::{JudgedRule, RuleSheet, SteelAfter};
-pub use sizing::{Demand, EvenLoad, SizedLine, Sizing, SizingRule};
+pub use sizing::{Demand, EvenLoad, SizedLine, SizedPatch, Sizing, SizingRule};
 pub use values::{Comparison, Counters, Reported, Timing};
 
 use super::left_out::LeftOut;
@@ -16,11 +16,12 @@ use super::warnings::Warning;
 use crate::answer::{Answer, Named};
 use crate::ground::file::{FileError, write_atomically};
 use crate::ground::units::UnitLabels;
+use schemars::generate::{Contract, SchemaSettings};
 use serde::Serialize;
 use std::path::Path;
 
 /// Everything that is said of a run. What is missing is null in JSON, never "not a number".
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Summary {
     pub case: String,
     /// Whose calculation it is: what the case says, and null for what it leaves blank.
@@ -34,15 +35,27 @@ pub struct Summary {
     pub timing: Timing,
     pub peak_memory_bytes: Option<u64>,
     pub comparison: Vec<Comparison>,
-    /// The sizing rules, for bearings.
+    /// The sizing rules, for bearings and for lines and patches of contact that are recognised.
     pub sizing: Option<Sizing>,
-    /// Design rules beside the loads that were found, for bearings.
+    /// Design rules beside the loads that were found, for lines of contact.
     pub rules: Option<RuleSheet>,
-    /// What can be recomputed by hand, for bearings.
+    /// What can be recomputed by hand.
     pub hand_checks: Vec<HandCheck>,
     pub assumptions: Vec<String>,
     pub left_out: Vec<LeftOut>,
     pub warnings: Vec<Warning>,
+}
+
+/// The JSON schema of `summary.json`: made from these types and what is said of them.
+pub fn schema() -> serde_json::Value {
+    let mut settings = SchemaSettings::draft2020_12();
+    settings.contract = Contract::Serialize;
+    let mut schema = settings.into_generator().into_root_schema_for::<Summary>();
+    schema.insert(
+        "title".to_owned(),
+        "summary.json of a run of Brinell".into(),
+    );
+    schema.to_value()
 }
 
 impl Summary {

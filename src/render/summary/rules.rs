@@ -4,7 +4,7 @@ use crate::analytic::rules::{Judged, Rule};
 use serde::Serialize;
 
 /// What the design rules say, and what the steel then does.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct RuleSheet {
     /// Every rule, also those that do not apply, which say why.
     pub rules: Vec<JudgedRule>,
@@ -15,7 +15,7 @@ pub struct RuleSheet {
 }
 
 /// A rule and what it says of two loads per length.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct JudgedRule {
     /// The rule and its limit, for the line that it is used most by.
     #[serde(flatten)]
@@ -31,7 +31,7 @@ pub struct JudgedRule {
 }
 
 /// What the steel of a body does under the load, and keeps of it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SteelAfter {
     pub body: String,
     /// Largest equivalent plastic strain.

@@ -2,17 +2,41 @@
 
 use serde::Serialize;
 
-/// What the sizing rules say of a bearing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// What the sizing rules say of a bearing, and of the lines of a general scene.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Sizing {
-    /// (2-50) and (2-51); none where nothing can yield.
+    /// (2-50) and (2-51), of a bearing; none where nothing can yield.
     pub rule: Option<SizingRule>,
     /// (2-49) under the actual load of each line of contact.
     pub lines: Vec<SizedLine>,
+    /// Contacts at a point or over an ellipse, beside first yield.
+    pub patches: Vec<SizedPatch>,
+}
+
+/// Hertz's elliptic contact under the force of a patch, beside the pressure at which steel first yields below it.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct SizedPatch {
+    pub interface: String,
+    /// How many such patches the whole has.
+    pub images: usize,
+    /// Force of one of them.
+    pub force: f64,
+    /// Relative radii of curvature in the principal planes, the larger one first.
+    pub relative_radii: [f64; 2],
+    /// Semi-axes of the ellipse in those planes.
+    pub semi_axes: [f64; 2],
+    /// p0.
+    pub hertz_pressure: f64,
+    /// p0 at which the side that yields first does, by Mises on the axis; none where neither yields.
+    pub first_yield: Option<f64>,
+    /// p0 over that.
+    pub utilisation: Option<f64>,
+    /// Why the patch is not Hertz's, where it is not.
+    pub not_hertz: Option<&'static str>,
 }
 
 /// The rule (2-50) with the effective length of (2-51).
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SizingRule {
     /// The interface whose steels ask for most.
     pub interface: String,
@@ -31,7 +55,7 @@ pub struct SizingRule {
 }
 
 /// (2-50) with one constant: D L ≥ P E_s / (c σ_y²).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Demand {
     /// c.
     pub constant: f64,
@@ -44,12 +68,16 @@ pub struct Demand {
 }
 
 /// The demand σ_c ≤ 1.65 σ_y, (2-49), on a line of contact.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SizedLine {
     pub interface: String,
     /// Mean coordinate across, and how many such lines the whole bearing has.
     pub across: f64,
     pub images: usize,
+    /// Relative radius of curvature that p0 is of.
+    pub relative_radius: f64,
+    /// Why the strip is not Hertz's, where that is known of this line and it is not.
+    pub not_hertz: Option<&'static str>,
     /// Is this both lines of a V, which the mesh is too coarse to tell apart? Then it carries the
     /// load of two.
     pub merged: bool,
@@ -71,7 +99,7 @@ pub struct SizedLine {
 }
 
 /// A line of contact under an even load.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct EvenLoad {
     pub line_load: f64,
     pub hertz_pressure: f64,

@@ -4,7 +4,7 @@ use crate::answer::Named;
 use serde::Serialize;
 
 /// Counts of the solver.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Counters {
     pub dofs: usize,
     pub iterations: usize,
@@ -18,7 +18,7 @@ pub struct Counters {
 }
 
 /// Seconds on the clock; those with `cpu` in their names are of all threads of the process together.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Timing {
     /// Reading or making the mesh, and the scene from it.
     pub mesh_s: f64,
@@ -35,7 +35,7 @@ pub struct Timing {
 }
 
 /// A figure of a reference.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
 pub enum Reported {
     Value(f64),
@@ -44,7 +44,7 @@ pub enum Reported {
 }
 
 /// A figure of this run beside those of others.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Comparison {
     /// The quantity with its unit and measure, such as "Mises, centroid, ksi".
     pub what: String,

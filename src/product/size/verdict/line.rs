@@ -84,6 +84,7 @@ mod tests {
             mean: 1.0,
             length: 1.0,
             lifted_off: 0.0,
+            relative_radius: None,
         }
     }
 

@@ -1,10 +1,3 @@
-//! Stresses on the axis of a point or elliptic contact, their peaks and first yield.
-//!
-//! x runs along the long axis of an ellipse, z into the body.
+//! First yield below a point or elliptic contact; the stresses are in [`subsurface`](crate::analytic::subsurface).
 
-pub mod ellipse;
 pub mod onset;
-pub mod sphere;
-
-pub use ellipse::EllipseField;
-pub use sphere::SphereField;

@@ -1,8 +1,8 @@
 //! First yield below a point or elliptic contact (Mises).
 
-use super::{EllipseField, SphereField};
 use crate::analytic::error::{self, DomainError};
-use crate::proof::closed_forms::hertz::{EllipticContact, PointContact};
+use crate::analytic::hertz::{EllipticContact, PointContact};
+use crate::analytic::subsurface::{EllipseField, SphereField};
 
 /// Peak pressure of a sphere's contact at which the body first yields on the axis.
 ///

@@ -3,11 +3,11 @@
 //! Two blocks with round faces, a quarter of each, 8 long semi-axes wide and deep. Reference:
 //! Hertz for the gap x²/2R₂ + y²/2R₁, with exact elliptic integrals.
 
+use crate::analytic::hertz::EllipticContact;
+use crate::analytic::subsurface::EllipseField;
 use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::proof::closed_forms::hertz::EllipticContact;
-use crate::proof::closed_forms::subsurface::EllipseField;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::{Round, bump, upside_down};
 use crate::proof::verify::scenes::profile::{balance, peak_pressure, semi_axis};

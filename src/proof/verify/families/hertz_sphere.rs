@@ -3,10 +3,10 @@
 //! A block with a spherical face, 10 contact radii wide and deep: what is left out softens the
 //! body by the cube of 1/10. Reference: Hertz and Huber's field on the axis.
 
+use crate::analytic::hertz::PointContact;
+use crate::analytic::subsurface::SphereField;
 use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
-use crate::proof::closed_forms::hertz::PointContact;
-use crate::proof::closed_forms::subsurface::SphereField;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::{Round, bump};
 use crate::proof::verify::scenes::profile::{balance, peak_pressure, semi_axis};

@@ -12,6 +12,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
+use crate::analytic::hertz::PointContact;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
@@ -21,7 +22,6 @@ use crate::model::state::State;
 use crate::proof::closed_forms::flattening::{
     Critical, exact_critical, jackson_green, kogut_etsion,
 };
-use crate::proof::closed_forms::hertz::PointContact;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::Round;
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};

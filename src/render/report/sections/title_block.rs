@@ -11,13 +11,13 @@ pub fn title_block(inputs: &Inputs) -> Markup {
         return html! {};
     }
     html! {
-        dl class="title-block" {
+        section id="title" { dl class="title-block" {
             @for (name, text) in entries {
                 div { dt { (name) } dd { (text.as_deref().unwrap_or_default()) } }
             }
             div { dt { "case file, FNV-1a" } dd { (case_hash(inputs)) } }
             div { dt { "program" } dd { "Brinell " (inputs.summary.brinell_version) } }
-        }
+        } }
     }
 }
 

@@ -108,7 +108,7 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
             (card("Solution", Some(grade), solution,
                 &format!("{} iterations, {} unknowns", summary.counters.iterations, summary.counters.dofs)))
             (card("Checks", Some(limits_grade), &limits, &format!("{balance}{penetration}")))
-            @if summary.sizing.is_some() { (sizing_card(summary)) }
+            @if summary.sizing.as_ref().is_some_and(|s| !s.lines.is_empty()) { (sizing_card(summary)) }
             @if let Some(most) = largest {
                 (card(
                     "Largest utilisation",
@@ -136,7 +136,10 @@ fn sizing_card(summary: &Summary) -> Markup {
     let judged = (summary.sizing.iter())
         .any(|s| s.rule.is_some() || s.lines.iter().any(|l| l.met.is_some()));
     let missed = missed_rules(summary);
-    let rules = "rules (2-49) to (2-51)";
+    let rules = match summary.sizing.as_ref().is_some_and(|s| s.rule.is_some()) {
+        true => "rules (2-49) to (2-51)",
+        false => "pressure limit (2-49)",
+    };
     match (judged, missed.is_empty()) {
         (false, _) => card(
             "Sizing rules",

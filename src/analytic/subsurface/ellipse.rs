@@ -1,11 +1,11 @@
 //! Elliptic contact: the stresses on the axis.
 
+use crate::analytic::elliptic_integrals::rd;
 use crate::analytic::error::{self, DomainError};
+use crate::analytic::hertz::EllipticContact;
 use crate::analytic::search::maximum;
 use crate::analytic::stress::Stress;
 use crate::analytic::subsurface::PeakStress;
-use crate::proof::closed_forms::elliptic_integrals::rd;
-use crate::proof::closed_forms::hertz::EllipticContact;
 
 /// Half space under the pressure p0 √(1 - x²/a² - y²/b²) on an ellipse, without traction.
 #[derive(Debug, Clone, Copy, PartialEq)]

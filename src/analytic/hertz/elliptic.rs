@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
+use crate::analytic::elliptic_integrals::{SMALLEST_MODULUS, rd, rf};
 use crate::analytic::error::{self, DomainError};
 use crate::analytic::hertz::semi_elliptic;
 use crate::analytic::search::bisect;
-use crate::proof::closed_forms::elliptic_integrals::{SMALLEST_MODULUS, rd, rf};
 
 /// Bodies of general curvature (crossed cylinders, barrels): contact over an ellipse.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,10 @@
 //! Point contact of spheres: the stresses on the axis.
 
 use crate::analytic::error::{self, DomainError};
+use crate::analytic::hertz::PointContact;
 use crate::analytic::search::maximum;
 use crate::analytic::stress::Stress;
 use crate::analytic::subsurface::PeakStress;
-use crate::proof::closed_forms::hertz::PointContact;
 
 /// Half space under the pressure p0 √(1 - r²/a²) on a circle, without traction.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,0 +1,54 @@
+//! `brinell run` of a case with combinations of actions.
+
+use super::console::Console;
+use super::failure::failure;
+use super::output::say;
+use super::status::{CommandResult, ExitStatus};
+use crate::case::combinations::Combination;
+use crate::product::combinations;
+use crate::product::converge::ConvergeError;
+use crate::product::job::{JobError, Options};
+use crate::render::digest::digest;
+use crate::render::joint;
+use crate::render::table::text::text;
+
+/// Solves all of them, prints which one governs and its digest, and writes the page of all.
+pub fn run(
+    title: &str,
+    all: &[Combination],
+    options: &Options,
+    console: &mut Console,
+) -> CommandResult {
+    let solved = combinations::solve(all, options, console);
+    console.finish();
+    let solved = solved.map_err(|error| failure(console, ConvergeError::from(error)))?;
+    let parts = combinations::parts(&solved);
+    let governs = joint::governs(&parts).unwrap_or_default();
+    if let Some(part) = parts.get(governs) {
+        say(&digest(part.summary, part.missed));
+    }
+    say(&text(&joint::overview(&parts)));
+    if let Some(out) = &options.out {
+        let written = combinations::write(title, &solved, options.report, out)
+            .map_err(|error| failure(console, ConvergeError::from(JobError::from(error))))?;
+        let written: Vec<String> = written
+            .iter()
+            .map(|path| path.display().to_string())
+            .collect();
+        say(&format!("written: {}", written.join(", ")));
+    }
+    let missed = solved
+        .iter()
+        .flat_map(|one| one.missed.iter().map(move |limit| (&one.name, limit)));
+    let mut failed = false;
+    for (name, limit) in missed {
+        failed = true;
+        say(&format!("FAILED: {name}: {limit}"));
+    }
+    let interrupted = solved.iter().any(|one| one.interrupted);
+    Ok(match (interrupted, failed) {
+        (true, _) => ExitStatus::Interrupted,
+        (false, true) => ExitStatus::Failed,
+        (false, false) => ExitStatus::Done,
+    })
+}

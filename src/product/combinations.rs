@@ -1,0 +1,154 @@
+//! All combinations of a case: each solved by itself, the governing one named, one page for all.
+//!
+//! Contact is not linear: half of a load presses neither the same width nor half of the pressure. No combination is made
+//! of others by scaling.
+
+use super::job::{self, JobError, Options};
+use crate::case::combinations::Combination;
+use crate::ground::file::{FileError, write_atomically};
+use crate::render::Summary;
+use crate::render::joint::{self, Part};
+use crate::solver::solve::Observer;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Name of the file with what governs.
+pub const FILE: &str = "combinations.json";
+
+/// A solved combination.
+#[derive(Debug)]
+pub struct Solved {
+    pub name: String,
+    /// Actions and factors, in words.
+    pub acts: String,
+    /// Its folder, in that of all.
+    pub folder: String,
+    pub summary: Summary,
+    /// Limits of the checks that it misses, in words.
+    pub missed: Vec<String>,
+    pub interrupted: bool,
+}
+
+/// Solves `combinations` one after the other, each into a folder of its own in that of `options`, and stops where one is
+/// interrupted.
+///
+/// # Errors
+/// Where one of them cannot be solved; those before it are on disk.
+pub fn solve(
+    combinations: &[Combination],
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Vec<Solved>, JobError> {
+    let mut solved: Vec<Solved> = Vec::new();
+    for (index, combination) in combinations.iter().enumerate() {
+        let folder = folder(index, &combination.name);
+        let acts = combination.acts();
+        observer.message(&format!("{}: {acts}", combination.name));
+        let own = Options {
+            out: options.out.as_ref().map(|out| out.join(&folder)),
+            ..options.clone()
+        };
+        let outcome = job::run(&combination.case, &own, observer)?;
+        let interrupted = outcome.interrupted;
+        solved.push(Solved {
+            name: combination.name.clone(),
+            acts,
+            folder,
+            missed: outcome.missed_limits(&combination.case),
+            summary: outcome.summary,
+            interrupted,
+        });
+        if interrupted {
+            break;
+        }
+    }
+    Ok(solved)
+}
+
+/// A name that every file system takes.
+fn folder(index: usize, name: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '_'
+        }
+    };
+    format!(
+        "{}-{}",
+        index + 1,
+        name.chars().map(plain).collect::<String>()
+    )
+}
+
+/// What the page and the tables are made of.
+pub fn parts(solved: &[Solved]) -> Vec<Part<'_>> {
+    fn part(one: &Solved) -> Part<'_> {
+        Part {
+            name: &one.name,
+            acts: &one.acts,
+            folder: &one.folder,
+            summary: &one.summary,
+            missed: &one.missed,
+        }
+    }
+    solved.iter().map(part).collect()
+}
+
+/// Writes the page of all and `combinations.json` into the folder `out`; returns their paths.
+///
+/// # Errors
+/// [`FileError::Write`] names the path.
+pub fn write(
+    title: &str,
+    solved: &[Solved],
+    page: bool,
+    out: &Path,
+) -> Result<Vec<PathBuf>, FileError> {
+    let parts = parts(solved);
+    let path = out.join(FILE);
+    let value = record(title, &parts);
+    write_atomically(&path, |file| {
+        serde_json::to_writer_pretty(&mut *file, &value)?;
+        writeln!(file)
+    })?;
+    let mut written = vec![path];
+    if page {
+        let about = [
+            "Each combination is solved by itself: contact is not linear, so that none is scaled from another. Factors are \
+             those of the case."
+                .to_owned(),
+        ];
+        let path = out.join(crate::render::report::FILE);
+        joint::write(title, &about, &parts, &path)?;
+        written.push(path);
+    }
+    Ok(written)
+}
+
+fn record(title: &str, parts: &[Part]) -> Value {
+    let governs = joint::governs(parts).and_then(|index| parts.get(index));
+    let one = |part: &Part| {
+        let most = joint::governing(part.summary);
+        json!({
+            "name": part.name,
+            "acts": part.acts,
+            "folder": part.folder,
+            "applied_load": part.summary.answer.applied_load,
+            "converged": part.summary.answer.converged,
+            "missed": part.missed,
+            "governing": most.map(|most| json!({
+                "what": most.what,
+                "utilisation": most.utilisation,
+                "error": most.error,
+                "resolved": most.resolved,
+            })),
+        })
+    };
+    json!({
+        "case": title,
+        "units": parts.first().map(|part| &part.summary.units),
+        "governs": governs.map(|part| part.name),
+        "combinations": parts.iter().map(one).collect::<Vec<Value>>(),
+    })
+}

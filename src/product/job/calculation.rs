@@ -1,0 +1,193 @@
+//! What the page says of the calculation beside its answer, from the case.
+
+use super::verified::verified;
+use crate::case::bearing::{BearingGeometry, RollerEnd};
+use crate::case::keys::{self, Keys};
+use crate::case::{Case, Kind};
+use crate::ground::units::UnitLabels;
+use crate::model::scene::Scene;
+use crate::render::report::calculation::{Calculation, InputRow, Origin, Sketch};
+use crate::render::text::significant;
+use toml::{Table, Value};
+
+/// The study that the shipped references belong to.
+const STUDY: &str = "G. C. Lee, Y.-C. Ou, Z. Liang, T. Niu and J. Song, Principles and Performance of Roller Seismic \
+                     Isolation Bearings for Highway Bridges, technical report MCEER-07-0019, University at Buffalo, 2007";
+
+/// All of it.
+pub fn calculation(case: &Case, scene: &Scene) -> Calculation {
+    Calculation {
+        scope: scope(case, scene),
+        cited: case.reference.is_some().then_some(STUDY),
+        sketch: match &case.kind {
+            Kind::Bearing(bearing) => bearing.geometry.crossed().map(sketch),
+            _ => None,
+        },
+        inputs: inputs(case),
+        actions: actions(case, scene),
+        verified: verified(case, scene),
+    }
+}
+
+fn scope(case: &Case, scene: &Scene) -> Vec<String> {
+    let bodies = scene.mesh.bodies.len();
+    let (pairs, plural) = match scene.contacts.len() {
+        1 => (1, "pair"),
+        pairs => (pairs, "pairs"),
+    };
+    let steel = match scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic()) {
+        true => "elastic-plastic",
+        false => "elastic",
+    };
+    let mut said: Vec<String> = case.description.iter().cloned().collect();
+    said.push(format!(
+        "Static contact analysis by finite elements in three dimensions: {bodies} bodies of {steel} steel, {pairs} {plural} \
+         of surfaces that may touch, small displacements, loaded in {}.",
+        match scene.steps.len() {
+            0 | 1 => "one step".to_owned(),
+            steps => format!("{steps} steps, one after the other"),
+        }
+    ));
+    said.push(format!(
+        "It answers for stresses, plastic strain, pressures and forces of contact, and displacements under the actions \
+         below, in {}, {} and {}. It does not answer for: impact and vibration, fatigue but by the design rules named, wear, \
+         residual stress, roughness, buckling, and what the bodies are fastened to.",
+        case.units.length(),
+        case.units.force(),
+        case.units.stress()
+    ));
+    said
+}
+
+fn sketch(g: &BearingGeometry) -> Sketch {
+    Sketch {
+        diameter: g.diameter,
+        wall: g.wall,
+        length: g.length,
+        slope: g.slope,
+        offset: g.offset,
+        thickness: [
+            g.upper_thickness,
+            g.intermediate_thickness,
+            g.lower_thickness,
+        ],
+        plan: g.plan,
+        ends: match g.end {
+            RollerEnd::Radius(radius) => format!("fillets of radius {}", significant(radius, 4)),
+            RollerEnd::Crown(drop) => {
+                format!("crowned, {} lower at the ends", significant(drop, 4))
+            }
+            _ => "square".to_owned(),
+        },
+    }
+}
+
+/// What acts, in words.
+fn actions(case: &Case, scene: &Scene) -> Vec<String> {
+    let units = UnitLabels::of(case.units);
+    let mut said = Vec::new();
+    if let Kind::Bearing(bearing) = &case.kind {
+        said.push(format!(
+            "vertical load on the top face, {} {}",
+            significant(bearing.load, 5),
+            units.force
+        ));
+    }
+    for step in &scene.steps {
+        let factors: Vec<String> = (step.factors.iter())
+            .map(|(name, factor)| format!("{name} × {}", significant(*factor, 4)))
+            .collect();
+        let others = match factors.is_empty() {
+            true => "everything".to_owned(),
+            false => format!("{}, everything else", factors.join(", ")),
+        };
+        let factor = significant(step.factor, 4);
+        said.push(format!("step {}: {others} × {factor}", step.name));
+    }
+    said
+}
+
+/// Every input with its origin: given, assumed, or the default of a key that is not there.
+fn inputs(case: &Case) -> Vec<InputRow> {
+    // A case that was read is TOML.
+    let text: Table = case.source.text().parse().unwrap_or_default();
+    let mut rows = Vec::new();
+    given("", &Value::Table(text.clone()), &mut rows);
+    // Text for readers is no input.
+    rows.retain(|row| !(row.key == "description" || row.key.starts_with("title_block.")));
+    for assumption in &case.assumptions {
+        rows.retain(|row| row.key != assumption.key);
+        rows.push(InputRow {
+            key: assumption.key.to_string(),
+            value: assumption.value.to_string(),
+            origin: match assumption.given {
+                true => Origin::Given,
+                false => Origin::Assumed,
+            },
+            about: assumption.why.to_string(),
+        });
+    }
+    let mut tables: Vec<(&str, &Keys)> = vec![("controls", &keys::CONTROLS)];
+    match &case.kind {
+        Kind::Bearing(bearing) => match bearing.geometry.line() {
+            Some(_) => tables.extend([
+                ("line_bearing", &keys::LINE_BEARING),
+                ("mesh", &keys::LINE_BEARING_MESH),
+            ]),
+            None => tables.extend([("bearing", &keys::BEARING), ("mesh", &keys::BEARING_MESH)]),
+        },
+        Kind::General(_) => {}
+    }
+    for (table, keys) in tables {
+        let there = text.get(table).and_then(Value::as_table);
+        for key in keys.keys {
+            let path = format!("{table}.{}", key.name);
+            let said = there.is_some_and(|there| there.contains_key(key.name));
+            let known = said || rows.iter().any(|row| row.key == path);
+            // What is required is given, and what is none is not there.
+            let is_value = !(key.default.starts_with("required")
+                || key.default == "none"
+                || key.default == "of the preset");
+            if !known && is_value {
+                rows.push(InputRow {
+                    key: path,
+                    value: key.default.replace('`', ""),
+                    origin: Origin::Default,
+                    about: key.meaning.to_owned(),
+                });
+            }
+        }
+    }
+    rows
+}
+
+/// The values below a key, one a row.
+fn given(key: &str, value: &Value, rows: &mut Vec<InputRow>) {
+    let path = |name: &str| match key.is_empty() {
+        true => name.to_owned(),
+        false => format!("{key}.{name}"),
+    };
+    match value {
+        Value::Table(table) => {
+            for (name, value) in table {
+                given(&path(name), value, rows);
+            }
+        }
+        Value::Array(list) if list.iter().any(Value::is_table) => {
+            for (index, value) in list.iter().enumerate() {
+                let name = value.get("name").and_then(Value::as_str);
+                let name = name.map_or_else(|| format!("{}", index + 1), str::to_owned);
+                given(&path(&name), value, rows);
+            }
+        }
+        _ => rows.push(InputRow {
+            key: key.to_owned(),
+            value: match value {
+                Value::String(text) => text.clone(),
+                other => other.to_string(),
+            },
+            origin: Origin::Given,
+            about: keys::meaning(key).unwrap_or_default().to_owned(),
+        }),
+    }
+}

@@ -1,0 +1,207 @@
+//! One page for several runs that belong together: the combinations of a case, the positions of a bearing.
+
+use crate::ground::file::{FileError, write_atomically};
+use crate::render::figures::{share, with_error};
+use crate::render::report::STYLE;
+use crate::render::sections;
+use crate::render::summary::Summary;
+use crate::render::table::html::{table, tables};
+use crate::render::table::{Cell, Table};
+use crate::render::text::significant;
+use crate::render::utilisation::{Utilisation, largest, utilisations};
+use crate::render::verdict::{Grade, verdict};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::path::Path;
+
+/// One of the runs.
+#[derive(Debug, Clone, Copy)]
+pub struct Part<'a> {
+    pub name: &'a str,
+    /// What acts, such as the actions with their factors.
+    pub acts: &'a str,
+    /// Its folder, beside the page.
+    pub folder: &'a str,
+    pub summary: &'a Summary,
+    /// Limits of the checks that it misses, in words.
+    pub missed: &'a [String],
+}
+
+/// What uses most of its limit in a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Governing {
+    /// The figure, its place and what the limit is, in words.
+    pub what: String,
+    /// Figure over limit.
+    pub utilisation: f64,
+    /// What that may be off by; `None` where nothing is known.
+    pub error: Option<f64>,
+    pub resolved: bool,
+}
+
+/// What governs a run: the largest share of a limit, of stresses, pressures and rules.
+pub fn governing(summary: &Summary) -> Option<Governing> {
+    let used = utilisations(summary);
+    let of_stress = largest(&used).map(|most: &Utilisation| Governing {
+        what: format!("{} of {}, of {}", most.what, most.place, most.against),
+        utilisation: most.share(),
+        error: most.share_error(),
+        resolved: most.resolved,
+    });
+    let rules = summary.rules.iter().flat_map(|sheet| &sheet.rules);
+    let of_rules = rules.filter_map(|rule| {
+        let judged = rule.largest?;
+        Some(Governing {
+            what: format!("{}, largest load per length", rule.rule.name),
+            utilisation: judged.utilisation,
+            error: judged.error,
+            resolved: judged.error.is_some(),
+        })
+    });
+    let all = of_stress.into_iter().chain(of_rules);
+    all.reduce(|most, other| match other.utilisation > most.utilisation {
+        true => other,
+        false => most,
+    })
+}
+
+/// The run that governs all: its index.
+pub fn governs(parts: &[Part]) -> Option<usize> {
+    let shares = parts.iter().map(|part| governing(part.summary));
+    let shares = shares.map(|most| most.map_or(f64::NEG_INFINITY, |most| most.utilisation));
+    let shares: Vec<f64> = shares.collect();
+    let most = shares.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    shares
+        .iter()
+        .position(|share| *share == most && most.is_finite())
+}
+
+/// One line a run: its verdict, and what uses most.
+pub fn overview(parts: &[Part]) -> Table {
+    let units = parts.first().map(|part| &part.summary.units);
+    let mut table = Table::new("")
+        .words("run")
+        .words("acts")
+        .figure("load", units.map_or("", |units| &units.force))
+        .words("verdict")
+        .figures(["used", "± error"])
+        .words("by");
+    for part in parts {
+        let most = governing(part.summary);
+        let verdict = verdict(part.summary, part.missed);
+        let head = verdict.head.to_owned();
+        table.row([
+            part.name.into(),
+            part.acts.into(),
+            Cell::figure(part.summary.answer.applied_load),
+            match verdict.grade {
+                Grade::Good => head.into(),
+                _ => Cell::Care(head),
+            },
+            match &most {
+                Some(most) if !most.resolved => {
+                    Cell::Care(format!("{}, NOT RESOLVED", share(Some(most.utilisation))))
+                }
+                most => Cell::Share(most.as_ref().map(|most| most.utilisation)),
+            },
+            Cell::Share(most.as_ref().and_then(|most| most.error)),
+            most.map_or_else(|| "no limit".to_owned(), |most| most.what)
+                .into(),
+        ]);
+    }
+    if let Some(part) = governs(parts).and_then(|index| parts.get(index)) {
+        table.note(format!("{} governs", part.name));
+    }
+    table
+}
+
+/// The page; `about` are sentences below its title.
+pub fn page(title: &str, about: &[String], parts: &[Part]) -> Markup {
+    let block = parts.first().map(|part| &part.summary.title_block.0);
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
+                title { (title) " – Brinell" }
+                link rel="icon" href="data:,";
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (title) }
+                p class="sub" { "Brinell " (env!("CARGO_PKG_VERSION")) }
+                @if let Some(entries) = block.filter(|entries| !entries.is_empty()) {
+                    dl class="title-block" {
+                        @for (name, text) in entries { div { dt { (name) } dd { (text.as_deref().unwrap_or_default()) } } }
+                    }
+                }
+                (head(parts))
+                @for sentence in about { p { (sentence) } }
+                section id="overview" { h2 { "All runs" } (table(&overview(parts))) }
+                @for part in parts { section id=(part.name) { (one(part)) } }
+            }
+        }
+    }
+}
+
+/// The verdict on all: that of the run with the worst news, and what governs.
+fn head(parts: &[Part]) -> Markup {
+    let verdicts = parts
+        .iter()
+        .map(|part| (part, verdict(part.summary, part.missed)));
+    let rank = |grade: Grade| match grade {
+        Grade::Good => 0,
+        Grade::Care => 1,
+        Grade::Bad => 2,
+    };
+    let worst = verdicts.reduce(
+        |worst, other| match rank(other.1.grade) > rank(worst.1.grade) {
+            true => other,
+            false => worst,
+        },
+    );
+    let Some((part, verdict)) = worst else {
+        return html! {};
+    };
+    let class = ["good", "care", "bad"][rank(verdict.grade)];
+    let most = governs(parts).and_then(|index| parts.get(index));
+    let most = most.and_then(|part| Some((part, governing(part.summary)?)));
+    html! {
+        p class=(format!("verdict {class}")) role="status" {
+            b { (part.name) ": " (verdict.head) } " " (verdict.rest.first().cloned().unwrap_or_default())
+            @if let Some((part, most)) = most {
+                " " (part.name) " governs: " (with_error(100.0 * most.utilisation, most.error.map(|e| 100.0 * e)))
+                " % of its limit, " (most.what) "."
+            }
+        }
+    }
+}
+
+/// What a checker wants of one run; the rest is on its own page.
+fn one(part: &Part) -> Markup {
+    let summary = part.summary;
+    let units = &summary.units;
+    let load = significant(summary.answer.applied_load, 5);
+    html! {
+        h2 { (part.name) }
+        p { (part.acts) ": " (load) " " (units.force) ". All of it: "
+            a href=(format!("{}/report.html", part.folder)) { (part.folder) "/report.html" } }
+        (tables(&sections::rules(summary)))
+        (table(&sections::certificate(summary)))
+        (table(&sections::hand_checks(summary)))
+        @if !summary.warnings.is_empty() {
+            h3 { "Warnings" }
+            ul { @for warning in &summary.warnings { li { (warning.0) } } }
+        }
+    }
+}
+
+/// Writes the page, whole or not at all.
+///
+/// # Errors
+/// [`FileError::Write`] names the path.
+pub fn write(title: &str, about: &[String], parts: &[Part], path: &Path) -> Result<(), FileError> {
+    let text = page(title, about, parts).into_string();
+    write_atomically(path, |out| out.write_all(text.as_bytes()))
+}

@@ -1,0 +1,260 @@
+//! A sketch of the bearing with its dimensions: a view along the upper roller, and one along the lower roller.
+
+use crate::render::report::Inputs;
+use crate::render::report::calculation::Sketch;
+use crate::render::table::html::table;
+use crate::render::table::{Cell, Table};
+use crate::render::text::significant;
+use maud::{Markup, PreEscaped, html};
+use std::fmt::Write;
+
+/// Nothing where the case is no bearing.
+pub fn sketch(inputs: &Inputs) -> Markup {
+    let Some(sketch) = &inputs.calculation.sketch else {
+        return html! {};
+    };
+    let unit = &inputs.summary.units.length;
+    html! {
+        div class="pair" {
+            (figure(&View::of(sketch, true), "Along the upper roller (y): x to the right, z up"))
+            (figure(&View::of(sketch, false), "Along the lower roller (x): y to the right, z up"))
+        }
+        (table(&dimensions(sketch, unit)))
+    }
+}
+
+fn figure(view: &View, caption: &str) -> Markup {
+    let [x, y, width, height] = view.frame;
+    html! {
+        figure class="sketch" {
+            figcaption { (caption) }
+            svg viewBox=(format!("{x:.4} {y:.4} {width:.4} {height:.4}")) role="img" aria-label=(caption) {
+                (PreEscaped(&view.drawing))
+            }
+        }
+    }
+}
+
+fn dimensions(sketch: &Sketch, unit: &str) -> Table {
+    let mut table = Table::new("")
+        .words("dimension")
+        .words("")
+        .figure("value", unit);
+    let mut row = |symbol: &str, what: &str, value: f64| {
+        table.row([symbol.into(), what.into(), Cell::figure(value)]);
+    };
+    row("D", "diameter of the rollers", sketch.diameter);
+    if let Some(wall) = sketch.wall {
+        row("w", "their wall", wall);
+    }
+    row("L", "their length", sketch.length);
+    row(
+        "s",
+        "axes of the rollers from the middle of the intermediate plate",
+        sketch.offset,
+    );
+    for (symbol, what, value) in [
+        ("t1", "upper plate", sketch.thickness[0]),
+        (
+            "t2",
+            "intermediate plate, where its valleys cross",
+            sketch.thickness[1],
+        ),
+        ("t3", "lower plate", sketch.thickness[2]),
+    ] {
+        row(symbol, &format!("thickness of the {what}"), value);
+    }
+    row("Bx", "plates along x", sketch.plan[0]);
+    row("By", "plates along y", sketch.plan[1]);
+    let slope = significant(sketch.slope.to_degrees(), 5);
+    table.note(format!(
+        "θ: slope of each side of a valley, {slope} degrees. Ends of the rollers: {}.",
+        sketch.ends
+    ));
+    table
+}
+
+/// One view, drawn with z downwards as SVG has it, in a frame of its own.
+struct View {
+    frame: [f64; 4],
+    drawing: String,
+}
+
+/// A body of revolution or a plate, seen from one side.
+struct Drawing {
+    text: String,
+    /// Height of letters, and the unit that lines and gaps are multiples of.
+    letter: f64,
+}
+
+impl View {
+    /// Along the upper roller, whose circle is then seen, or along the lower one.
+    fn of(sketch: &Sketch, along_upper: bool) -> Self {
+        let across = if along_upper { 0 } else { 1 };
+        let width = sketch.plan[across];
+        let (radius, rise) = (0.5 * sketch.diameter, sketch.slope.tan());
+        let [t1, t2, t3] = sketch.thickness;
+        // The middle of the stack is that of the intermediate plate; on its slope a roller's axis is R / cos θ above it.
+        let axis = 0.5 * t2 + radius / sketch.slope.cos() + sketch.offset.abs() * rise;
+        let bottom_of_upper = axis + radius;
+        let half = 0.5 * width;
+        let mut d = Drawing {
+            text: String::new(),
+            letter: 0.045 * (2.0 * bottom_of_upper + t1 + t3).max(width),
+        };
+        let (own, other) = if along_upper {
+            (1.0, -1.0)
+        } else {
+            (-1.0, 1.0)
+        };
+        // The plate of the roller that is seen as a circle is displaced by 2 s, the other one is not, in this view.
+        let (shift, s) = (2.0 * sketch.offset, sketch.offset);
+        let plate = |up: bool| {
+            let (near, thick) = if up {
+                (bottom_of_upper, t1)
+            } else {
+                (bottom_of_upper, t3)
+            };
+            let sign = if up { 1.0 } else { -1.0 };
+            let moved = if (own > 0.0) == up { shift } else { 0.0 };
+            [
+                moved - half,
+                sign * near,
+                moved + half,
+                sign * (near + thick),
+            ]
+        };
+        let (upper, lower) = (plate(true), plate(false));
+        d.rectangle(upper);
+        d.rectangle(lower);
+        // The intermediate plate: its valley on the side of the circle, its straight side on the other.
+        let far = 0.5 * t2 + half * rise;
+        let valley = [(-half, own * far), (0.0, own * 0.5 * t2), (half, own * far)];
+        let level = 0.5 * t2 + 0.5 * sketch.plan[1 - across] * rise;
+        let mut outline: Vec<(f64, f64)> = valley.to_vec();
+        outline.extend([(half, other * level), (-half, other * level)]);
+        d.polygon(&outline);
+        d.dashed((-half, other * 0.5 * t2), (half, other * 0.5 * t2));
+        // The roller on end, and the other one from its side.
+        d.circle((s, own * axis), radius);
+        if let Some(wall) = sketch.wall {
+            d.circle((s, own * axis), radius - wall);
+        }
+        let long = 0.5 * sketch.length;
+        d.rectangle([
+            -long,
+            other * (axis - radius),
+            long,
+            other * (axis + radius),
+        ]);
+        // Dimensions.
+        let gap = 2.2 * d.letter;
+        let left = upper[0].min(lower[0]).min(-half) - gap;
+        let right = upper[2].max(lower[2]).max(half) + gap;
+        let name = if along_upper { "Bx" } else { "By" };
+        let top = upper[3] + gap;
+        d.dimension((upper[0], top), (upper[2], top), name);
+        d.dimension(
+            (left, own * (axis - radius)),
+            (left, own * (axis + radius)),
+            "D",
+        );
+        d.dimension((right, upper[1]), (right, upper[3]), "t1");
+        d.dimension((right, -0.5 * t2), (right, 0.5 * t2), "t2");
+        d.dimension((right, lower[1]), (right, lower[3]), "t3");
+        let foot = lower[3] - gap;
+        d.dimension((-long, foot), (long, foot), "L");
+        if let Some(wall) = sketch.wall {
+            let at = own * axis;
+            d.dimension((s + radius - wall, at), (s + radius, at), "w");
+        }
+        if s != 0.0 {
+            let at = own * (axis + 0.35 * radius);
+            d.dashed((0.0, own * 0.5 * t2), (0.0, at));
+            d.dimension((0.0, at), (s, at), "s");
+        }
+        d.label((0.62 * half, own * (0.5 * t2 + 0.2 * half * rise)), "θ");
+        let margin = 2.0 * d.letter;
+        let (high, deep) = (top + margin, -foot + margin);
+        Self {
+            frame: [
+                left - margin,
+                -high,
+                right - left + 2.5 * margin,
+                high + deep,
+            ],
+            drawing: d.text,
+        }
+    }
+}
+
+impl Drawing {
+    fn add(&mut self, element: std::fmt::Arguments) {
+        // Writing to a string cannot fail.
+        let _ = self.text.write_fmt(element);
+    }
+
+    fn rectangle(&mut self, [x0, z0, x1, z1]: [f64; 4]) {
+        self.polygon(&[(x0, z0), (x1, z0), (x1, z1), (x0, z1)]);
+    }
+
+    fn polygon(&mut self, points: &[(f64, f64)]) {
+        let points: Vec<String> = points
+            .iter()
+            .map(|(x, z)| format!("{x:.4},{:.4}", -z))
+            .collect();
+        let points = points.join(" ");
+        let line = 0.06 * self.letter;
+        self.add(format_args!(
+            "<polygon points=\"{points}\" fill=\"#eef1f4\" stroke=\"#1c2126\" stroke-width=\"{line:.4}\"/>"
+        ));
+    }
+
+    fn circle(&mut self, (x, z): (f64, f64), radius: f64) {
+        let line = 0.06 * self.letter;
+        self.add(format_args!(
+            "<circle cx=\"{x:.4}\" cy=\"{:.4}\" r=\"{radius:.4}\" fill=\"#fff\" stroke=\"#1c2126\" stroke-width=\"{line:.4}\"/>",
+            -z
+        ));
+    }
+
+    fn stroke(&mut self, from: (f64, f64), to: (f64, f64), more: &str) {
+        let line = 0.04 * self.letter;
+        self.add(format_args!(
+            "<line x1=\"{:.4}\" y1=\"{:.4}\" x2=\"{:.4}\" y2=\"{:.4}\" stroke=\"#0b5cad\" stroke-width=\"{line:.4}\"{more}/>",
+            from.0, -from.1, to.0, -to.1
+        ));
+    }
+
+    fn dashed(&mut self, from: (f64, f64), to: (f64, f64)) {
+        let (on, off) = (0.5 * self.letter, 0.3 * self.letter);
+        self.stroke(from, to, &format!(" stroke-dasharray=\"{on:.4} {off:.4}\""));
+    }
+
+    /// A line with short strokes at both ends, and its name beside it.
+    fn dimension(&mut self, from: (f64, f64), to: (f64, f64), name: &str) {
+        self.stroke(from, to, "");
+        let tick = 0.35 * self.letter;
+        let upright = from.0 == to.0;
+        for (x, z) in [from, to] {
+            match upright {
+                true => self.stroke((x - tick, z), (x + tick, z), ""),
+                false => self.stroke((x, z - tick), (x, z + tick), ""),
+            }
+        }
+        let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
+        let beside = match upright {
+            true => (middle.0 + 0.9 * self.letter, middle.1 - 0.35 * self.letter),
+            false => (middle.0, middle.1 + 0.45 * self.letter),
+        };
+        self.label(beside, name);
+    }
+
+    fn label(&mut self, (x, z): (f64, f64), name: &str) {
+        let size = self.letter;
+        self.add(format_args!(
+            "<text x=\"{x:.4}\" y=\"{:.4}\" font-size=\"{size:.4}\" text-anchor=\"middle\" fill=\"#1c2126\">{name}</text>",
+            -z
+        ));
+    }
+}

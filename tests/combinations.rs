@@ -1,0 +1,194 @@
+//! Combinations of actions: what each is as a case, which one governs, one page for all.
+
+use brinell::case::combinations::{Combination, combinations_of};
+use brinell::case::{Kind, parse};
+use brinell::product::combinations::{self, parts};
+use brinell::product::job::Options;
+use brinell::render::joint::{governing, governs};
+use brinell::solver::solve::Silent;
+
+const BEARING: &str = r#"
+title = "a bearing"
+units = "in-kip-ksi"
+[bearing]
+friction = 0.15
+roller_diameter = "3 in"
+roller_wall = "0.75 in"
+roller_length = "8 in"
+offset = 0
+slope = "4 deg"
+plate_thickness = "1 in"
+[mesh]
+preset = "report-like"
+[steel]
+youngs_modulus = "29500 ksi"
+poissons_ratio = 0.3
+yield_stress = "100 ksi"
+elastic = false
+[[action]]
+name = "permanent"
+load = "30 kip"
+[[action]]
+name = "traffic"
+load = "88.96443230521 kN"
+"#;
+
+const FACTORS: &str = r#"
+[[combination]]
+name = "service"
+factors = { permanent = 1, traffic = 1 }
+[[combination]]
+name = "ultimate: traffic"
+factors = { permanent = 1.35, traffic = 1.5 }
+[[combination]]
+name = "permanent alone"
+factors = { permanent = "135 %" }
+"#;
+
+fn all(text: &str) -> Vec<Combination> {
+    combinations_of("case.toml", text).unwrap().unwrap()
+}
+
+#[test]
+fn a_bearing_carries_the_sum_of_its_actions() {
+    let all = all(&format!("{BEARING}{FACTORS}"));
+    let loads = all.iter().map(|one| match &one.case.kind {
+        Kind::Bearing(bearing) => bearing.load,
+        _ => panic!("a bearing is expected"),
+    });
+    // 88.964 kN are 20 kip.
+    for (load, wanted) in loads.zip([50.0, 1.35 * 30.0 + 1.5 * 20.0, 40.5]) {
+        assert!((load - wanted).abs() < 1e-9 * wanted, "{load} {wanted}");
+    }
+    assert_eq!(all[1].acts(), "1.35 permanent + 1.5 traffic");
+    assert_eq!(all[0].case.title, "a bearing: service");
+    let one = combinations_of("case.toml", "units = \"m-N-Pa\"\n");
+    assert!(matches!(one, Ok(None)));
+}
+
+#[test]
+fn what_is_wrong_is_told() {
+    #[track_caller]
+    fn refused(text: &str, says: &str) {
+        let error = combinations_of("case.toml", text).unwrap_err().to_string();
+        assert!(error.contains(says), "{error}");
+    }
+    let with = |more: &str| format!("{BEARING}{more}");
+    refused(BEARING, "no combination");
+    refused(&with("[[combination]]\nname = \"a\"\n"), "factors");
+    refused(
+        &with("[[combination]]\nname = \"a\"\nfactors = { wind = 1 }\n"),
+        "wind",
+    );
+    refused(
+        &with("[[combination]]\nname = \"a\"\nfactors = {}\n"),
+        "no action",
+    );
+    refused(
+        &with("[[combination]]\nname = \"a\"\nfactor = 1\n"),
+        "factor",
+    );
+    let twice = "[[combination]]\nname = \"a\"\nfactors = { traffic = 1 }\n";
+    refused(&with(&format!("{twice}{twice}")), "another combination");
+    let loaded = BEARING.replace("friction = 0.15", "friction = 0.15\nload = 65");
+    refused(&format!("{loaded}{FACTORS}"), "load");
+    let named = BEARING.replace("load = \"30 kip\"", "loads = [\"top\"]");
+    refused(&format!("{named}{FACTORS}"), "general scene");
+    // As one case it is refused, with what to do.
+    let error = parse("case.toml", &with(FACTORS)).unwrap_err();
+    assert!(
+        error.to_string().contains("combinations of actions"),
+        "{error}"
+    );
+}
+
+/// A scene whose actions are loads by name: a combination is a step with their factors.
+#[test]
+fn the_actions_of_a_scene_are_its_loads() {
+    let scene = r#"
+units = "mm-N-MPa"
+[mesh]
+file = "a.msh"
+[steel]
+youngs_modulus = 210000
+poissons_ratio = 0.3
+elastic = true
+[[pressure]]
+name = "snow"
+surface = "top"
+value = 1
+[[pressure]]
+name = "wind"
+surface = "side"
+value = 2
+[[action]]
+name = "weather"
+loads = ["snow", "wind"]
+[[action]]
+name = "gusts"
+loads = ["wind"]
+[[combination]]
+name = "all"
+factors = { weather = 1.5, gusts = 0.5 }
+"#;
+    let all = all(scene);
+    let Kind::General(general) = &all[0].case.kind else {
+        panic!("a scene is expected")
+    };
+    let steps = &general.model.loads.steps;
+    assert_eq!(steps.len(), 1);
+    assert_eq!(
+        (steps[0].factor_of("snow"), steps[0].factor_of("wind")),
+        (1.5, 2.0)
+    );
+}
+
+#[test]
+fn each_is_solved_and_the_governing_one_is_named() {
+    let all = all(&format!("{BEARING}{FACTORS}"));
+    let folder = tempfile::tempdir().unwrap();
+    let options = Options {
+        out: Some(folder.path().to_owned()),
+        elastic_peaks: true,
+        report: true,
+        ..Options::default()
+    };
+    let solved = combinations::solve(&all, &options, &mut Silent).unwrap();
+    let parts = parts(&solved);
+    assert_eq!(governs(&parts), Some(1));
+    let used: Vec<f64> = parts
+        .iter()
+        .map(|part| governing(part.summary).unwrap().utilisation)
+        .collect();
+    assert!(used[1] > used[0] && used[0] > used[2], "{used:?}");
+    // Contact is not linear: 1.41 times the load is less than 1.41 times the pressure, about its root.
+    let pressure = |part: usize| {
+        let lines = &parts[part].summary.sizing.as_ref().unwrap().lines;
+        lines
+            .iter()
+            .map(|line| line.hertz_pressure)
+            .fold(0.0, f64::max)
+    };
+    let grown = pressure(1) / pressure(0);
+    assert!(
+        (grown / (70.5f64 / 50.0).sqrt() - 1.0).abs() < 0.03,
+        "{grown}"
+    );
+    combinations::write("a bearing", &solved, true, folder.path()).unwrap();
+    let text = std::fs::read_to_string(folder.path().join("combinations.json")).unwrap();
+    let record: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(record["governs"], "ultimate: traffic");
+    assert_eq!(record["combinations"][2]["acts"], "1.35 permanent");
+    let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    for part in &solved {
+        assert!(page.contains(&format!("{}/report.html", part.folder)));
+        assert!(
+            folder
+                .path()
+                .join(&part.folder)
+                .join("report.html")
+                .is_file()
+        );
+    }
+    assert!(page.contains("ultimate: traffic governs"));
+}

@@ -9,7 +9,7 @@ use crate::render::table::html::{table, tables};
 use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
-use crate::render::verdict::{Grade, verdict};
+use crate::render::verdict::{Grade, Verdict, verdict};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::path::Path;
 
@@ -155,12 +155,14 @@ fn head(parts: &[Part]) -> Markup {
         Grade::Care => 1,
         Grade::Bad => 2,
     };
-    let worst = verdicts.reduce(
-        |worst, other| match rank(other.1.grade) > rank(worst.1.grade) {
-            true => other,
-            false => worst,
-        },
-    );
+    // Of equally bad news that of the run that governs.
+    let first = governs(parts).map(|index| parts[index].name);
+    let order =
+        |(part, verdict): &(&Part, Verdict)| (rank(verdict.grade), Some(part.name) == first);
+    let worst = verdicts.reduce(|worst, other| match order(&other) > order(&worst) {
+        true => other,
+        false => worst,
+    });
     let Some((part, verdict)) = worst else {
         return html! {};
     };

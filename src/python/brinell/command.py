@@ -30,7 +30,7 @@ def executable() -> Path:
     return Path(found)
 
 
-def run(case: Union[str, PathLike], out: Union[str, PathLike], *options: str) -> Run:
+def run(case: Union[str, "PathLike[str]"], out: Union[str, "PathLike[str]"], *options: str) -> Run:
     """Runs a case into the folder `out`, with further options of `brinell run`, and reads what it wrote.
 
     A run that is solved but misses a limit (exit status 1) is read like any other: see `Run.exit_status`.

@@ -135,7 +135,11 @@ class Run:
             entries = [entry for entry in entries if abs(entry.time - time) <= 1e-9]
         if not entries:
             raise ResultError(f"{self.folder} has no fields of that kind at that time; times are {self.times}")
-        return pyvista.read(max(entries, key=lambda entry: entry.time).file)
+        file = max(entries, key=lambda entry: entry.time).file
+        grid = pyvista.read(file)
+        if not isinstance(grid, pyvista.UnstructuredGrid):
+            raise ResultError(f"{file} is no unstructured grid")
+        return grid
 
     def _entries(self) -> List["_Entry"]:
         collections = sorted(self.folder.glob("*.pvd"))
@@ -155,7 +159,7 @@ class _Entry:
     file: Path
 
 
-def read(folder: Union[str, PathLike], exit_status: Optional[int] = None) -> Run:
+def read(folder: Union[str, "PathLike[str]"], exit_status: Optional[int] = None) -> Run:
     """Reads the folder of a run."""
     folder = Path(folder)
     path = folder / "summary.json"

@@ -87,9 +87,11 @@ fn a_roller_presses_as_hertz_has_it() {
                 "{name}: {}",
                 figures.normal_force
             );
+            // On curved faces normals lean by up to a/R over the strip, about 0.01: the vertical share differs by half its square.
+            let within = if curvature == 0.0 { 1e-6 } else { 1e-4 };
             let line = &figures.lines[0];
             assert!(
-                (line.mean / (100e3 / 120.0) - 1.0).abs() < 1e-6,
+                (line.mean / (100e3 / 120.0) - 1.0).abs() < within,
                 "{name}: {}",
                 line.mean
             );

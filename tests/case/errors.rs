@@ -401,7 +401,7 @@ fn an_impossible_bearing() {
         &end("{ crown = 0 }"),
         &["bearing.roller_end.crown = 0", "must be more than 0"],
     );
-    refused(&end("{ }"), &["one of radius and crown"]);
+    refused(&end("{ }"), &["must have radius, crown, or both"]);
 }
 
 #[test]

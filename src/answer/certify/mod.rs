@@ -102,7 +102,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
 const MARGIN: f64 = 1.05;
 
 /// Travel of the loaded plane. A displacement method finds too little of it: the work of the load
-/// on what is missing is the energy of the error.
+/// on what is missing is the energy of the error. The smoothed stress sees the share of it that it sees of the energy
+/// of the whole solution, which is itself too little by the same share.
 fn descent_claim(evidence: &Evidence) -> Option<Figure> {
     let Evidence { scene, state, .. } = *evidence;
     let value = descent(scene, state)?;
@@ -111,6 +112,7 @@ fn descent_claim(evidence: &Evidence) -> Option<Figure> {
     let by_force = !scene.tractions.is_empty()
         || (scene.rigid_planes.iter()).any(|plane| plane.motion.iter().any(driven));
     let energy = MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
+    let error = missing(energy / load, value) + unseen_approach(evidence);
     Some(Figure {
         what: Quantity::Descent,
         place: "overall".to_owned(),
@@ -118,7 +120,8 @@ fn descent_claim(evidence: &Evidence) -> Option<Figure> {
         error: Errors {
             // What is prescribed is known.
             discretisation: match by_force {
-                true => (load > 0.0).then(|| energy / load + unseen_approach(evidence)),
+                true => Some(error)
+                    .filter(|error| error.is_finite() && *error <= MOST_MISSING * value.abs()),
                 false => Some(0.0),
             },
             ..Errors::default()
@@ -126,6 +129,19 @@ fn descent_claim(evidence: &Evidence) -> Option<Figure> {
         note: (!by_force).then_some("prescribed"),
     })
 }
+
+/// What is missing of a travel of which the smoothed stress finds `estimate` missing: the share of the true travel
+/// that the estimate is of the computed one, x / (1 − x) of that. Infinite where all of it would be.
+fn missing(estimate: f64, travel: f64) -> f64 {
+    let share = estimate / travel.abs();
+    match share < 1.0 {
+        true => estimate / (1.0 - share),
+        false => f64::INFINITY,
+    }
+}
+
+/// Of the travel, beyond which nothing is known of it.
+const MOST_MISSING: f64 = 0.5;
 
 /// How much closer bodies come below strips that the mesh is too coarse for. A line load q presses two half
 /// spaces of the compliance C together by 2 q C/π times the logarithm of a length over the half-width a (Johnson,
@@ -173,5 +189,23 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
         | Quantity::HorizontalForce => (peak > 0.0).then(|| claim.value * stress / peak),
         Quantity::PeakPlasticStrain => Some(strain),
         Quantity::Dent => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An estimate that is the same share of a computed travel and of the true one finds what is missing whole.
+    #[test]
+    fn what_is_missing_is_a_share_of_the_true_travel() {
+        let truth = 1.0;
+        for share in [0.01, 0.2, 0.4] {
+            let computed = (1.0 - share) * truth;
+            let found = missing(share * computed, computed);
+            assert!((computed + found - truth).abs() < 1e-12, "{share}: {found}");
+        }
+        assert!(missing(1.0, 1.0).is_infinite());
+        assert!(missing(f64::NAN, 1.0).is_infinite());
     }
 }

@@ -12,9 +12,20 @@ use crate::model::scene::Scene;
 /// radius: the stress falls from the wall as fast as the wall is curved.
 const DEPTH: f64 = 0.2;
 
-/// The same for facets of one radian about the axis: a ring of chords bends less than a round one. Both errors are of
-/// second order, and with these factors 152 of 156 readings of bearings hold (docs/coverage.md).
+/// The same for facets of one radian about the axis: a ring of chords bends less than a round one.
 const FACET: f64 = 0.7;
+
+/// The same for facets as long as the wall is thick: bilinear elements that bend shear as well, by the square of
+/// their length over the depth that bends, however many of them share it (parasitic shear).
+const SLENDER: f64 = 0.005;
+
+/// What is missing of the stress of a bore, of itself: errors of second order, measured on bearings (docs/coverage.md).
+/// Of elements deeper than the bore the first cannot be more than the share of the stress that falls so fast.
+fn bore_share(stress: &BoreStress) -> f64 {
+    let depth = DEPTH * stress.coarseness.powi(2);
+    let round = FACET * stress.facet.powi(2);
+    depth / (1.0 + 2.0 * depth) + round + SLENDER * stress.slenderness.powi(2)
+}
 
 const YIELDED: &str =
     "the wall has yielded below the load: the strain of its surface says no stress";
@@ -26,9 +37,7 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Figure> {
         let value = stress.mises.unwrap_or(nodal);
         Some(Figure {
             error: Errors {
-                discretisation: stress.mises.map(|mises| {
-                    mises * (DEPTH * stress.coarseness.powi(2) + FACET * stress.facet.powi(2))
-                }),
+                discretisation: stress.mises.map(|mises| mises * bore_share(stress)),
                 ..Errors::default()
             },
             note: stress.mises.is_none().then_some(YIELDED),
@@ -42,8 +51,14 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Figure> {
 /// shears settle as contact grows, node by node. The largest of 108 readings of bearings is 0.026 (docs/coverage.md).
 const SHEAR: f64 = 0.03;
 
+/// Of the distance of nodes, how far from the middle of a strip its force may act where one row of them carries all.
+const ONE_ROW: f64 = 0.5;
+
 /// The force of an interface across the load, where there is one. Where no strip is known to be resolved it is as good as
 /// that of a strip of one node to either side.
+///
+/// A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
+/// that force no better than to a share of their distance; two half-widths to a node and more place it well.
 pub(super) fn horizontal_force(
     scene: &Scene,
     interface: &Interface,
@@ -60,9 +75,17 @@ pub(super) fn horizontal_force(
         let strip = &line.line.heaviest;
         strip.spacing() / strip.half_width
     });
+    let turned = line.map_or(0.0, |line| {
+        line.contact.map_or(0.0, |hertz| {
+            let spacing = line.line.heaviest.middle_spacing();
+            let unplaced = (2.0 - hertz.half_width / spacing).clamp(0.0, 1.0);
+            // A roller has two such places, as far apart as it is wide.
+            ONE_ROW * unplaced * spacing / (2.0 * hertz.radius) * interface.normal_force.abs()
+        })
+    });
     (across > NONE * interface.normal_force.abs()).then(|| Figure {
         error: Errors {
-            discretisation: Some(SHEAR * coarseness * across),
+            discretisation: Some(SHEAR * coarseness * across + turned),
             ..Errors::default()
         },
         ..figure_of(Quantity::HorizontalForce, &interface.name, across)

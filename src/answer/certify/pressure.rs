@@ -144,7 +144,7 @@ impl Contact<'_> {
                 // The pressure that the line load makes is known better than what nodes read of it.
                 (Some(hertz), None) => {
                     let read = READ * coarseness(&line.line.heaviest);
-                    (value / hertz.peak_pressure - 1.0).abs() + read + 0.5 * load_error(line)
+                    (hertz.peak_pressure / value - 1.0).abs() + read + 0.5 * load_error(line)
                 }
                 (Some(hertz), Some(Departure::Flow)) => {
                     let a = line.line.heaviest.half_width.max(hertz.half_width);
@@ -202,7 +202,7 @@ impl Contact<'_> {
         let error = match (hertz, line.departs) {
             (Some(hertz), None | Some(Departure::LoadedEdge)) => {
                 let spacing = WIDTH * edge * edge;
-                Some((a / hertz.half_width - 1.0).abs() + spacing + 0.5 * load_error(line))
+                Some((hertz.half_width / a - 1.0).abs() + spacing + 0.5 * load_error(line))
             }
             (Some(_), Some(Departure::Width)) => None,
             _ => Some(0.5 * edge * edge + load_error(line)),

@@ -38,6 +38,8 @@ pub struct BoreStress {
     pub coarseness: f64,
     /// The largest angle of a facet of the bore about its axis, in radians.
     pub facet: f64,
+    /// The length of that facet half-way through the wall, over the thickness of the wall.
+    pub slenderness: f64,
     /// Largest nodal Mises stress on the bore.
     pub nodal: Option<f64>,
     /// Undeformed position of that node.
@@ -71,8 +73,11 @@ pub fn bore_stress(
     if let Some(peak) = under_load(scene, state, surface, body, bore.axis) {
         stress.mises = Some(peak.value);
         stress.mises_at = Some(mesh.points[peak.node as usize]);
-        stress.coarseness = peak.depth / peak.circle.radius(scene, peak.node);
+        let radius = peak.circle.radius(scene, peak.node);
+        let wall = peak.circle.largest_radius(scene, body) - radius;
+        stress.coarseness = peak.depth / radius;
         stress.facet = peak.circle.largest_facet(scene, surface);
+        stress.slenderness = stress.facet * (radius + 0.5 * wall) / wall;
     }
     Some(stress)
 }
@@ -110,6 +115,16 @@ impl Circle {
     fn radius(&self, scene: &Scene, node: u32) -> f64 {
         let [u, v] = self.arm(scene, node);
         u.hypot(v)
+    }
+
+    /// That of the node of `body` that is farthest from the axis.
+    fn largest_radius(&self, scene: &Scene, body: usize) -> f64 {
+        let elements = scene.mesh.bodies.get(body).map(|b| b.elements.clone());
+        let nodes = elements
+            .into_iter()
+            .flatten()
+            .flat_map(|e| scene.mesh.hexes[e]);
+        nodes.map(|n| self.radius(scene, n)).fold(0.0, f64::max)
     }
 
     /// The largest angle that a facet spans, in radians.

@@ -186,6 +186,7 @@ fn loaded(cells: usize) -> (Scene, State) {
         tractions: Vec::new(),
         steps: Vec::new(),
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
         mesh,

@@ -2,6 +2,7 @@
 
 use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
+use super::plane::{PlaneFigures, planes};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::interface::{StatusCounts, interfaces};
 use crate::answer::results::load;
@@ -30,6 +31,8 @@ pub struct StepFigures {
     pub peeq_max: f64,
     /// Every contact pair, in the order of the scene.
     pub interfaces: Named<StepInterface>,
+    /// Every rigid plane, in the order of the scene.
+    pub planes: Named<PlaneFigures>,
     /// Are the figures of the answer of this moment?
     pub reported: bool,
 }
@@ -84,7 +87,8 @@ fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) ->
     };
     let names = (scene.supports.iter().map(|s| &s.name))
         .chain(scene.rigid_planes.iter().map(|p| &p.name))
-        .chain(scene.tractions.iter().map(|t| &t.name));
+        .chain(scene.tractions.iter().map(|t| &t.name))
+        .chain(scene.temperatures.iter().map(|t| &t.name));
     let factor = |name: &String| {
         let factor = scene.factor(name, state.step, state.time);
         (name.clone(), factor)
@@ -111,6 +115,7 @@ fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) ->
         },
         peeq_max: bodies.iter().map(|b| b.peeq_max).fold(0.0, f64::max),
         interfaces: Named(interfaces.collect()),
+        planes: planes(scene, state),
         reported: reported.is_some(),
     }
 }

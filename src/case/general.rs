@@ -42,7 +42,7 @@ impl GeneralCase {
                 assumptions.push(Assumption::default(&key, "0", &why));
             }
         }
-        let loads = Loads::read(root, &mirrors)?;
+        let loads = Loads::read(root, &mirrors, (&steels, assumptions))?;
         let name = name.to_string();
         let model = Model {
             name,

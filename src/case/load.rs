@@ -1,13 +1,19 @@
 //! Supports, rigid planes, pressures and tractions, and the steps that drive them.
 
+use super::assumption::Assumption;
+use super::axes::displacements;
 use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::place::Located;
-use crate::ground::geometry::AXES;
+use super::rigid_plane;
+use super::steel::Steels;
+use super::temperature;
 use crate::ground::units::Dimension;
-use crate::model::scene::{PlaneMotion, RigidPlane, Step, Support, Traction, TractionValue};
+use crate::model::scene::{
+    PlaneMotion, PlaneTurn, RigidPlane, Step, Support, Temperature, Traction, TractionValue,
+};
 
 /// What acts on the surfaces of a scene. Each entry is marked at its surface.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -18,15 +24,21 @@ pub struct Loads {
     pub planes: Vec<Located<RigidPlane>>,
     /// Pressures and tractions.
     pub tractions: Vec<Located<Traction>>,
+    /// Temperatures, marked at their bodies.
+    pub temperatures: Vec<Located<Temperature>>,
     /// Steps, in their order.
     pub steps: Vec<Step>,
 }
 
 impl Loads {
-    /// Reads `[[support]]`, `[[rigid_plane]]`, `[[pressure]]`, `[[traction]]` and `[[step]]`.
+    /// Reads `[[support]]`, `[[rigid_plane]]`, `[[pressure]]`, `[[traction]]`, `[[temperature]]` and `[[step]]`.
     /// `mirrors` are the axes of the symmetry planes: forces are given for the whole and come
     /// out for the modelled part.
-    pub(super) fn read(root: &Table, mirrors: &[usize]) -> Result<Self, CaseError> {
+    pub(super) fn read(
+        root: &Table,
+        mirrors: &[usize],
+        (steels, assumptions): (&Steels, &mut Vec<Assumption>),
+    ) -> Result<Self, CaseError> {
         let mut loads = Self::default();
         let mut names: Vec<String> = Vec::new();
         for table in root.tables("support")? {
@@ -48,11 +60,11 @@ impl Loads {
         for table in root.tables("rigid_plane")? {
             let table = table.only(&keys::RIGID_PLANE)?;
             let (name, surface) = named(&table, &mut names)?;
-            let motion = motion(&table, mirrors)?;
+            let plane = rigid_plane::read(&table, mirrors)?;
             loads.planes.push(surface.map(|surface| RigidPlane {
                 name,
                 surface,
-                motion,
+                ..plane
             }));
         }
         for (key, pressure) in [("pressure", true), ("traction", false)] {
@@ -73,9 +85,12 @@ impl Loads {
                 loads.tractions.push(traction);
             }
         }
+        let known = (&mut names, assumptions);
+        loads.temperatures = temperature::read(root, mirrors, steels, known)?;
         loads.steps = steps(root, &names)?;
         if !loads.moves() {
-            let message = "the case has no load: no pressure, traction, force or displacement";
+            let message =
+                "the case has no load: no pressure, traction, force, displacement or temperature";
             return Err(root.error(ErrorKind::MissingKey, message));
         }
         Ok(loads)
@@ -88,13 +103,18 @@ impl Loads {
             PlaneMotion::Held(v) | PlaneMotion::Driven(v) => *v != 0.0,
             PlaneMotion::Free => false,
         };
-        self.supports
-            .iter()
-            .any(|s| s.value.components.iter().any(moved))
+        let turned = |t: &PlaneTurn| match t {
+            PlaneTurn::Held(v) | PlaneTurn::Driven(v) => *v != 0.0,
+        };
+        !self.temperatures.is_empty()
+            || self
+                .supports
+                .iter()
+                .any(|s| s.value.components.iter().any(moved))
             || self
                 .planes
                 .iter()
-                .any(|p| p.value.motion.iter().any(driven))
+                .any(|p| p.value.motion.iter().any(driven) || p.value.turn.iter().any(turned))
             || self.tractions.iter().any(|t| match t.value.value {
                 TractionValue::Pressure(p) => p != 0.0,
                 TractionValue::Vector(v) => v.iter().any(|c| *c != 0.0),
@@ -115,74 +135,6 @@ fn named(table: &Table, names: &mut Vec<String>) -> Result<(String, Located<Stri
     }
     names.push(name.value.clone());
     Ok((name.value, surface))
-}
-
-/// The components under `fixed` and `displacement`.
-fn displacements(table: &Table) -> Result<[Option<f64>; 3], CaseError> {
-    let mut components = [None; 3];
-    if let Some(field) = table.get("fixed") {
-        let letters = field.string()?;
-        for letter in letters.value.chars() {
-            let axis = AXES.iter().position(|axis| axis.starts_with(letter));
-            let repeated = axis.is_some_and(|axis| components[axis].is_some());
-            let (Some(axis), false) = (axis, repeated) else {
-                let why = "must be some of the letters x, y, z, each once";
-                return Err(letters.place.error(ErrorKind::Value, why));
-            };
-            components[axis] = Some(0.0);
-        }
-    }
-    for (axis, value) in by_axis(table, "displacement", Dimension::LENGTH)? {
-        if components[axis].is_some() {
-            let why = format!("{} is already fixed", AXES[axis]);
-            return Err(value.place.error(ErrorKind::Conflict, why));
-        }
-        components[axis] = Some(value.value);
-    }
-    Ok(components)
-}
-
-fn motion(table: &Table, mirrors: &[usize]) -> Result<[PlaneMotion; 3], CaseError> {
-    let held = displacements(table)?;
-    let mut motion = held.map(|d| d.map_or(PlaneMotion::Free, PlaneMotion::Held));
-    for (axis, force) in by_axis(table, "force", Dimension::FORCE)? {
-        if held[axis].is_some() {
-            let why = format!("{} is already fixed or displaced", AXES[axis]);
-            return Err(force.place.error(ErrorKind::Conflict, why));
-        }
-        if mirrors.contains(&axis) {
-            let why = format!(
-                "a force along {0} breaks the symmetry about {0} = 0",
-                AXES[axis]
-            );
-            return Err(force.place.error(ErrorKind::Conflict, why));
-        }
-        motion[axis] = PlaneMotion::Driven(force.value * modelled_share(mirrors));
-    }
-    Ok(motion)
-}
-
-/// The part of the whole that is modelled: a quarter with two symmetry planes.
-pub(super) fn modelled_share(mirrors: &[usize]) -> f64 {
-    mirrors.iter().fold(1.0, |share, _| share / 2.0)
-}
-
-/// The entries of a table such as `{ x = …, z = … }`.
-fn by_axis(
-    table: &Table,
-    key: &str,
-    dimension: Dimension,
-) -> Result<Vec<(usize, Located<f64>)>, CaseError> {
-    let Some(field) = table.get(key) else {
-        return Ok(Vec::new());
-    };
-    let table = field.table()?.only(&keys::AXES)?;
-    let entry = |(axis, name): (usize, &&str)| {
-        table
-            .get(name)
-            .map(|field| Ok((axis, field.quantity(dimension)?)))
-    };
-    AXES.iter().enumerate().filter_map(entry).collect()
 }
 
 /// The steps; by default one, to the full load.
@@ -220,7 +172,7 @@ fn factors(field: &Field, names: &[String]) -> Result<Vec<(String, f64)>, CaseEr
     let table = field.table()?;
     let factor = |name: &str| {
         if !names.iter().any(|known| known == name) {
-            let why = "is neither a support nor a rigid plane nor a load";
+            let why = "is neither a support nor a rigid plane nor a load nor a temperature";
             let help = advice(name, names.iter().map(String::as_str));
             let place = table.place_of_key(name);
             return Err(place.error(ErrorKind::UnknownName, why).help(help));

@@ -6,6 +6,7 @@
 //! angles into radians. Every mistake is a [`CaseError`] that marks the culprit in the file.
 
 mod assumption;
+mod axes;
 pub mod bearing;
 mod change;
 pub mod combinations;
@@ -28,8 +29,11 @@ mod parse;
 mod place;
 mod quantity;
 mod reference;
+mod rigid_plane;
 mod source;
 mod steel;
+mod temperature;
+mod template_loads;
 mod title_block;
 mod values;
 pub mod variant;
@@ -49,6 +53,7 @@ pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
 pub use source::Source;
 pub use steel::{SteelStrength, Steels, StrainIs};
+pub use template_loads::{TemplateLoads, Top};
 pub use title_block::TitleBlock;
 
 use crate::ground::units::UnitSystem;
@@ -281,8 +286,10 @@ fn refuse_combinations(root: &Table) -> Result<(), CaseError> {
 
 /// The template writes the contacts, supports and loads of a bearing itself.
 fn refuse_scene_keys(root: &Table, table: &str) -> Result<(), CaseError> {
-    let names = keys::SCENE.names();
-    match names.into_iter().find(|key| root.get(key).is_some()) {
+    let names = keys::SCENE.names().into_iter();
+    // Bodies of a bearing have temperatures, too.
+    let mut names = names.filter(|key| *key != "temperature");
+    match names.find(|key| root.get(key).is_some()) {
         None => Ok(()),
         Some(key) => {
             let place = root.place_of_key(key);

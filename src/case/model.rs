@@ -52,6 +52,17 @@ impl Model {
         for traction in &loads.tractions {
             check_surface(&mesh, &traction.value.surface, &traction.place)?;
         }
+        for temperature in &loads.temperatures {
+            if mesh.body(&temperature.value.body).is_none() {
+                let name = &temperature.value.body;
+                let why = format!("the mesh {} has no body called `{name}`", mesh.source);
+                let help = advice(name, bodies.iter().copied());
+                return Err(temperature
+                    .place
+                    .error(ErrorKind::UnknownName, why)
+                    .help(help));
+            }
+        }
         Ok(Scene {
             name: self.name.clone(),
             materials,
@@ -59,6 +70,7 @@ impl Model {
             supports: values(&loads.supports),
             rigid_planes: values(&loads.planes),
             tractions: values(&loads.tractions),
+            temperatures: values(&loads.temperatures),
             steps: loads.steps.clone(),
             mirrors: self.mirrors.clone(),
             half_turn: Vec::new(),

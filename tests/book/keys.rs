@@ -117,6 +117,9 @@ fn keys_of_a_bearing_are_read() {
     all_read_inline(&keys::PLATE_THICKNESS, &thick, |l| {
         bearing_but("plate_thickness", &format!("{{ {l} }}"), "")
     });
+    all_read_inline(&keys::TILTED_TOP, &[], |l| {
+        bearing_but("load", "65", &format!("top = {{ {l} }}"))
+    });
     all_read_inline(&keys::ROLLER_END, &[], |l| {
         bearing_but("roller_end", &format!("{{ {l} }}"), "")
     });
@@ -151,12 +154,18 @@ fn keys_of_a_scene_are_read() {
     });
     let surface = [("surface", "\"a\"")];
     all_read(&keys::SUPPORT, &surface, table("support"));
+    let heated = [("body", "\"a\""), ("value", "1")];
+    all_read(&keys::TEMPERATURE, &heated, table("temperature"));
     all_read(&keys::RIGID_PLANE, &surface, table("rigid_plane"));
     let axes = |key: &'static str| {
         move |l: &str| table("rigid_plane")(&format!("surface = \"a\"\n{key} = {{ {l} }}\n"))
     };
     all_read_inline(&keys::AXES, &[], axes("displacement"));
     all_read_inline(&keys::AXES, &[], axes("force"));
+    all_read_inline(&keys::AXES, &[], |l| axes("fixed = \"xyz\"\nrotation")(l));
+    all_read_inline(&keys::AXES, &[], |l| {
+        axes("fixed = \"xyz\"\nturns = \"xyz\"\nmoment")(l)
+    });
     for load in ["pressure", "traction"] {
         all_read(&keys::LOAD, &surface, table(load));
     }

@@ -3,6 +3,7 @@
 mod errors;
 mod grades;
 mod kit;
+mod loads;
 mod scene;
 mod shipped;
 mod units;

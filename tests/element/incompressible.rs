@@ -43,6 +43,7 @@ fn squeezed(kind: ElementKind, cells: usize, steel: Steel, squeeze: f64, waves: 
             PlaneMotion::Free,
             PlaneMotion::Held(-squeeze),
         ],
+        ..RigidPlane::default()
     }];
     let state = kit::last(&mut scene);
     let elements = state.stress.iter().enumerate().map(|(element, stress)| {

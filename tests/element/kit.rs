@@ -20,6 +20,7 @@ pub fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
         tractions: Vec::new(),
         steps: vec![step(1.0)],
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             residual: 1e-12,

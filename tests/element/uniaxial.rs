@@ -47,6 +47,7 @@ fn cube(kind: ElementKind, motion: PlaneMotion) -> Scene {
         name: "pull".into(),
         surface: "z_max".into(),
         motion: [PlaneMotion::Free, PlaneMotion::Free, motion],
+        ..RigidPlane::default()
     }];
     scene
 }

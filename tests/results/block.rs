@@ -130,6 +130,7 @@ pub fn stack() -> Scene {
                 PlaneMotion::Held(0.0),
                 PlaneMotion::Driven(-65.0 / 4.0),
             ],
+            ..RigidPlane::default()
         }],
         tractions: vec![],
         steps: vec![Step {
@@ -138,6 +139,7 @@ pub fn stack() -> Scene {
             factors: vec![],
         }],
         mirrors: vec![0, 1],
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }
@@ -191,6 +193,7 @@ pub fn pressed(scene: &Scene) -> State {
         planes: vec![PlaneField {
             travel: [0.0, 0.0, -0.01],
             force: [0.0, 0.0, -65.0 / 4.0],
+            ..PlaneField::default()
         }],
     }
 }

@@ -43,6 +43,7 @@ fn roller(around: usize, quarter: bool) -> Scene {
         tractions: vec![],
         steps: vec![],
         mirrors: if quarter { vec![0, 1] } else { vec![] },
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }

@@ -58,6 +58,7 @@ fn standing(friction: f64, side: f64) -> Scene {
             factors: Vec::new(),
         }],
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }

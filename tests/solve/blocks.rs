@@ -25,6 +25,7 @@ fn scene(mesh: Mesh, steel: Steel) -> Scene {
             factors: Vec::new(),
         }],
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }
@@ -73,6 +74,7 @@ fn uniaxial_cube_follows_the_bilinear_curve_and_unloads_elastically() {
             PlaneMotion::Free,
             PlaneMotion::Held(0.05),
         ],
+        ..RigidPlane::default()
     }];
     let solution = solve(&mut s, &mut Silent).unwrap();
     let state = solution.states.last().unwrap();

@@ -68,10 +68,12 @@ fn crossed_bars(layers: usize) -> Scene {
                 PlaneMotion::Held(0.0),
                 PlaneMotion::Driven(-130.0),
             ],
+            ..RigidPlane::default()
         }],
         tractions: Vec::new(),
         steps: vec![step("load", 1.0), step("unload", 0.02)],
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             residual: 1e-11,

@@ -45,6 +45,7 @@ fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 
                 PlaneMotion::Free,
                 PlaneMotion::Held(-squeeze),
             ],
+            ..RigidPlane::default()
         }],
         tractions: Vec::new(),
         steps: vec![Step {
@@ -53,6 +54,7 @@ fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 
             factors: Vec::new(),
         }],
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             element,

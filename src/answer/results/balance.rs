@@ -72,7 +72,7 @@ pub fn balances(scene: &Scene, state: &State) -> Vec<Balance> {
 
 /// The moment on the whole: a mirror doubles the component along its axis and cancels the others,
 /// for a moment is an axial vector.
-fn whole_moment(mirrors: &[usize], modelled: [f64; 3]) -> [f64; 3] {
+pub fn whole_moment(mirrors: &[usize], modelled: [f64; 3]) -> [f64; 3] {
     let survives = |component: usize| mirrors.iter().all(|axis| *axis == component);
     [0, 1, 2].map(|i| match survives(i) {
         true => times(mirrors) * modelled[i],

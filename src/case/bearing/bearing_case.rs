@@ -17,8 +17,14 @@ use crate::case::mesh_choice;
 use crate::case::parse::Table;
 use crate::case::place::Located;
 use crate::case::steel::Steels;
+use crate::case::temperature;
+use crate::case::template_loads::TemplateLoads;
 use crate::ground::units::Dimension;
 use crate::model::material::Steel;
+use crate::model::scene::Temperature;
+
+/// The name of the rigid plane that carries the load.
+pub(super) const LOADED_PLANE: &str = "top";
 
 /// A bearing, in the units of its case.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +35,10 @@ pub struct BearingCase {
     pub mesh: MeshRequest,
     /// Vertical, on the whole bearing.
     pub load: f64,
+    /// What acts beside it.
+    pub loads: TemplateLoads,
+    /// Differences of temperature of its bodies.
+    pub temperatures: Vec<Located<Temperature>>,
     /// Coulomb's coefficient, on all interfaces.
     pub friction: f64,
     /// Shares of the load at which its descent is read on the way up, ascending, below one.
@@ -60,6 +70,8 @@ impl BearingCase {
             let place = root.deepest(&format!("{table}.{}", error.key));
             place.error(ErrorKind::Value, error.range).help(error.help)
         };
+        let loads = reader.loads()?;
+        let breaks = loads.breaks_symmetry();
         let (geometry, full) = match parallel {
             true => {
                 let mut geometry = reader.line_geometry()?;
@@ -67,32 +79,36 @@ impl BearingCase {
                 // Told to nobody yet: they are read again below, with the names of the bodies.
                 let steels = Steels::read(root, &mut Vec::new())?;
                 geometry.alike = are_alike(&geometry, &steels)?;
-                let full = reader.line_full(&geometry)?;
+                let full = reader.line_full(&geometry, breaks)?;
                 (Dimensions::Line(geometry), full)
             }
             false => {
                 let geometry = reader.geometry()?;
                 (geometry.check()).map_err(|error| misfit("bearing", error))?;
                 check_grip(&friction, &geometry)?;
-                let full = reader.full(&geometry)?;
+                let full = reader.full(&geometry, breaks)?;
                 (Dimensions::Crossed(geometry), full)
             }
         };
         let stages = reader.stages(load)?;
         let unload_to = reader.unload()?;
         let rollings = reader.rollings()?;
-        let mut mesh = mesh_choice::request(root, (full, &*geometry), assumptions)?;
-        let mut steels = Steels::read(root, assumptions)?;
+        let mut mesh = mesh_choice::request(root, (full, &*geometry), reader.assumptions())?;
+        let mut steels = Steels::read(root, reader.assumptions())?;
         let bodies = geometry.bodies();
         let sizes: Vec<(&str, f64)> = (bodies.iter())
             .map(|(body, size)| (body.as_str(), *size))
             .collect();
         let names: Vec<&str> = sizes.iter().map(|(body, _)| *body).collect();
         steels.check_names(&names)?;
-        steels.set_sizes(&sizes, assumptions);
+        steels.set_sizes(&sizes, reader.assumptions());
         for body in names {
             steels.of(body)?;
         }
+        let mut names = vec![LOADED_PLANE.to_string()];
+        let known = (&mut names, reader.assumptions());
+        let mirrors = geometry.mirrors(full);
+        let temperatures = temperature::read(root, &mirrors, &steels, known)?;
         mesh.strips = strips(&*geometry, full, load, &steels)?;
         mesh.check(&*geometry)
             .map_err(|error| misfit("mesh", error))?;
@@ -100,6 +116,8 @@ impl BearingCase {
             geometry,
             mesh,
             load,
+            loads,
+            temperatures,
             friction: friction.value,
             stages,
             unload_to,

@@ -1,22 +1,20 @@
 //! The bearing template made into a general model.
 
-use super::bearing_case::BearingCase;
+use super::bearing_case::{BearingCase, LOADED_PLANE};
 use super::preset::Preset;
 use super::seat::Seat;
+use crate::case::axes::modelled_share;
 use crate::case::contact::Contact;
 use crate::case::interfaces::{BOTTOM, SYMMETRIES, TOP};
-use crate::case::load::{Loads, modelled_share};
+use crate::case::load::Loads;
 use crate::case::model::Model;
 use crate::case::place::{KeyPlace, Located};
 use crate::case::source::Source;
-use crate::model::scene::{Controls, Partner, PlaneMotion, RigidPlane, Side, Step, Support};
-
-/// The name of the rigid plane that carries the load.
-const LOADED_PLANE: &str = "top";
+use crate::model::scene::{Controls, Partner, RigidPlane, Side, Step, Support};
 
 impl BearingCase {
     /// The model: four contact pairs, the top face a rigid plane
-    /// that only moves along z under the load, the bottom face fixed.
+    /// that moves along z under the load, and otherwise as `top` and `horizontal` say, the bottom face fixed.
     pub(in crate::case) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
         let place = KeyPlace {
             source: source.clone(),
@@ -80,15 +78,20 @@ impl BearingCase {
             components[axis] = Some(0.0);
             supports.push(support(SYMMETRIES[axis], SYMMETRIES[axis], components));
         }
-        let force = -self.load * modelled_share(&self.mirrors());
+        let mirrors = self.mirrors();
+        let vertical = self.load * modelled_share(&mirrors);
+        let (motion, turn) = self.loads.plane(vertical);
         let plane = RigidPlane {
             name: LOADED_PLANE.to_string(),
             surface: TOP.to_string(),
-            motion: [
-                PlaneMotion::Held(0.0),
-                PlaneMotion::Held(0.0),
-                PlaneMotion::Driven(force),
-            ],
+            motion,
+            // A quarter is only modelled of what is symmetric: it does not turn.
+            turn: if mirrors.is_empty() {
+                turn
+            } else {
+                <_>::default()
+            },
+            about: None,
         };
         let step = |name: &str, factor: f64| Step {
             name: name.to_string(),
@@ -107,6 +110,7 @@ impl BearingCase {
             supports,
             planes,
             tractions: Vec::new(),
+            temperatures: self.temperatures.clone(),
             steps,
         }
     }

@@ -8,6 +8,7 @@ use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
 use crate::case::parse::{Field, Table};
 use crate::case::place::Located;
+use crate::case::template_loads::TemplateLoads;
 use crate::ground::units::Dimension;
 use crate::model::scene::UNLOADED_SHARE;
 
@@ -38,6 +39,16 @@ impl<'a, 'b> BearingReader<'a, 'b> {
 
     pub fn quantity(&self, key: &str, dimension: Dimension) -> Result<Located<f64>, CaseError> {
         self.table.need(key)?.quantity(dimension)
+    }
+
+    /// What acts beside the vertical load.
+    pub fn loads(&self) -> Result<TemplateLoads, CaseError> {
+        TemplateLoads::read(&self.table)
+    }
+
+    /// Where its assumptions go.
+    pub fn assumptions(&mut self) -> &mut Vec<Assumption> {
+        self.assumptions
     }
 
     pub fn geometry(&mut self) -> Result<BearingGeometry, CaseError> {
@@ -175,11 +186,19 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         Ok(offset)
     }
 
-    /// Is no use made of symmetry?
-    pub fn full(&mut self, geometry: &BearingGeometry) -> Result<bool, CaseError> {
+    /// Is no use made of symmetry, as is asked for or as something `breaks` it?
+    pub fn full(
+        &mut self,
+        geometry: &BearingGeometry,
+        breaks: Option<&str>,
+    ) -> Result<bool, CaseError> {
         let full = self.flag("full")?.is_some_and(|asked| asked.value);
+        let broken = breaks.map(|breaks| format!("{breaks} breaks the symmetry"));
         let (text, why) = match (full, geometry.is_centred()) {
             (true, _) => ("the whole bearing", "no use is made of symmetry"),
+            (false, _) if broken.is_some() => {
+                ("the whole bearing", broken.as_deref().unwrap_or_default())
+            }
             (false, true) => (
                 "a quarter",
                 "a centred bearing is symmetric about x = 0 and y = 0",
@@ -190,7 +209,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
             ),
         };
         self.note("full", text, why);
-        Ok(full)
+        Ok(full || broken.is_some())
     }
 
     /// Shares of the load at which it pauses on its way up, ascending, each less than one.

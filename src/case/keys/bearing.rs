@@ -1,5 +1,6 @@
 //! Keys of a bearing.
 
+use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
 use super::{Keys, key};
 
 pub const BEARING: Keys = Keys {
@@ -13,6 +14,10 @@ pub const BEARING: Keys = Keys {
             "required without `[[combination]]`",
             "vertical, on the top face",
         ),
+        ECCENTRICITY,
+        HORIZONTAL,
+        MOMENT,
+        TOP,
         key(
             "friction",
             "share, 0 or more",

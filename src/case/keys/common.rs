@@ -221,6 +221,12 @@ pub const STEEL: Keys = Keys {
             "false",
             "is the surface harder than the core, which the yield stress is of? For design rules",
         ),
+        key(
+            "expansion",
+            "expansion, as in `12e-6 1/K`",
+            "12e-6 1/K, said as assumed where a body has a temperature",
+            "coefficient of thermal expansion",
+        ),
     ],
 };
 

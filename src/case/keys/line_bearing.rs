@@ -1,5 +1,6 @@
 //! Keys of parallel rollers.
 
+use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
 use super::{Keys, key};
 
 pub const LINE_BEARING: Keys = Keys {
@@ -8,12 +9,11 @@ pub const LINE_BEARING: Keys = Keys {
             whole bearing. Rollers are `roller`, or `roller_1`, `roller_2` and so on from the lowest x; plates are \
             `upper_plate` and `lower_plate`.",
     keys: &[
-        key(
-            "load",
-            "force",
-            "required",
-            "vertical and central, on the top face",
-        ),
+        key("load", "force", "required", "vertical, on the top face"),
+        ECCENTRICITY,
+        HORIZONTAL,
+        MOMENT,
+        TOP,
         key(
             "friction",
             "share, 0 or more",

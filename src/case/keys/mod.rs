@@ -8,6 +8,7 @@ mod common;
 mod line_bearing;
 mod scene;
 pub mod schema;
+mod template_loads;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
 pub use common::{ACTION, COMBINATION, COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
@@ -16,8 +17,9 @@ pub use line_bearing::{
 };
 pub use scene::{
     AXES, BODY, CONTACT, FAMILY_MESH, FILE_MESH, LOAD, PARTNER, PLANE, RIGID_PLANE, SCENE, STEP,
-    SUPPORT,
+    SUPPORT, TEMPERATURE,
 };
+pub use template_loads::TILTED_TOP;
 
 /// A key of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -92,7 +94,13 @@ const CHAPTERS: [(&str, &[&Keys]); 4] = [
     ),
     (
         "A bearing",
-        &[&BEARING, &PLATE_THICKNESS, &ROLLER_END, &BEARING_MESH],
+        &[
+            &BEARING,
+            &TILTED_TOP,
+            &PLATE_THICKNESS,
+            &ROLLER_END,
+            &BEARING_MESH,
+        ],
     ),
     (
         "A line bearing",
@@ -115,6 +123,7 @@ const CHAPTERS: [(&str, &[&Keys]); 4] = [
             &PARTNER,
             &PLANE,
             &SUPPORT,
+            &TEMPERATURE,
             &RIGID_PLANE,
             &LOAD,
             &AXES,

@@ -28,7 +28,7 @@ pub const SCENE: Keys = Keys {
             "rigid_plane",
             "list of tables",
             "none",
-            "surfaces that move without turning, held, displaced or driven by a force",
+            "surfaces that move as one, held, displaced, turned or driven by a force",
         ),
         key(
             "pressure",
@@ -41,6 +41,12 @@ pub const SCENE: Keys = Keys {
             "list of tables",
             "none",
             "forces per area on surfaces",
+        ),
+        key(
+            "temperature",
+            "list of tables",
+            "none",
+            "differences of temperature of bodies",
         ),
         key(
             "step",
@@ -199,7 +205,8 @@ pub const SUPPORT: Keys = Keys {
 
 pub const RIGID_PLANE: Keys = Keys {
     heading: "[[rigid_plane]]",
-    about: "A surface that moves without turning: along each axis all of its nodes alike.",
+    about: "A surface that moves as one: along each axis that is fixed, displaced or driven, as a rigid plane does. It \
+            does not turn unless it is told to. Reactions, moments and angles are about its point.",
     keys: &[
         key("name", "text", "that of the surface", "for `step.factors`"),
         key("surface", "text", "required", "of the mesh"),
@@ -221,6 +228,30 @@ pub const RIGID_PLANE: Keys = Keys {
             "none",
             "components that are driven by this force on the whole, at factor one",
         ),
+        key(
+            "rotation",
+            "table by axis of angles",
+            "none",
+            "small angles that it is turned by, at factor one, as in `{ x = \"2 mrad\" }`",
+        ),
+        key(
+            "turns",
+            "some of the letters xyz",
+            "none",
+            "axes that it is free to turn about; a force then acts at the point `about`",
+        ),
+        key(
+            "moment",
+            "table by axis of moments",
+            "0",
+            "moments on the whole about axes that it is free to turn about, at factor one",
+        ),
+        key(
+            "about",
+            "list of three lengths",
+            "the middle of the box around the surface",
+            "the point that it turns about, at which forces act and which moments are about",
+        ),
     ],
 };
 
@@ -239,13 +270,49 @@ pub const LOAD: Keys = Keys {
     ],
 };
 
+pub const TEMPERATURE: Keys = Keys {
+    heading: "[[temperature]]",
+    about: "By how much a body is warmer than where it is free of stress: a difference, not a reading. Also in a `[bearing]`.",
+    keys: &[
+        key("name", "text", "that of the body", "for `step.factors`"),
+        key("body", "text", "required", "of the mesh"),
+        key(
+            "value",
+            "difference of temperature",
+            "0",
+            "in the middle of the box around the body, at factor one: `\"20 K\"`, `\"36 degF\"`",
+        ),
+        key(
+            "gradient",
+            "list of three differences of temperature per length",
+            "none",
+            "its change along x, y and z, as in `[0, 0, \"0.1 K/mm\"]`",
+        ),
+    ],
+};
+
 pub const AXES: Keys = Keys {
-    heading: "displacement, force",
+    heading: "displacement, force, rotation, moment",
     about: "Of supports and rigid planes: `force = { z = \"-40 N\" }`.",
     keys: &[
-        key("x", "length or force", "free", "along x"),
-        key("y", "length or force", "free", "along y"),
-        key("z", "length or force", "free", "along z"),
+        key(
+            "x",
+            "length, force, angle or moment",
+            "none",
+            "along or about x",
+        ),
+        key(
+            "y",
+            "length, force, angle or moment",
+            "none",
+            "along or about y",
+        ),
+        key(
+            "z",
+            "length, force, angle or moment",
+            "none",
+            "along or about z",
+        ),
     ],
 };
 

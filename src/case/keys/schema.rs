@@ -4,7 +4,8 @@ use super::{
     ACTION, AXES, BEARING, BEARING_MESH, BODY, COMBINATION, COMPARISON, CONTACT, CONTROLS,
     FAMILY_MESH, FILE_MESH, HARDENING, Key, Keys, LINE_BEARING, LINE_BEARING_MESH,
     LINE_PLATE_CURVE, LINE_PLATE_SIZE, LINE_PLATE_THICKNESS, LOAD, PARTNER, PLANE, PLATE_THICKNESS,
-    RIGID_PLANE, ROLLER_END, ROOT, SCENE, STEEL, STEP, SUPPORT, TITLE_BLOCK,
+    RIGID_PLANE, ROLLER_END, ROOT, SCENE, STEEL, STEP, SUPPORT, TEMPERATURE, TILTED_TOP,
+    TITLE_BLOCK,
 };
 use serde_json::{Map, Value, json};
 
@@ -34,6 +35,7 @@ pub fn schema() -> Value {
         ("rigid_plane", list(object(&RIGID_PLANE, &rigid_plane()))),
         ("pressure", list(object(&LOAD, &[]))),
         ("traction", list(object(&LOAD, &[]))),
+        ("temperature", list(object(&TEMPERATURE, &[]))),
         ("step", list(object(&STEP, &[]))),
     ];
     let mut whole = properties(&ROOT, &root);
@@ -51,10 +53,19 @@ pub fn schema() -> Value {
 fn bearing() -> Value {
     let thickness = any([quantity(), object(&PLATE_THICKNESS, &[])]);
     let end = any([json!({ "const": "square" }), object(&ROLLER_END, &[])]);
-    object(
-        &BEARING,
-        &[("plate_thickness", thickness), ("roller_end", end)],
-    )
+    let inner = [
+        ("plate_thickness", thickness),
+        ("roller_end", end),
+        ("top", top()),
+    ];
+    object(&BEARING, &inner)
+}
+
+fn top() -> Value {
+    any([
+        json!({ "enum": ["held", "free"] }),
+        object(&TILTED_TOP, &[]),
+    ])
 }
 
 fn line_bearing() -> Value {
@@ -71,6 +82,7 @@ fn line_bearing() -> Value {
             ),
             ("plate_size", any([plan(), object(&LINE_PLATE_SIZE, &each)])),
             ("plate_curve", object(&LINE_PLATE_CURVE, &[])),
+            ("top", top()),
             ("roller_end", end),
         ],
     )
@@ -93,8 +105,10 @@ fn contact() -> Value {
     object(&CONTACT, &[("upper", side.clone()), ("lower", side)])
 }
 
-fn rigid_plane() -> [(&'static str, Value); 2] {
+fn rigid_plane() -> [(&'static str, Value); 4] {
     [
+        ("rotation", object(&AXES, &[])),
+        ("moment", object(&AXES, &[])),
         ("displacement", object(&AXES, &[])),
         ("force", object(&AXES, &[])),
     ]
@@ -145,7 +159,15 @@ fn quantity() -> Value {
 
 /// The schema of what a key says that it takes; `None` of words that are not known.
 pub fn takes(words: &str) -> Option<Value> {
-    const QUANTITIES: [&str; 5] = ["length", "force", "stress", "angle", "share"];
+    const QUANTITIES: [&str; 7] = [
+        "length",
+        "force",
+        "stress",
+        "angle",
+        "share",
+        "difference of temperature",
+        "expansion",
+    ];
     let begins = |word: &str| {
         let rest = words.strip_prefix(word);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([',', ' ']))
@@ -199,7 +221,18 @@ fn listed(words: &str) -> Option<Value> {
     if words.starts_with('`') {
         return Some(choice(words));
     }
-    let of = ["tables", "names", "forces", "three shares", "three lengths"];
+    let of = [
+        "tables",
+        "names",
+        "forces",
+        "three shares",
+        "three lengths",
+        "three differences of temperature",
+        "two lengths",
+        "two forces",
+        "two moments",
+        "two angles",
+    ];
     let found = of.iter().find(|of| words.starts_with(*of))?;
     Some(match *found {
         "tables" => json!({ "type": "object" }),

@@ -141,6 +141,14 @@ impl Steels {
         Ok(self.entry(body)?.strength())
     }
 
+    /// Coefficient of thermal expansion of `body`, per kelvin; `None` where no table says it.
+    pub(super) fn expansion_of(&self, body: &str) -> Option<f64> {
+        self.tables(body)
+            .iter()
+            .flatten()
+            .find_map(SteelTable::expansion)
+    }
+
     /// The tables of a body itself and of all bodies, each with the thickness that either of them says.
     fn tables(&self, body: &str) -> [Option<SteelTable>; 2] {
         let own = self.bodies.iter().find(|(name, _)| name.value == body);

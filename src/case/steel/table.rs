@@ -22,6 +22,8 @@ pub(super) struct SteelTable {
     ultimate_strength: Option<Located<f64>>,
     hardness: Option<Located<f64>>,
     surface_hardened: Option<Located<bool>>,
+    /// Per kelvin.
+    expansion: Option<Located<f64>>,
     /// The grade that has what the keys above do not say.
     grade: Option<Located<Grade>>,
     /// Of the product as delivered; a grade is the weaker the thicker it is.
@@ -62,6 +64,7 @@ impl SteelTable {
             ultimate_strength: None,
             hardness: None,
             surface_hardened: None,
+            expansion: None,
             grade: Some(graded(field, grades)?),
             thickness: None,
         };
@@ -101,6 +104,9 @@ impl SteelTable {
             ultimate_strength: positive("ultimate_strength")?,
             hardness: ratio("hardness")?.map(Located::positive).transpose()?,
             surface_hardened: flag("surface_hardened")?,
+            expansion: (table.get("expansion"))
+                .map(|field| field.quantity(Dimension::EXPANSION))
+                .transpose()?,
             grade: (table.get("grade").map(|field| graded(&field, grades))).transpose()?,
             thickness: table.get("thickness").map(length).transpose()?,
         };
@@ -199,6 +205,7 @@ impl SteelTable {
             surface_hardened: self
                 .surface_hardened
                 .or(default.surface_hardened.filter(|_| same)),
+            expansion: self.expansion.or(default.expansion),
             grade: self.grade.or(default.grade),
             thickness: self.thickness.or(default.thickness),
             place: self.place,
@@ -214,6 +221,11 @@ impl SteelTable {
             hardness: value(&self.hardness),
             surface_hardened: self.surface_hardened.as_ref().is_some_and(|h| h.value),
         }
+    }
+
+    /// Its coefficient of thermal expansion, where it says one.
+    pub fn expansion(&self) -> Option<f64> {
+        self.expansion.as_ref().map(|e| e.value)
     }
 
     /// Does it name a grade?

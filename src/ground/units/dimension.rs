@@ -1,11 +1,12 @@
-//! What a quantity measures, as powers of force, length and angle.
+//! What a quantity measures, as powers of force, length, angle and temperature.
 
-/// Powers of force, length and angle.
+/// Powers of force, length, angle and temperature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Dimension {
     pub(super) force: i32,
     pub(super) length: i32,
     pub(super) angle: i32,
+    pub(super) temperature: i32,
 }
 
 impl Dimension {
@@ -28,11 +29,27 @@ impl Dimension {
     /// Radians inside the program, degrees outside.
     pub const ANGLE: Self = Self::new(0, 0, 1);
 
+    /// A difference of temperature, in kelvin in every system.
+    pub const TEMPERATURE: Self = Self::RATIO.per_kelvin(-1);
+    /// A difference of temperature per length.
+    pub const TEMPERATURE_GRADIENT: Self = Self::new(0, -1, 0).per_kelvin(-1);
+    /// A coefficient of thermal expansion.
+    pub const EXPANSION: Self = Self::RATIO.per_kelvin(1);
+
+    /// Divided by a temperature to the `power`.
+    pub(super) const fn per_kelvin(self, power: i32) -> Self {
+        Self {
+            temperature: self.temperature - power,
+            ..self
+        }
+    }
+
     pub(super) const fn new(force: i32, length: i32, angle: i32) -> Self {
         Self {
             force,
             length,
             angle,
+            temperature: 0,
         }
     }
 }

@@ -8,6 +8,7 @@ pub(super) enum Base {
     Force,
     Length,
     Angle,
+    Temperature,
     Ratio,
 }
 
@@ -15,7 +16,7 @@ pub(super) enum Base {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
     pub base: Base,
-    /// In 1e-13 N, nm, radians or ones. Forces and lengths are whole numbers that `f64` holds
+    /// In 1e-13 N, nm, radians, kelvins or ones. Forces and lengths are whole numbers that `f64` holds
     /// exactly, so the ratio of two of them is the nearest `f64` to the true factor.
     pub size: f64,
     pub power: i32,
@@ -83,15 +84,19 @@ pub(super) fn symbol(name: &str) -> Option<Vec<Term>> {
         "rad" => one(Base::Angle, 1.0),
         "mrad" => one(Base::Angle, 1e-3),
         "deg" | "°" => one(Base::Angle, std::f64::consts::PI / 180.0),
+        // Differences.
+        "K" | "degC" | "°C" => one(Base::Temperature, 1.0),
+        "degF" | "°F" => one(Base::Temperature, 5.0 / 9.0),
         "%" => one(Base::Ratio, 0.01),
         _ => return None,
     })
 }
 
 /// Every symbol, for "did you mean".
-pub(super) const SYMBOLS: [&str; 27] = [
+pub(super) const SYMBOLS: [&str; 30] = [
     "km", "m", "cm", "mm", "µm", "um", "nm", "in", "inch", "ft", "mil", "N", "kN", "MN", "lbf",
-    "kip", "kgf", "Pa", "kPa", "MPa", "GPa", "psi", "ksi", "rad", "mrad", "deg", "%",
+    "kip", "kgf", "Pa", "kPa", "MPa", "GPa", "psi", "ksi", "rad", "mrad", "deg", "K", "degC",
+    "degF", "%",
 ];
 
 /// The terms of an expression such as `kip/in^2`, `N/mm²` or `kN·m`; on failure the symbol that
@@ -103,8 +108,14 @@ pub(super) fn expression(text: &str) -> Result<Vec<Term>, String> {
     loop {
         let end = rest.find(['/', '*', '·', '⋅']).unwrap_or(rest.len());
         let factor = rest[..end].trim();
+        // As in 1/K.
+        let is_one = factor == "1" && terms.is_empty();
         let (name, power) = split_power(factor).ok_or_else(|| factor.to_string())?;
-        let found = symbol(name).ok_or_else(|| name.to_string())?;
+        let found = match symbol(name) {
+            Some(found) => found,
+            None if is_one => Vec::new(),
+            None => return Err(name.to_string()),
+        };
         terms.extend(found.into_iter().map(|t| Term {
             power: t.power * power * sign,
             ..t
@@ -145,4 +156,5 @@ pub(super) fn dimension(terms: &[Term]) -> Dimension {
             .sum()
     };
     Dimension::new(sum(Base::Force), sum(Base::Length), sum(Base::Angle))
+        .per_kelvin(-sum(Base::Temperature))
 }

@@ -77,6 +77,7 @@ impl UnitSystem {
             (self.force(), dimension.force),
             (self.length(), dimension.length),
             ("deg", dimension.angle),
+            ("K", dimension.temperature),
         ];
         let mut above: Vec<String> = Vec::new();
         let mut below = String::new();
@@ -170,7 +171,7 @@ impl UnitSystem {
         let own = match base {
             Base::Force => self.force(),
             Base::Length => self.length(),
-            Base::Angle | Base::Ratio => return 1.0,
+            Base::Angle | Base::Temperature | Base::Ratio => return 1.0,
         };
         symbol(own)
             .and_then(|terms| terms.first().map(|t| t.size))

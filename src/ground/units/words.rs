@@ -19,6 +19,9 @@ impl Dimension {
             Self::LINE_LOAD => "a force per length",
             Self::CONTACT_STIFFNESS => "a stress per length",
             Self::ANGLE => "an angle",
+            Self::TEMPERATURE => "a difference of temperature",
+            Self::TEMPERATURE_GRADIENT => "a difference of temperature per length",
+            Self::EXPANSION => "a coefficient of thermal expansion",
             _ => return format!("a quantity in {}", UnitSystem::MNPa.unit(self)),
         };
         known.to_string()
@@ -33,6 +36,8 @@ impl Dimension {
             Self::STRESS => "psi, ksi, Pa, kPa, MPa, GPa, N/mm^2".to_string(),
             Self::LINE_LOAD => "lbf/in, kip/in, N/mm, kN/m".to_string(),
             Self::ANGLE => "deg, °, rad, mrad".to_string(),
+            Self::TEMPERATURE => "K, degC, degF".to_string(),
+            Self::EXPANSION => "1/K, 1/degF".to_string(),
             _ => {
                 let units: Vec<String> = UnitSystem::ALL.iter().map(|s| s.unit(self)).collect();
                 units.join(", ")

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use crate::ground::geometry::{norm, scale};
 use crate::model::mesh::Mesh;
-use crate::model::scene::{PlaneMotion, RigidPlane, Traction, TractionValue};
+use crate::model::scene::{PlaneMotion, PlaneTurn, RigidPlane, Traction, TractionValue};
 
 /// What loads a surface, at factor one of a step. Its name, by which steps call it, is that of the surface, unless
 /// [`named`](Self::named) says otherwise.
@@ -20,7 +20,8 @@ pub(super) enum Kind {
     Traction([f64; 3]),
     /// In total, spread evenly.
     Force([f64; 3]),
-    Plane([PlaneMotion; 3]),
+    /// Without name and surface.
+    Plane(RigidPlane),
 }
 
 impl Load {
@@ -61,7 +62,18 @@ impl Load {
 
     /// A rigid plane with a motion of its own along each axis.
     pub fn plane(surface: &str, motion: [PlaneMotion; 3]) -> Self {
-        Self::new(surface, Kind::Plane(motion))
+        Self::rigid(
+            surface,
+            RigidPlane {
+                motion,
+                ..RigidPlane::default()
+            },
+        )
+    }
+
+    /// A rigid plane that may also turn, whatever `plane` has for a name and a surface.
+    pub fn rigid(surface: &str, plane: RigidPlane) -> Self {
+        Self::new(surface, Kind::Plane(plane))
     }
 
     fn along(surface: &str, axis: Axis, along: PlaneMotion) -> Self {
@@ -81,12 +93,16 @@ impl Load {
         match self.kind {
             Kind::Pressure(p) => vec![p],
             Kind::Traction(t) | Kind::Force(t) => t.into(),
-            Kind::Plane(motion) => {
-                let number = |m: PlaneMotion| match m {
+            Kind::Plane(ref plane) => {
+                let moved = plane.motion.map(|m| match m {
                     PlaneMotion::Held(x) | PlaneMotion::Driven(x) => x,
                     PlaneMotion::Free => 0.0,
-                };
-                motion.map(number).into()
+                });
+                let turned = plane.turn.map(|t| match t {
+                    PlaneTurn::Held(x) | PlaneTurn::Driven(x) => x,
+                });
+                let about = plane.about.unwrap_or_default();
+                [moved, turned, about].concat()
             }
         }
     }
@@ -99,11 +115,11 @@ impl Load {
             kind,
         } = self;
         let value = match kind {
-            Kind::Plane(motion) => {
+            Kind::Plane(plane) => {
                 return Placed::Plane(RigidPlane {
                     name,
                     surface,
-                    motion,
+                    ..plane
                 });
             }
             Kind::Pressure(pressure) => TractionValue::Pressure(pressure),

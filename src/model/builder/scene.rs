@@ -205,6 +205,7 @@ impl SceneBuilder {
             tractions,
             steps: self.steps,
             mirrors: self.mirrors.iter().map(|axis| axis.index()).collect(),
+            temperatures: Vec::new(),
             half_turn: Vec::new(),
             controls: self.controls,
             mesh,

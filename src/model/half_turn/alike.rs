@@ -13,7 +13,7 @@ pub fn loads(scene: &Scene) -> Result<(), NoHalfTurn> {
     let straight = |plane: &RigidPlane| {
         let [x, y, z] = plane.motion;
         let stays = |motion| matches!(motion, PlaneMotion::Held(0.0) | PlaneMotion::Free);
-        stays(x) && stays(y) && matches!(z, PlaneMotion::Driven(_))
+        stays(x) && stays(y) && matches!(z, PlaneMotion::Driven(_)) && !plane.turns()
     };
     let moves = |support: &Support| {
         let components = support.components.iter().flatten();
@@ -23,7 +23,8 @@ pub fn loads(scene: &Scene) -> Result<(), NoHalfTurn> {
     };
     let one = matches!(scene.rigid_planes.as_slice(), [plane] if straight(plane));
     let sides = scene.mirrors.iter().all(|axis| *axis < 2) && scene.mirrors.len() != 1;
-    match one && sides && scene.tractions.is_empty() && !scene.supports.iter().any(moves) {
+    let even = scene.temperatures.is_empty();
+    match one && sides && even && scene.tractions.is_empty() && !scene.supports.iter().any(moves) {
         true => Ok(()),
         false => Err(NoHalfTurn::Load),
     }

@@ -131,6 +131,7 @@ fn fold(
         tractions: Vec::new(),
         steps: scene.steps.clone(),
         mirrors: scene.mirrors.clone(),
+        temperatures: Vec::new(),
         half_turn: cut,
         controls: scene.controls,
         mesh: half_mesh,

@@ -110,6 +110,6 @@ fn of_the_whole(half: &PlaneField) -> PlaneField {
     let [x, y, z] = half.travel;
     PlaneField {
         travel: [x, y, 2.0 * z],
-        force: half.force,
+        ..*half
     }
 }

@@ -8,6 +8,7 @@ pub mod gmsh;
 pub mod hexahedron;
 pub mod join;
 pub mod merge;
+mod middle;
 pub mod msh;
 #[doc(hidden)]
 pub mod pieces;

@@ -24,19 +24,8 @@ impl Support {
     }
 }
 
-/// A surface that translates as a rigid plane without rotating.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct RigidPlane {
-    /// What steps and messages call it.
-    pub name: String,
-    /// The surface of the mesh.
-    pub surface: String,
-    /// What it does along x, y and z.
-    pub motion: [PlaneMotion; 3],
-}
-
 /// What a rigid plane does along one axis.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub enum PlaneMotion {
     /// Displaced by this much (times the factor of the step), all nodes alike.
     Held(f64),
@@ -44,6 +33,7 @@ pub enum PlaneMotion {
     /// (times the factor of the step).
     Driven(f64),
     /// Every node free.
+    #[default]
     Free,
 }
 

@@ -7,7 +7,9 @@ pub mod carrier;
 mod controls;
 mod loads;
 mod pair;
+mod rigid_plane;
 mod step;
+mod temperature;
 mod unloading;
 
 use crate::analytic::{DomainError, Elastic, contact_compliance};
@@ -15,10 +17,12 @@ use crate::ground::geometry::planes_through;
 use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
 pub use controls::{Controls, ElementKind, SolverKind};
-pub use loads::{PlaneMotion, RigidPlane, Support, Traction, TractionValue};
+pub use loads::{PlaneMotion, Support, Traction, TractionValue};
 pub use pair::{ContactPair, Partner, Side};
+pub use rigid_plane::{PlaneTurn, Pose, RigidPlane};
 use serde::Serialize;
 pub use step::Step;
+pub use temperature::Temperature;
 pub use unloading::UNLOADED_SHARE;
 
 /// Everything the solver needs.
@@ -34,10 +38,12 @@ pub struct Scene {
     pub contacts: Vec<ContactPair>,
     /// Prescribed displacements.
     pub supports: Vec<Support>,
-    /// Surfaces that translate as rigid planes.
+    /// Surfaces that move as rigid planes.
     pub rigid_planes: Vec<RigidPlane>,
     /// Forces per area on surfaces.
     pub tractions: Vec<Traction>,
+    /// Differences of temperature of bodies.
+    pub temperatures: Vec<Temperature>,
     /// Load steps, one after the other.
     pub steps: Vec<Step>,
     /// Axes (0, 1, 2) that the model is mirrored along: `[0, 1]` is a quarter model.
@@ -76,7 +82,7 @@ impl Scene {
         contact_compliance(elastic(&pair.upper)?, elastic(&pair.lower)?)
     }
 
-    /// Factor of the support, plane or traction called `name` at share `time` of the step with that index. Before the
+    /// Factor of the support, plane, traction or temperature called `name` at share `time` of the step with that index. Before the
     /// first step it is zero; beyond the last it stays.
     pub fn factor(&self, name: &str, step: usize, time: f64) -> f64 {
         let before = step.checked_sub(1).and_then(|i| self.steps.get(i));

@@ -1,6 +1,6 @@
 //! Which steps at the end of a scene take its loads off again.
 
-use super::{PlaneMotion, Scene};
+use super::{PlaneMotion, PlaneTurn, Scene};
 
 /// The share of a load that may be left where it counts as taken off: a part that is unloaded is often held by a little
 /// force, so that it stays where it is.
@@ -69,14 +69,21 @@ impl Scene {
         let mut courses = Vec::new();
         for plane in &self.rigid_planes {
             let has = |counts: fn(&PlaneMotion) -> bool| plane.motion.iter().any(counts);
-            if has(|m| matches!(m, PlaneMotion::Driven(force) if *force != 0.0)) {
+            let turned = |counts: fn(&PlaneTurn) -> bool| plane.turn.iter().any(counts);
+            if has(|m| matches!(m, PlaneMotion::Driven(force) if *force != 0.0))
+                || turned(|t| matches!(t, PlaneTurn::Driven(moment) if *moment != 0.0))
+            {
                 courses.push(course(&plane.name, true));
             }
-            if has(|m| matches!(m, PlaneMotion::Held(travel) if *travel != 0.0)) {
+            if has(|m| matches!(m, PlaneMotion::Held(travel) if *travel != 0.0))
+                || turned(|t| matches!(t, PlaneTurn::Held(angle) if *angle != 0.0))
+            {
                 courses.push(course(&plane.name, false));
             }
         }
         courses.extend(self.tractions.iter().map(|t| course(&t.name, true)));
+        let heated = self.temperatures.iter().map(|t| course(&t.name, false));
+        courses.extend(heated);
         let moved = self.supports.iter().filter(|support| {
             let gradient = support.gradient.iter().flatten();
             let mut all = support.components.iter().flatten().chain(gradient);

@@ -104,10 +104,14 @@ pub struct ContactField {
 /// A rigid plane in a converged state.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlaneField {
-    /// Displacement of the plane, from the state in which all interfaces just touch.
+    /// Displacement of the plane's point, from the state in which all interfaces just touch.
     pub travel: [f64; 3],
+    /// Angles that it has turned by about axes through its point, in radians.
+    pub turn: [f64; 3],
     /// Total force on the plane (applied, or the reaction where held), modelled part only.
     pub force: [f64; 3],
+    /// Moment on the plane about its point (applied, or the reaction where held), modelled part only.
+    pub moment: [f64; 3],
 }
 
 impl ContactField {

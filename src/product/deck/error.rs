@@ -13,6 +13,18 @@ pub enum InpError {
         help("give the rigid side a body of its own, ten times as stiff, and hold it")
     )]
     Plane { pair: String },
+    #[error("the rigid plane `{plane}` turns, which decks are not written for")]
+    #[diagnostic(
+        code(brinell::export::turns),
+        help("export the case with a plane that does not turn")
+    )]
+    Turns { plane: String },
+    #[error("the body `{body}` has a temperature, which decks are not written for")]
+    #[diagnostic(
+        code(brinell::export::temperature),
+        help("export the case without its [[temperature]]")
+    )]
+    Temperature { body: String },
     #[error("the mesh has no surface `{surface}`, which `{user}` names")]
     #[diagnostic(code(brinell::export::surface))]
     NoSurface { user: String, surface: String },

@@ -31,6 +31,14 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
     positive("the contact stiffness", settings.contact_stiffness)?;
     positive("the closing motion", settings.closing)?;
     positive("the first increment", settings.increment)?;
+    if let Some(plane) = scene.rigid_planes.iter().find(|plane| plane.turns()) {
+        let plane = plane.name.clone();
+        return Err(InpError::Turns { plane });
+    }
+    if let Some(temperature) = scene.temperatures.first() {
+        let body = temperature.body.clone();
+        return Err(InpError::Temperature { body });
+    }
     let mut names = Names::new(&scene.mesh);
     let pairs = pairs(scene, &mut names)?;
     let driven = driven(scene)?;

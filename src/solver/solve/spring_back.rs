@@ -93,6 +93,7 @@ fn plastic_forces(model: &Model, state: &State, elements: &[u32]) -> (Vec<[f64; 
             strain: strain(elastic, &stress),
             ..PlasticPoint::default()
         });
+        let points = model.free_strains(*element, points, (state.step, state.time));
         let inner = shape.relief(elastic, &points);
         let pairs = force.as_flattened_mut().iter_mut();
         pairs.zip(inner.as_flattened()).for_each(|(f, i)| *f -= i);

@@ -106,7 +106,11 @@ impl BearingReader<'_, '_> {
     }
 
     /// Is no use made of symmetry? `geometry` knows whether the steels allow it.
-    pub fn line_full(&mut self, geometry: &LineGeometry) -> Result<bool, CaseError> {
+    pub fn line_full(
+        &mut self,
+        geometry: &LineGeometry,
+        breaks: Option<&str>,
+    ) -> Result<bool, CaseError> {
         let full = self.flag("full")?.is_some_and(|asked| asked.value);
         let images = match geometry.rollers {
             1 => String::new(),
@@ -116,7 +120,12 @@ impl BearingReader<'_, '_> {
                 geometry.body(1)
             ),
         };
+        let broken = breaks.map(|breaks| format!("{breaks} breaks the symmetry"));
         let (text, why) = match (full, geometry.alike) {
+            (false, _) if broken.is_some() => (
+                "the whole bearing".to_owned(),
+                broken.as_deref().unwrap_or_default(),
+            ),
             (true, _) => ("the whole bearing".to_owned(), "no use is made of symmetry"),
             (false, true) => (
                 format!("a quarter{images}"),
@@ -128,7 +137,7 @@ impl BearingReader<'_, '_> {
             ),
         };
         self.note("full", text, why);
-        Ok(full)
+        Ok(full || broken.is_some())
     }
 }
 

@@ -1,7 +1,7 @@
 //! What holds a body, and what does not, in words.
 
 use crate::ground::geometry::AXES;
-use crate::model::scene::{Partner, PlaneMotion, Scene};
+use crate::model::scene::{Partner, PlaneMotion, PlaneTurn, Scene};
 use crate::solver::solve::FreeMotion;
 
 /// Supports, rigid planes and contacts on body number `body`.
@@ -23,7 +23,15 @@ pub fn held_by(scene: &Scene, body: usize) -> Vec<String> {
     for plane in scene.rigid_planes.iter().filter(|p| on(&p.surface)) {
         let held = axes(&|axis| matches!(plane.motion[axis], PlaneMotion::Held(_)));
         let driven = axes(&|axis| matches!(plane.motion[axis], PlaneMotion::Driven(_)));
-        let words = [("holds", held), ("drives", driven)];
+        let turns = axes(&|axis| matches!(plane.turn[axis], PlaneTurn::Driven(_)));
+        let turned =
+            axes(&|axis| matches!(plane.turn[axis], PlaneTurn::Held(angle) if angle != 0.0));
+        let words = [
+            ("holds", held),
+            ("drives", driven),
+            ("turns it about", turned),
+            ("lets it turn about", turns),
+        ];
         let words = words.iter().filter(|(_, axes)| !axes.is_empty());
         let words: Vec<String> = words.map(|(word, axes)| format!("{word} {axes}")).collect();
         list.push(format!("rigid plane {} ({})", plane.name, words.join(", ")));

@@ -118,6 +118,7 @@ fn punch(cells: usize, kind: ElementKind) -> Result<(SolvedScene, f64), VerifyEr
             PlaneMotion::Held(-SINK * HALF),
             PlaneMotion::Free,
         ],
+        ..RigidPlane::default()
     }];
     let run = kit::run(scene)?;
     let force = -run.state().planes[0].force[1] / size;

@@ -112,6 +112,7 @@ fn press(
             PlaneMotion::Free,
             PlaneMotion::Held(-first.approach),
         ],
+        ..RigidPlane::default()
     }];
     scene.mirrors = vec![0, 1];
     scene.steps = approaches.iter().map(|w| kit::step("press", *w)).collect();

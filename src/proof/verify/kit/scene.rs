@@ -20,6 +20,7 @@ pub fn scene(name: &str, mesh: Mesh, steel: Steel) -> Scene {
         tractions: Vec::new(),
         steps: vec![step("load", 1.0)],
         mirrors: Vec::new(),
+        temperatures: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }
@@ -68,6 +69,7 @@ pub fn driven(name: &str, surface: &str, axis: usize, force: f64) -> RigidPlane 
         name: name.into(),
         surface: surface.into(),
         motion,
+        ..RigidPlane::default()
     }
 }
 

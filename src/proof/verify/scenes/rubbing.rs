@@ -64,6 +64,7 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
         name: "press".into(),
         surface: "top".into(),
         motion: [sideways, load, PlaneMotion::Free],
+        ..RigidPlane::default()
     }];
     let mut press = kit::step("press", 1.0);
     press.factors = vec![("push".into(), 0.0)];

@@ -2,7 +2,7 @@
 
 use crate::model::material::Elastic;
 use crate::model::scene::Scene;
-use crate::solver::fem::dofs::{DofMap, FIXED};
+use crate::solver::fem::dofs::DofMap;
 use crate::solver::fem::element::Element;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::solve::params::ELEMENTS_PER_BATCH;
@@ -21,8 +21,9 @@ pub struct Condensing<'a> {
     pub condense: bool,
 }
 
-pub fn equations(plan: &Condensing, element: usize) -> [u32; 24] {
-    plan.dofs.of_element(&plan.scene.mesh, element)
+/// Equations that an element acts on, [`FIXED`](crate::solver::fem::dofs::FIXED) for none.
+pub fn equations(plan: &Condensing, element: usize) -> impl Iterator<Item = u32> {
+    plan.dofs.of_element(&plan.scene.mesh, element).all()
 }
 
 /// Elastic stiffness of elements on a pattern whose equations are numbered by `number`.
@@ -44,14 +45,9 @@ pub fn assemble_elastic(
             })
             .collect();
         for (element, block) in batch.iter().zip(blocks) {
-            let equations = equations(plan, *element as usize).map(|e| match e {
-                FIXED => FIXED,
-                _ => number(e),
-            });
-            let sign = plan.dofs.signs_of_element(mesh, *element as usize);
-            pattern.add_block(&mut matrix, &equations, |i, j| {
-                sign[i] * sign[j] * block[i][j]
-            });
+            let terms = plan.dofs.of_element(mesh, *element as usize);
+            let terms = terms.renumbered(&number);
+            terms.add(pattern, &mut matrix, &block);
         }
     }
     matrix

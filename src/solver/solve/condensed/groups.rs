@@ -42,7 +42,7 @@ pub fn groups(plan: &Condensing, vertex_of: &[u32]) -> Vec<Group> {
     let touched = |elements: &[u32]| {
         let mut touched = vec![false; vertices];
         for element in elements {
-            let free = equations(plan, *element as usize).into_iter();
+            let free = equations(plan, *element as usize);
             free.filter(|e| *e != FIXED)
                 .for_each(|e| touched[vertex_of[e as usize] as usize] = true);
         }
@@ -100,10 +100,9 @@ pub fn local_pattern(plan: &Condensing, vertex_of: &[u32], group: &Group) -> Pat
         .elements
         .iter()
         .map(|e| {
-            let equations = equations(plan, *e as usize);
-            let free = equations.iter().filter(|e| **e != FIXED);
+            let free = equations(plan, *e as usize).filter(|e| *e != FIXED);
             let mut list: Vec<u32> = free
-                .map(|e| local[vertex_of[*e as usize] as usize])
+                .map(|e| local[vertex_of[e as usize] as usize])
                 .collect();
             list.sort_unstable();
             list.dedup();

@@ -51,7 +51,7 @@ fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> bool
     let bodies = scene.mesh.bodies.iter().map(|body| {
         let elastic = |e: &usize| flow.binary_search(&(*e as u32)).is_err();
         let elements = body.elements.clone().filter(elastic);
-        let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e));
+        let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e).all());
         let mut dense: Vec<u32> = equations
             .filter(|e| *e != FIXED && needed[vertex_of[*e as usize] as usize])
             .collect();

@@ -12,7 +12,7 @@
 //! Numbering: the equations of sparse groups come first; then, group by group, those of its flowing elements and those of
 //! S, the small groups before the large ones.
 
-use crate::solver::fem::dofs::{DofMap, FIXED};
+use crate::solver::fem::dofs::{DofMap, FIXED, Further};
 use crate::solver::linear::ordering::Block;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::solve::condensed::assembly::Condensing;
@@ -123,6 +123,14 @@ impl CondensedBodies {
             equations: dofs.equations.iter().map(|e| e.map(kept)).collect(),
             vertex_start: self.vertex_start.clone(),
             planes: dofs.planes.clone(),
+            turns: dofs.turns.clone(),
+            turn_length: dofs.turn_length.clone(),
+            further: (dofs.further.iter())
+                .map(|further| Further {
+                    equation: kept(further.equation),
+                    ..*further
+                })
+                .collect(),
             prescribed: dofs.prescribed.clone(),
             turned: dofs.turned.clone(),
         }

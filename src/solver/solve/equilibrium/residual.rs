@@ -3,6 +3,7 @@
 //! r = f_ext − K u + Σ f_p − Σ_rows area · Cᵀ t: external forces, less those of elastic bodies, with what the plastic
 //! strain of yielding elements takes off them, less the contact tractions t on both sides of each closed row.
 
+use crate::model::material::j2::PlasticPoint;
 use crate::solver::contact::law::Answer;
 use crate::solver::fem::element::Answer as ElementAnswer;
 use crate::solver::fem::loads::at_nodes;
@@ -18,7 +19,7 @@ impl Model<'_> {
         let mut internal = vec![0.0; self.dofs.len()];
         self.pattern
             .multiply(&self.stiffness, trial.x, &mut internal);
-        let plastic = self.plastic_answers(history, &u);
+        let plastic = self.plastic_answers(history, trial, &u);
         let nodes = |index: usize| self.scene.mesh.hexes[self.yielding[index] as usize];
         let relief = (plastic.iter()).map(|answer| (nodes(answer.index), answer.relief));
         let mut nodal = at_nodes(u.len(), relief);
@@ -46,7 +47,13 @@ impl Model<'_> {
         }
     }
 
-    fn plastic_answers(&self, history: &History, u: &[[f64; 3]]) -> Vec<PlasticAnswer> {
+    fn plastic_answers(
+        &self,
+        history: &History,
+        trial: &Trial,
+        u: &[[f64; 3]],
+    ) -> Vec<PlasticAnswer> {
+        let moment = (trial.step, trial.time);
         let mesh = &self.scene.mesh;
         self.yielding
             .par_iter()
@@ -59,10 +66,14 @@ impl Model<'_> {
                 let shape = self.element(element);
                 let old = history.plastic[index].as_deref();
                 let start = old.copied().unwrap_or_default();
-                let Some(answer) = shape.answer(steel, elastic, &local, &start) else {
+                let free = self.free_strains(element, start, moment);
+                let Some(answer) = shape.answer(steel, elastic, &local, &free) else {
                     return Some(PlasticAnswer::lost(index, start));
                 };
-                let ElementAnswer { points, flows } = answer;
+                let ElementAnswer { mut points, flows } = answer;
+                if !self.heated.is_empty() {
+                    plastic_alone(&mut points, (&free, &start));
+                }
                 if old.is_none() && flows.iter().all(Option::is_none) {
                     return None;
                 }
@@ -92,5 +103,16 @@ impl Model<'_> {
                 (row.law.traction(&trial.nodes[index], &measured), measured)
             })
             .unzip()
+    }
+}
+
+/// Takes the thermal strain off again: the histories go from `free`, which has it, back to what they were with `start`.
+fn plastic_alone(
+    points: &mut [PlasticPoint; 8],
+    (free, start): (&[PlasticPoint; 8], &[PlasticPoint; 8]),
+) {
+    for (point, (free, start)) in points.iter_mut().zip(free.iter().zip(start)) {
+        let ends = point.strain.iter_mut().zip(&free.strain).zip(&start.strain);
+        ends.for_each(|((end, free), start)| *end = start + (*end - free));
     }
 }

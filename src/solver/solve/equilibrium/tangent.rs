@@ -29,11 +29,8 @@ impl Model<'_> {
             })
             .collect();
         for (element, change) in changes {
-            let equations = self.element_equations(element);
-            let sign = (self.dofs).signs_of_element(&self.scene.mesh, element as usize);
-            self.pattern.add_block(&mut matrix, &equations, |i, j| {
-                sign[i] * sign[j] * change[i][j]
-            });
+            let terms = self.element_terms(element);
+            terms.add(&self.pattern, &mut matrix, &change);
         }
         for (row, answer) in self.rows.iter().zip(&evaluation.contact) {
             if answer.tangent[0][0] != 0.0 {
@@ -62,12 +59,23 @@ impl ContactRow {
         }
         let global = global.map(|row| row.map(|v| self.row.area * v));
         let terms = &self.row.terms;
-        let equations: Vec<u32> = terms
+        let equations = terms
             .iter()
-            .flat_map(|(n, _)| model.dofs.equations[*n as usize])
-            .collect();
+            .flat_map(|(n, _)| model.dofs.equations[*n as usize]);
+        let further = self.further(&model.dofs);
+        if further.is_empty() {
+            let equations: Vec<u32> = equations.collect();
+            model.pattern.add_block(matrix, &equations, |i, j| {
+                terms[i / 3].1[i % 3] * terms[j / 3].1[j % 3] * global[i % 3][j % 3]
+            });
+            return;
+        }
+        let equations: Vec<u32> = equations.chain(further.iter().map(|f| f.0)).collect();
+        let own = (0..3 * terms.len()).map(|i| (i % 3, terms[i / 3].1[i % 3]));
+        let shares: Vec<(usize, f64)> = own.chain(further.iter().map(|f| (f.1, f.2))).collect();
         model.pattern.add_block(matrix, &equations, |i, j| {
-            terms[i / 3].1[i % 3] * terms[j / 3].1[j % 3] * global[i % 3][j % 3]
+            let ((a, u), (b, v)) = (shares[i], shares[j]);
+            u * v * global[a][b]
         });
     }
 }

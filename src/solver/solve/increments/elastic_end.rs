@@ -57,7 +57,10 @@ impl Run<'_, '_> {
             let contact = Unforeseen::new(model, &self.history, &self.sights, &end, Ahead::Less);
             if contact.is_flow_only() {
                 let settled = &self.history.settled;
-                let shares = |p| shares_of_yield(model, settled, &model.displacement(p, settled));
+                let shares = |p| {
+                    let u = model.displacement(p, settled);
+                    shares_of_yield(model, settled, (&u, (p.step, p.time)))
+                };
                 let [now, then] = [trial, &end].map(shares);
                 unforeseen.flow = flow_to_come(&then);
                 let corners = |element| model.scene.mesh.corners(element as usize);

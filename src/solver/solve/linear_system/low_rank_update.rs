@@ -9,6 +9,7 @@
 //! Columns of Z are found when their row changes for the first time, many at once, and kept as long as the factor is.
 //! Rounding is no matter: what comes out is a preconditioner.
 
+use crate::ground::geometry::add;
 use crate::solver::contact::law::Answer;
 use crate::solver::fem::dofs::FIXED;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
@@ -148,10 +149,16 @@ impl LowRankUpdate {
 impl ContactRow {
     /// Relative displacement in local components, of unknowns.
     fn gather(&self, model: &Model, x: &[f64]) -> [f64; 3] {
-        self.relative_of(|node, axis| match model.dofs.equations[node][axis] {
+        let mut d = self.relative_of(|node, axis| match model.dofs.equations[node][axis] {
             FIXED => 0.0,
             equation => x[equation as usize],
-        })
+        });
+        for (equation, axis, share) in self.further(&model.dofs) {
+            let mut moved = [0.0; 3];
+            moved[axis] = share * x[equation as usize];
+            d = add(d, self.local(moved));
+        }
+        d
     }
 
     /// Adds the forces on unknowns of a traction in local components, over the area.
@@ -164,6 +171,9 @@ impl ContactRow {
                     y[equations[axis] as usize] += coefficient[axis] * force[axis];
                 }
             }
+        }
+        for (equation, axis, share) in self.further(&model.dofs) {
+            y[equation as usize] += share * force[axis];
         }
     }
 }

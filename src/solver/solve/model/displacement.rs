@@ -26,7 +26,7 @@ impl Model<'_> {
         for p in &dofs.prescribed {
             if p.value != 0.0 {
                 let factor = self.scene.factor(self.source_name(p.source), step, time);
-                nodal[p.node as usize][p.axis] = factor * p.value;
+                nodal[p.node as usize][p.axis] += factor * p.value;
             }
         }
         nodal
@@ -40,6 +40,25 @@ impl Model<'_> {
             for (equation, value) in equations.iter().zip(values) {
                 if *equation != FIXED && !turned {
                     x[*equation as usize] = *value;
+                }
+            }
+        }
+        // What follows a plane that turns is not the plane's own motion.
+        let scene = self.scene;
+        for (index, plane) in scene.rigid_planes.iter().enumerate() {
+            if !plane.turns() {
+                continue;
+            }
+            let pose = plane.pose(&scene.mesh, &scene.mirrors, nodal);
+            let length = self.dofs.turn_length[index];
+            let of_travel = self.dofs.planes[index].into_iter().zip(pose.travel);
+            let turn = pose.turn.map(|angle| angle * length);
+            let of_turn = self.dofs.turns[index].into_iter().zip(turn);
+            for (equation, value) in of_travel.chain(of_turn) {
+                if let Some(equation) = equation.map(|e| self.bodies.kept_of(e))
+                    && equation != FIXED
+                {
+                    x[equation as usize] = value;
                 }
             }
         }

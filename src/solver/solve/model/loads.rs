@@ -1,7 +1,7 @@
 //! External forces on the kept unknowns.
 
 use crate::ground::geometry::scale;
-use crate::model::scene::{PlaneMotion, Scene};
+use crate::model::scene::{PlaneMotion, PlaneTurn, Scene};
 use crate::solver::fem::dofs::{DofMap, Source};
 use crate::solver::fem::loads;
 use crate::solver::fem::loads::at_nodes;
@@ -76,11 +76,17 @@ pub fn load_vectors(scene: &Scene, dofs: &DofMap) -> Vec<(String, Vec<f64>)> {
             out.push((traction.name.clone(), dofs.gather(&force)));
         }
     }
-    for (plane, equations) in scene.rigid_planes.iter().zip(&dofs.planes) {
+    for (index, plane) in scene.rigid_planes.iter().enumerate() {
+        let (equations, turns) = (&dofs.planes[index], &dofs.turns[index]);
         let mut force = vec![0.0; dofs.len()];
         for (motion, equation) in plane.motion.iter().zip(equations) {
             if let (PlaneMotion::Driven(load), Some(equation)) = (motion, equation) {
                 force[*equation as usize] = *load;
+            }
+        }
+        for (turn, equation) in plane.turn.iter().zip(turns) {
+            if let (PlaneTurn::Driven(moment), Some(equation)) = (turn, equation) {
+                force[*equation as usize] = moment / dofs.turn_length[index];
             }
         }
         out.push((plane.name.clone(), force));

@@ -14,6 +14,7 @@ use crate::solver::solve::model::loads::load_vectors;
 use crate::solver::solve::model::places::places;
 use crate::solver::solve::model::structure::{Structure, needed};
 use crate::solver::solve::model::system::{Model, is_soft};
+use crate::solver::solve::model::thermal::{Heated, thermal_forces};
 use crate::solver::solve::rows::contact_row::{ContactRow, law};
 
 impl<'a> Model<'a> {
@@ -84,6 +85,7 @@ impl<'a> Model<'a> {
         };
         let mut model = Self {
             loads: load_vectors(scene, &all),
+            heated: Heated::all(scene),
             reference: 0.0,
             yielding: expected.flow.clone(),
             scene,
@@ -100,6 +102,8 @@ impl<'a> Model<'a> {
             all,
         };
         model.loads.extend(model.prescribed_forces());
+        let thermal = thermal_forces(scene, &model.heated, &model.all);
+        model.loads.extend(thermal);
         model.reference = model.largest_load();
         if !(model.reference * model.reference).is_finite() {
             return Err(SolveError::OutOfRange);

@@ -2,7 +2,7 @@
 
 use crate::model::mesh::Mesh;
 use crate::model::scene::Scene;
-use crate::solver::fem::dofs::{DofMap, FIXED};
+use crate::solver::fem::dofs::DofMap;
 use crate::solver::linear::cholesky::Symbolic;
 use crate::solver::linear::sparse::Pattern;
 use crate::solver::solve::condensed::assembly::Condensing;
@@ -55,10 +55,8 @@ pub fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -
     let flowing = flow.iter().flat_map(|e| scene.mesh.hexes[*e as usize]);
     let touching = rows.iter().flat_map(|r| r.row.terms.iter().map(|t| t.0));
     for node in flowing.chain(touching) {
-        for equation in dofs.equations[node as usize] {
-            if equation != FIXED {
-                needed[vertex_of[equation as usize] as usize] = true;
-            }
+        for (equation, ..) in dofs.terms(node) {
+            needed[vertex_of[equation as usize] as usize] = true;
         }
     }
     needed
@@ -68,9 +66,8 @@ fn pattern(mesh: &Mesh, bodies: &CondensedBodies, dofs: &DofMap, rows: &[Contact
     let vertex_of = dofs.vertices();
     let vertices = |nodes: &mut dyn Iterator<Item = u32>| {
         let mut list: Vec<u32> = nodes
-            .flat_map(|n| dofs.equations[n as usize])
-            .filter(|e| *e != FIXED)
-            .map(|e| vertex_of[e as usize])
+            .flat_map(|n| dofs.terms(n))
+            .map(|(e, ..)| vertex_of[e as usize])
             .collect();
         list.sort_unstable();
         list.dedup();

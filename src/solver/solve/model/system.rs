@@ -2,12 +2,13 @@
 
 use crate::model::material::Elastic;
 use crate::model::scene::Scene;
-use crate::solver::fem::dofs::{DofMap, FIXED, Source};
+use crate::solver::fem::dofs::{DofMap, ElementTerms, FIXED, Source};
 use crate::solver::fem::element::Element;
 use crate::solver::linear::preconditioner::Preconditioner;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::solve::condensed::assembly::shaped;
 use crate::solver::solve::condensed::static_condensation::CondensedBodies;
+use crate::solver::solve::model::thermal::Heated;
 use crate::solver::solve::params::SMALL_DIVIDED_MODEL;
 use crate::solver::solve::rows::contact_row::ContactRow;
 
@@ -29,9 +30,11 @@ pub struct Model<'a> {
     pub spare: Vec<ContactRow>,
     /// Elements whose yield condition is checked in every iteration.
     pub yielding: Vec<u32>,
-    /// Forces at factor one, inner unknowns eliminated: of each traction, of each rigid plane, and
-    /// those of nonzero prescribed displacements.
+    /// Forces at factor one, inner unknowns eliminated: of each traction, of each rigid plane, of
+    /// nonzero prescribed displacements and of temperatures.
     pub loads: Vec<(String, Vec<f64>)>,
+    /// Bodies with thermal strain.
+    pub heated: Vec<Heated>,
     /// The largest force that the steps apply.
     pub reference: f64,
     /// Beyond this initial gap no contact was integrated.
@@ -55,8 +58,8 @@ impl Model<'_> {
     pub fn keeps(&self, elements: &[u32]) -> bool {
         elements.iter().all(|element| {
             let all = self.all.of_element(&self.scene.mesh, *element as usize);
-            let kept = self.element_equations(*element);
-            (all.iter().zip(&kept)).all(|(all, kept)| *all == FIXED || *kept != FIXED)
+            let kept = self.element_terms(*element);
+            (all.all().zip(kept.all())).all(|(all, kept)| all == FIXED || kept != FIXED)
         })
     }
 
@@ -86,8 +89,8 @@ impl Model<'_> {
         shaped(self.scene, element as usize)
     }
 
-    /// Equations of an element's 24 components.
-    pub fn element_equations(&self, element: u32) -> [u32; 24] {
+    /// How an element's 24 components hang on the kept equations.
+    pub fn element_terms(&self, element: u32) -> ElementTerms {
         self.dofs.of_element(&self.scene.mesh, element as usize)
     }
 }

@@ -4,13 +4,14 @@
 //!
 //! W = U + D_p + D_f + W_c
 //!
-//! holds to the residual of the increments, whatever their size, by virtual work: ½ (σ₀ + σ₁) : Δε
-//! is the change of ½ σ : C⁻¹ : σ and ½ (σ₀ + σ₁) : Δε_p. W_c is what the pressure does on closing
-//! gaps within an increment; like every error of the sum it vanishes with their size.
+//! with the work W of the loads and of temperatures, −½ (σ₀ + σ₁) : Δε_th: what is heated where it cannot stretch takes
+//! in elastic energy without a force that does work. It holds to the residual of the increments, whatever their size, by
+//! virtual work: ½ (σ₀ + σ₁) : Δε is the change of ½ σ : C⁻¹ : σ, and ½ (σ₀ + σ₁) : Δε_p and : Δε_th. W_c is what the
+//! pressure does on closing gaps within an increment; like every error of the sum it vanishes with their size.
 
 use crate::ground::geometry::dot;
 use crate::model::material::{Elastic, mises};
-use crate::model::scene::PlaneMotion;
+use crate::model::scene::{PlaneMotion, PlaneTurn};
 use crate::model::state::{Energy, State};
 use crate::solver::fem::loads;
 use crate::solver::solve::model::system::Model;
@@ -34,11 +35,13 @@ impl Energy {
             return None;
         }
         let work = of_planes(model, before, after) + of_tractions(model, before, after);
+        let (thermal, scale) = of_temperatures(model, before, after);
+        let work = work + thermal;
         let (elastic, plastic) = in_bodies(model, before, after);
         let (friction, contact) = at_contacts(model, before, after);
         Some(Self {
             work: self.work + work,
-            turned_over: self.turned_over + work.abs(),
+            turned_over: self.turned_over + work.abs() + scale,
             elastic,
             plastic: self.plastic + plastic,
             friction: self.friction + friction,
@@ -53,8 +56,13 @@ fn of_planes(model: &Model, before: &State, after: &State) -> f64 {
     work.map(|(i, (plane, now))| {
         let was = before.planes.get(i).copied().unwrap_or_default();
         let axes = (0..3).filter(|axis| plane.motion[*axis] != PlaneMotion::Free);
-        axes.map(|a| 0.5 * (was.force[a] + now.force[a]) * (now.travel[a] - was.travel[a]))
-            .sum::<f64>()
+        let moved = axes
+            .map(|a| 0.5 * (was.force[a] + now.force[a]) * (now.travel[a] - was.travel[a]))
+            .sum::<f64>();
+        let axes = (0..3).filter(|axis| plane.turn[*axis] != PlaneTurn::Held(0.0));
+        let turned =
+            axes.map(|a| 0.5 * (was.moment[a] + now.moment[a]) * (now.turn[a] - was.turn[a]));
+        turned.fold(moved, |sum, work| sum + work)
     })
     .sum()
 }
@@ -80,6 +88,41 @@ fn of_tractions(model: &Model, before: &State, after: &State) -> f64 {
         )
     });
     work.sum()
+}
+
+/// What temperatures do, and as a scale for it what they would do if nothing could stretch.
+fn of_temperatures(model: &Model, before: &State, after: &State) -> (f64, f64) {
+    if model.heated.is_empty() {
+        return (0.0, 0.0);
+    }
+    let elements: Vec<(f64, f64)> = (0..after.stress.len())
+        .into_par_iter()
+        .map(|element| {
+            let strain = |state: &State| {
+                let moment = (state.step, state.time);
+                model
+                    .thermal_strain(element as u32, moment)
+                    .unwrap_or_default()
+            };
+            let [was, now] = [before, after].map(strain);
+            let bulk = model.elastic[model.scene.mesh.body_of(element)].bulk;
+            let shape = model.element(element as u32);
+            let (mut work, mut scale) = (0.0, 0.0);
+            for (k, volume) in shape.volumes().iter().enumerate() {
+                let trace = |state: &State| {
+                    let stress = state.stress.get(element).map_or([0.0; 6], |s| s[k]);
+                    stress[0] + stress[1] + stress[2]
+                };
+                let mean = 0.5 * (trace(before) + trace(after));
+                work -= volume * mean * (now[k] - was[k]);
+                scale += volume * 4.5 * bulk * (now[k].powi(2) - was[k].powi(2)).abs();
+            }
+            (work, scale)
+        })
+        .collect();
+    // In the order of the elements, whatever the number of threads.
+    let add = |sum: (f64, f64), e: &(f64, f64)| (sum.0 + e.0, sum.1 + e.1);
+    elements.iter().fold((0.0, 0.0), add)
 }
 
 /// Displacement of a node in the increment.

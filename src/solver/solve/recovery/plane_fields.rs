@@ -1,6 +1,6 @@
-//! Motion and force of the rigid planes.
+//! Motion, turn, force and moment of the rigid planes.
 
-use crate::model::scene::PlaneMotion;
+use crate::model::scene::{PlaneMotion, PlaneTurn, Pose, RigidPlane, Scene};
 use crate::model::state::PlaneField;
 use crate::solver::solve::checkpoint::plastic::Plastic;
 use crate::solver::solve::checkpoint::point::Point;
@@ -12,23 +12,45 @@ pub fn plane_fields(
     point: &Point,
     u: &[[f64; 3]],
 ) -> Vec<PlaneField> {
-    let planes = model.scene.rigid_planes.iter().zip(&model.all.planes);
-    planes
-        .map(|(plane, equations)| {
-            let node = model
-                .scene
-                .mesh
-                .surface(&plane.surface)
-                .and_then(|s| s.faces.first());
-            let travel = node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]);
-            let factor = model.scene.factor(&plane.name, point.step, point.time);
-            let held = plane.motion.map(|m| matches!(m, PlaneMotion::Held(_)));
-            let reaction = model.reaction(plastic, u, &plane.surface, held);
-            let force = std::array::from_fn(|axis| match (plane.motion[axis], equations[axis]) {
+    let scene = model.scene;
+    let of = |(index, plane): (usize, &RigidPlane)| {
+        let Pose { travel, turn } = pose(scene, plane, u);
+        let factor = scene.factor(&plane.name, point.step, point.time);
+        let moved = plane.motion.map(|m| m != PlaneMotion::Free);
+        let about = plane.point(&scene.mesh, &scene.mirrors);
+        let [force, moment] = model.reaction(
+            plastic,
+            u,
+            &plane.surface,
+            (moved, about),
+            (point.step, point.time),
+        );
+        let (driven, turned) = (&model.all.planes[index], &model.all.turns[index]);
+        PlaneField {
+            travel,
+            turn,
+            force: std::array::from_fn(|axis| match (plane.motion[axis], driven[axis]) {
                 (PlaneMotion::Driven(load), Some(_)) => factor * load,
-                _ => reaction[axis],
-            });
-            PlaneField { travel, force }
-        })
-        .collect()
+                _ => force[axis],
+            }),
+            moment: std::array::from_fn(|axis| match (plane.turn[axis], turned[axis]) {
+                (PlaneTurn::Driven(load), Some(_)) => factor * load,
+                _ => moment[axis],
+            }),
+        }
+    };
+    scene.rigid_planes.iter().enumerate().map(of).collect()
+}
+
+/// How a plane stands. Where it does not turn, all of its nodes move as the first one.
+fn pose(scene: &Scene, plane: &RigidPlane, u: &[[f64; 3]]) -> Pose {
+    if plane.turns() {
+        return plane.pose(&scene.mesh, &scene.mirrors, u);
+    }
+    let surface = scene.mesh.surface(&plane.surface);
+    let node = surface.and_then(|s| s.faces.first());
+    Pose {
+        travel: node.map_or([0.0; 3], |f| u[f.nodes[0] as usize]),
+        ..Pose::default()
+    }
 }

@@ -19,7 +19,7 @@ pub fn recovered_state(
 ) -> State {
     let displacement = model.displacement(point, &history.settled);
     let plastic = history.all_plastic(model);
-    let (stress, peeq) = stresses(model, &plastic, &displacement);
+    let (stress, peeq) = stresses(model, &plastic, (&displacement, (point.step, point.time)));
     State {
         step: point.step,
         time: point.time,

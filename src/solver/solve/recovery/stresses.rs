@@ -7,18 +7,20 @@ use crate::solver::solve::checkpoint::plastic::{Plastic, points};
 use crate::solver::solve::model::system::Model;
 use rayon::prelude::*;
 
-/// Stresses and equivalent plastic strains at all integration points.
+/// Stresses and equivalent plastic strains at all integration points, of displacements `u` at a `moment`: a step and the
+/// share of it that is done.
 pub fn stresses(
     model: &Model,
     plastic: &Plastic,
-    u: &[[f64; 3]],
+    (u, moment): (&[[f64; 3]], (usize, f64)),
 ) -> (Vec<[[f64; 6]; 8]>, Vec<[f64; 8]>) {
     let mesh = &model.scene.mesh;
     let stress_of = |element: usize, points: &[PlasticPoint; 8]| {
         let local = mesh.hexes[element].map(|n| u[n as usize]);
         let elastic = &model.elastic[mesh.body_of(element)];
         let shape = model.element(element as u32);
-        shape.stress(elastic, &local, points)
+        let free = model.free_strains(element as u32, *points, moment);
+        shape.stress(elastic, &local, &free)
     };
     let elements = (0..mesh.hexes.len()).into_par_iter();
     if plastic.is_empty() {
@@ -41,7 +43,8 @@ impl Kept {
     /// The whole state.
     pub fn restore(&self, model: &Model) -> State {
         let displacement = &self.state.displacement;
-        let (stress, peeq) = stresses(model, &self.plastic, displacement);
+        let moment = (self.state.step, self.state.time);
+        let (stress, peeq) = stresses(model, &self.plastic, (displacement, moment));
         State {
             stress,
             peeq,

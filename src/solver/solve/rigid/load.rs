@@ -1,6 +1,6 @@
 //! Generalised forces: the work of the loads on the rigid-body modes.
 
-use crate::model::scene::{PlaneMotion, Scene};
+use crate::model::scene::{PlaneMotion, PlaneTurn, RigidPlane, Scene};
 use crate::solver::fem::loads::add_traction;
 use crate::solver::solve::rigid::rigid_bodies::RigidBodies;
 
@@ -14,7 +14,9 @@ impl RigidBodies {
                 add_traction(&scene.mesh, surface, traction.value, factor, &mut forces);
             }
         }
-        for plane in &scene.rigid_planes {
+        let (still, turning): (Vec<_>, Vec<_>) =
+            (scene.rigid_planes.iter()).partition(|plane| !plane.turns_freely());
+        for plane in still {
             let nodes = scene.mesh.surface(&plane.surface).map(|s| s.nodes());
             let nodes = nodes.unwrap_or_default();
             for (axis, motion) in plane.motion.iter().enumerate() {
@@ -33,6 +35,37 @@ impl RigidBodies {
             let own = load.iter_mut().skip(6 * body);
             own.zip(does).for_each(|(sum, does)| *sum += does);
         }
+        turning
+            .into_iter()
+            .for_each(|plane| self.add_turning(scene, plane, factor, &mut load));
         load
+    }
+
+    /// Adds what a plane that is free to turn does: its force acts at its point, and its moments on the turn.
+    fn add_turning(
+        &self,
+        scene: &Scene,
+        plane: &RigidPlane,
+        factor: &dyn Fn(&str) -> f64,
+        load: &mut [f64],
+    ) {
+        let face = (scene.mesh.surface(&plane.surface)).and_then(|s| s.faces.first());
+        let Some(body) = face.and_then(|f| self.bodies[f.nodes[0] as usize].first()) else {
+            return;
+        };
+        let factor = factor(&plane.name);
+        let force = plane.motion.map(|motion| match motion {
+            PlaneMotion::Driven(force) => factor * force,
+            _ => 0.0,
+        });
+        let moment = plane.turn.map(|turn| match turn {
+            PlaneTurn::Driven(moment) => factor * moment / self.size,
+            PlaneTurn::Held(_) => 0.0,
+        });
+        let about = plane.point(&scene.mesh, &scene.mirrors);
+        let mut does = self.row(*body, about, force, 1.0);
+        (does[3..].iter_mut().zip(moment)).for_each(|(sum, moment)| *sum += moment);
+        let own = load.iter_mut().skip(6 * body);
+        own.zip(does).for_each(|(sum, does)| *sum += does);
     }
 }

@@ -3,8 +3,8 @@
 //! Each of them sees the modes through a few linear functions, its rows. The mean of their squares is a quadratic form;
 //! the eigenvectors of its zero eigenvalues are the motions that nothing resists.
 
-use crate::ground::geometry::Vec3;
-use crate::model::scene::{PlaneMotion, Scene};
+use crate::ground::geometry::{Vec3, scale, sub};
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
 use crate::solver::solve::params::TOUCHING_GAP;
 use crate::solver::solve::rigid::rigid_bodies::{ModeRow, RigidBodies};
 use crate::solver::solve::rows::contact_row::ContactRow;
@@ -66,6 +66,10 @@ impl Resistance {
     /// All nodes of a rigid plane move alike, where it is held not at all.
     pub fn planes(&mut self, scene: &Scene, frames: &RigidBodies) {
         for plane in &scene.rigid_planes {
+            if plane.turns_freely() {
+                self.add(&beside_turns(scene, plane, frames));
+                continue;
+            }
             let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
             for axis in 0..3 {
                 let nodes = nodes.iter().flatten();
@@ -133,6 +137,60 @@ impl Resistance {
             }
         }
         joints.values().for_each(|rows| self.add(rows));
+    }
+}
+
+/// What keeps the nodes of a plane that is free to turn from moving otherwise than it may: their rows, less what its
+/// translation and its turns explain.
+fn beside_turns(scene: &Scene, plane: &RigidPlane, frames: &RigidBodies) -> Vec<ModeRow> {
+    let about = plane.point(&scene.mesh, &scene.mirrors);
+    let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
+    let (mut rows, mut ways) = (Vec::new(), Vec::new());
+    for node in nodes.into_iter().flatten() {
+        let arm = scale(sub(frames.points[node as usize], about), 1.0 / frames.size);
+        for axis in (0..3).filter(|axis| plane.motion[*axis] != PlaneMotion::Free) {
+            let Some(row) = frames.of_node(node, axis) else {
+                continue;
+            };
+            // How it moves for each of three translations and three turns that are free.
+            let mut way = [0.0; 6];
+            if matches!(plane.motion[axis], PlaneMotion::Driven(_)) {
+                way[axis] = 1.0;
+            }
+            (plane.free_turns(axis, arm)).for_each(|(turn, lever)| way[3 + turn] = lever);
+            rows.push(row);
+            ways.push(way);
+        }
+    }
+    let ways = DMatrix::from_fn(rows.len(), 6, |i, j| ways[i][j]);
+    let squares = ways.tr_mul(&ways);
+    let least = 1e-12 * squares.trace();
+    let Ok(inverse) = squares.pseudo_inverse(least) else {
+        return Vec::new();
+    };
+    let explained = &ways * inverse;
+    let mut sums = vec![ModeRow::new(); 6];
+    for (row, way) in rows.iter().zip(ways.row_iter()) {
+        for (sum, share) in sums.iter_mut().zip(way.iter()) {
+            add_row(sum, row, *share);
+        }
+    }
+    let less = |(i, mut row): (usize, ModeRow)| {
+        for (k, sum) in sums.iter().enumerate() {
+            add_row(&mut row, sum, -explained[(i, k)]);
+        }
+        row
+    };
+    rows.into_iter().enumerate().map(less).collect()
+}
+
+/// Adds `share` times `row`.
+fn add_row(sum: &mut ModeRow, row: &ModeRow, share: f64) {
+    for (body, values) in row {
+        let own = sum.entry(*body).or_insert([0.0; 6]);
+        own.iter_mut()
+            .zip(values)
+            .for_each(|(s, v)| *s += share * v);
     }
 }
 

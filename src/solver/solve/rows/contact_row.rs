@@ -8,6 +8,7 @@ use crate::ground::geometry::dot;
 use crate::model::scene::ContactPair;
 use crate::solver::contact::law::Law;
 use crate::solver::contact::mortar::Row;
+use crate::solver::fem::dofs::{DofMap, FIXED};
 use crate::solver::solve::params::{
     CONTACT_PENALTY, DIVIDED_CONTACT_PENALTY, SOFTEST_PENALTY, STIFFEST_PENALTY,
 };
@@ -64,6 +65,15 @@ impl ContactRow {
             }
         }
         self.local(d)
+    }
+
+    /// What turns of rigid planes do to the relative displacement: equation, axis, share.
+    pub fn further(&self, dofs: &DofMap) -> Vec<(u32, usize, f64)> {
+        let terms = self.row.terms.iter().flat_map(|(node, coefficient)| {
+            let further = dofs.further_of(*node).iter();
+            further.map(|f| (f.equation, f.axis, coefficient[f.axis] * f.lever))
+        });
+        terms.filter(|(equation, ..)| *equation != FIXED).collect()
     }
 
     /// A vector in local components (normal, two tangents).

@@ -126,4 +126,9 @@ fn move_body(scene: &mut Scene, body: usize, shift: Vec3) {
             }
         }
     }
+    for plane in &mut scene.rigid_planes {
+        let face = (scene.mesh.surface(&plane.surface)).and_then(|s| s.faces.first());
+        let own = face.is_some_and(|f| scene.mesh.body_of(f.element as usize) == body);
+        plane.about = plane.about.map(|at| if own { add(at, shift) } else { at });
+    }
 }

@@ -1,6 +1,6 @@
 //! Lengths of a scene: its size, what it is made to travel, and how far contact reaches.
 
-use crate::model::scene::{PlaneMotion, Scene};
+use crate::model::scene::{PlaneMotion, PlaneTurn, Scene};
 use crate::solver::solve::params::{FIRST_LIKELY_GAP, FIRST_REACH, REACH_OVER_TRAVEL};
 
 /// Diagonal of the box around the model.
@@ -43,10 +43,15 @@ fn travel(scene: &Scene) -> f64 {
     });
     let planes = scene.rigid_planes.iter().flat_map(|p| {
         let factor = factors(&p.name);
-        p.motion.iter().map(move |m| match m {
+        let turned = p.turn.map(|turn| match turn {
+            PlaneTurn::Held(angle) if angle != 0.0 => angle.abs() * extent(scene) * factor,
+            _ => 0.0,
+        });
+        let moved = p.motion.map(|m| match m {
             PlaneMotion::Held(v) => v.abs() * factor,
             _ => 0.0,
-        })
+        });
+        moved.into_iter().chain(turned)
     });
     supports.chain(planes).fold(0.0, f64::max)
 }

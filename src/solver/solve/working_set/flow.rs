@@ -35,7 +35,7 @@ pub fn unexpected_flow(
     (x, u): (&Point, &[[f64; 3]]),
     ahead: Ahead,
 ) -> (Vec<u32>, bool) {
-    let shares = shares_of_yield(model, settled, u);
+    let shares = shares_of_yield(model, settled, (u, (x.step, x.time)));
     let most = largest_share(&shares);
     let (next, share) = match ahead {
         Ahead::To(next) => {

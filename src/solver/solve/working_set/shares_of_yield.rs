@@ -10,7 +10,11 @@ use rayon::prelude::*;
 
 /// The largest Mises stress over the flow stress of every element that could yield and is not watched,
 /// as long as it does not flow.
-pub fn shares_of_yield(model: &Model, settled: &Settled, u: &[[f64; 3]]) -> Vec<(u32, f64)> {
+pub fn shares_of_yield(
+    model: &Model,
+    settled: &Settled,
+    (u, moment): (&[[f64; 3]], (usize, f64)),
+) -> Vec<(u32, f64)> {
     let scene = model.scene;
     (0..scene.mesh.hexes.len() as u32)
         .into_par_iter()
@@ -19,9 +23,11 @@ pub fn shares_of_yield(model: &Model, settled: &Settled, u: &[[f64; 3]]) -> Vec<
             let body = scene.mesh.body_of(e as usize);
             let local = scene.mesh.hexes[e as usize].map(|n| u[n as usize]);
             let points = points(&settled.elements, e);
-            let stress = model
-                .element(e)
-                .stress(&model.elastic[body], &local, &points);
+            let stress = model.element(e).stress(
+                &model.elastic[body],
+                &local,
+                &model.free_strains(e, points, moment),
+            );
             let steel = &scene.materials[body];
             let share = |(stress, point): (&_, &PlasticPoint)| {
                 mises(stress) / steel.flow_stress(point.peeq)

@@ -1,0 +1,18 @@
+//! From nodal displacement components to equations.
+
+mod conflict;
+mod cut;
+mod element;
+mod fixed;
+mod further;
+mod map;
+mod number;
+mod owner;
+mod prescribed;
+
+pub use conflict::Conflict;
+pub use element::ElementTerms;
+pub use fixed::FIXED;
+pub use further::Further;
+pub use map::DofMap;
+pub use prescribed::{Prescribed, Source};

@@ -1,0 +1,197 @@
+//! Numbering the equations of a scene.
+
+use super::conflict::Conflict;
+use super::cut::Cut;
+use super::fixed::FIXED;
+use super::further::Further;
+use super::map::DofMap;
+use super::owner::Owner;
+use super::prescribed::{Prescribed, Source};
+use crate::ground::geometry::{Vec3, norm, sub};
+use crate::model::mesh::Mesh;
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
+
+impl DofMap {
+    /// Numbers the equations of `scene`.
+    ///
+    /// # Errors
+    /// [`Conflict`] where supports and planes contradict each other.
+    pub fn new(scene: &Scene) -> Result<Self, Conflict> {
+        let mesh = &scene.mesh;
+        let mut owner = vec![[None::<Owner>; 3]; mesh.points.len()];
+        let mut claim = |mesh: &Mesh, surface: &str, axis: usize, owns: &dyn Fn(u32) -> Owner| {
+            for node in mesh.surface(surface).map(|s| s.nodes()).unwrap_or_default() {
+                let new = owns(node);
+                let slot = &mut owner[node as usize][axis];
+                match *slot {
+                    Some(old) if !old.agrees(&new) => {
+                        return Err(Conflict {
+                            first: old.name(scene).to_owned(),
+                            second: new.name(scene).to_owned(),
+                            axis: ['x', 'y', 'z'][axis],
+                            node,
+                        });
+                    }
+                    Some(Owner::Plane(_)) => {}
+                    _ => *slot = Some(new),
+                }
+            }
+            Ok(())
+        };
+        for (index, plane) in scene.rigid_planes.iter().enumerate() {
+            let about = plane.point(mesh, &scene.mirrors);
+            for axis in 0..3 {
+                let owns = |node: u32| {
+                    let arm = sub(mesh.points[node as usize], about);
+                    let free = plane.free_turns(axis, arm).next().is_some();
+                    match plane.motion[axis] {
+                        PlaneMotion::Held(value) if !free => {
+                            let value = value + plane.given_turn(axis, arm);
+                            Owner::Held(value, Source::Plane(index))
+                        }
+                        _ => Owner::Plane(index),
+                    }
+                };
+                if plane.motion[axis] != PlaneMotion::Free {
+                    claim(mesh, &plane.surface, axis, &owns)?;
+                }
+            }
+        }
+        for (index, support) in scene.supports.iter().enumerate() {
+            for axis in 0..3 {
+                if let Some(constant) = support.components[axis] {
+                    let owns = |node: u32| {
+                        let value = support.displacement(axis, &mesh.points[node as usize]);
+                        Owner::Held(value.unwrap_or(constant), Source::Support(index))
+                    };
+                    claim(mesh, &support.surface, axis, &owns)?;
+                }
+            }
+        }
+        Ok(Self::number(scene, &owner))
+    }
+
+    fn number(scene: &Scene, owner: &[[Option<Owner>; 3]]) -> Self {
+        let planes = scene.rigid_planes.len();
+        let mut map = Self {
+            equations: vec![[FIXED; 3]; owner.len()],
+            vertex_start: vec![0],
+            planes: vec![[None; 3]; planes],
+            turns: vec![[None; 3]; planes],
+            turn_length: vec![0.0; planes],
+            further: Vec::new(),
+            prescribed: Vec::new(),
+            turned: Vec::new(),
+        };
+        let cut = Cut::new(scene, owner);
+        let mut next = 0u32;
+        for (node, axes) in owner.iter().enumerate() {
+            let before = next;
+            for (axis, owner) in axes.iter().enumerate() {
+                match *owner {
+                    None if cut.decides(node, axis) => {}
+                    None => {
+                        map.equations[node][axis] = next;
+                        next += 1;
+                    }
+                    Some(Owner::Held(value, source)) => map.prescribed.push(Prescribed {
+                        node: node as u32,
+                        axis,
+                        value,
+                        source,
+                    }),
+                    Some(Owner::Plane(_)) => {}
+                }
+            }
+            if cut.on_axis(node) {
+                map.equations[node][1] = map.equations[node][0];
+            }
+            if next > before {
+                map.vertex_start.push(next);
+            }
+        }
+        let place = Placed::of(scene);
+        for (node, axes) in owner.iter().enumerate() {
+            for (axis, owner) in axes.iter().enumerate() {
+                if let Some(Owner::Plane(plane)) = *owner {
+                    map.follow(scene, (node, axis), (plane, &place[plane]));
+                }
+            }
+        }
+        map.turn_length = place.iter().map(|place| place.length).collect();
+        for [node, image] in scene.half_turn.iter().filter(|[a, b]| a != b) {
+            let [x, y, z] = map.equations[*node as usize];
+            map.equations[*image as usize] = [y, x, z];
+        }
+        map.turned = cut.turned;
+        map
+    }
+
+    /// The component `axis` of `node` follows a plane that is driven along it, or free to turn.
+    fn follow(
+        &mut self,
+        scene: &Scene,
+        (node, axis): (usize, usize),
+        (index, place): (usize, &Placed),
+    ) {
+        let plane = &scene.rigid_planes[index];
+        let arm = sub(scene.mesh.points[node], place.about);
+        let mut given = plane.given_turn(axis, arm);
+        match plane.motion[axis] {
+            PlaneMotion::Held(value) => given += value,
+            _ => {
+                let equation = self.planes[index][axis].unwrap_or_else(|| self.own_vertex());
+                self.planes[index][axis] = Some(equation);
+                self.equations[node][axis] = equation;
+            }
+        }
+        if given != 0.0 {
+            self.prescribed.push(Prescribed {
+                node: node as u32,
+                axis,
+                value: given,
+                source: Source::Plane(index),
+            });
+        }
+        for (about, lever) in plane.free_turns(axis, arm) {
+            let equation = self.turns[index][about].unwrap_or_else(|| self.own_vertex());
+            self.turns[index][about] = Some(equation);
+            self.further.push(Further {
+                node: node as u32,
+                axis,
+                equation,
+                lever: lever / place.length,
+            });
+        }
+    }
+
+    /// A new equation, which is a vertex by itself.
+    fn own_vertex(&mut self) -> u32 {
+        let equation = self.len() as u32;
+        self.vertex_start.push(equation + 1);
+        equation
+    }
+}
+
+/// Where a rigid plane is.
+struct Placed {
+    about: Vec3,
+    /// Half the distance of its furthest node, or one.
+    length: f64,
+}
+
+impl Placed {
+    /// All planes of a scene.
+    fn of(scene: &Scene) -> Vec<Self> {
+        let of = |plane: &RigidPlane| {
+            let about = plane.point(&scene.mesh, &scene.mirrors);
+            let nodes = scene.mesh.surface(&plane.surface).map(|s| s.nodes());
+            let away = nodes.into_iter().flatten();
+            let away = away.map(|n| norm(sub(scene.mesh.points[n as usize], about)));
+            let furthest = away.fold(0.0, f64::max);
+            let length = if furthest > 0.0 { 0.5 * furthest } else { 1.0 };
+            Self { about, length }
+        };
+        scene.rigid_planes.iter().map(of).collect()
+    }
+}

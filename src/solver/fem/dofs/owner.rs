@@ -1,0 +1,30 @@
+//! What decides a displacement component.
+
+use super::prescribed::Source;
+use crate::model::scene::Scene;
+
+/// What decides a displacement component.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Owner {
+    /// Given, at factor one.
+    Held(f64, Source),
+    /// It follows a rigid plane, by its index, that is driven or free to turn.
+    Plane(usize),
+}
+
+impl Owner {
+    pub fn agrees(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Held(a, _), Self::Held(b, _)) => a == b,
+            (Self::Plane(a), Self::Plane(b)) => a == b,
+            _ => false,
+        }
+    }
+
+    pub fn name<'a>(&self, scene: &'a Scene) -> &'a str {
+        match *self {
+            Self::Held(_, Source::Support(i)) => &scene.supports[i].surface,
+            Self::Held(_, Source::Plane(i)) | Self::Plane(i) => &scene.rigid_planes[i].surface,
+        }
+    }
+}

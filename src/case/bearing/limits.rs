@@ -18,7 +18,7 @@ impl BearingGeometry {
         GeometryError::positive("plate_thickness.intermediate", self.intermediate_thickness)?;
         GeometryError::positive("plate_thickness.lower", self.lower_thickness)?;
         self.check_slope()?;
-        self.check_wall()?;
+        GeometryError::check_wall(self.wall, self.diameter)?;
         self.check_offset()?;
         self.check_end()
     }
@@ -38,20 +38,6 @@ impl BearingGeometry {
             self.slope.to_degrees(),
             || range.into(),
             "the rollers rest in valleys: on a flat plate the two V lines are one",
-        )
-    }
-
-    fn check_wall(&self) -> Result<(), GeometryError> {
-        let Some(wall) = self.wall else {
-            return Ok(());
-        };
-        let [least, most] = [0.01 * self.diameter, 0.49 * self.diameter];
-        GeometryError::unless(
-            wall >= least && wall <= most,
-            "roller_wall",
-            wall,
-            || format!("must lie between {least} and {most} (0.01 and 0.49 diameters)"),
-            "a roller without a bore is solid",
         )
     }
 

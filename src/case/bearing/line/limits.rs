@@ -30,7 +30,7 @@ impl LineGeometry {
         GeometryError::positive("plate_thickness.upper", self.upper.thickness)?;
         GeometryError::positive("plate_thickness.lower", self.lower.thickness)?;
         self.check_spacing()?;
-        self.check_wall()?;
+        GeometryError::check_wall(self.wall, self.diameter)?;
         self.check_plate("plate_size.upper", &self.upper)?;
         self.check_plate("plate_size.lower", &self.lower)?;
         self.check_curve()?;
@@ -45,20 +45,6 @@ impl LineGeometry {
             self.spacing,
             || format!("must be at least {least} (1.01 diameters)"),
             "nearer rollers overlap, or touch each other",
-        )
-    }
-
-    fn check_wall(&self) -> Result<(), GeometryError> {
-        let Some(wall) = self.wall else {
-            return Ok(());
-        };
-        let [least, most] = [0.01 * self.diameter, 0.49 * self.diameter];
-        GeometryError::unless(
-            wall >= least && wall <= most,
-            "roller_wall",
-            wall,
-            || format!("must lie between {least} and {most} (0.01 and 0.49 diameters)"),
-            "a roller without a bore is solid",
         )
     }
 

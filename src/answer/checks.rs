@@ -4,6 +4,7 @@ use super::inputs::AnswerInputs;
 use super::named::Named;
 use crate::answer::results::balance::balances;
 use crate::answer::results::interface::Interface;
+use crate::answer::results::levels;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use serde::Serialize;
@@ -11,8 +12,8 @@ use serde::Serialize;
 /// Relative figures that say how well the answer satisfies its own equations.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Checks {
-    /// Largest difference between the load and the force of an interface, relative to the load.
-    /// Says something of bodies in series only.
+    /// Largest difference between the load and the force that passes between two levels of the stack, relative to the
+    /// load: of an interface, or of all that lie side by side. Levels below a load that others do not share are left out.
     pub force_balance: Option<f64>,
     /// Largest penetration that the facets do not explain, relative to the descent.
     pub max_penetration_relative: Option<f64>,
@@ -32,11 +33,14 @@ pub fn checks(
     descent: Option<f64>,
 ) -> Checks {
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
+    let passing = levels::passing(solved.scene, solved.state, measured);
+    let off = passing.iter().map(|force| (force - load).abs());
+    let off = off.fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
     let penetration = || relative(largest(&|i| i.unexplained_penetration), descent?);
     Checks {
-        force_balance: some(relative(largest(&|i| (i.normal_force - load).abs()), load)),
+        force_balance: some(relative(off, load)),
         max_penetration_relative: some(penetration()),
         coulomb_violation: some(Some(largest(&|i| i.coulomb_violation))),
         energy_imbalance: solved.state.energy.and_then(|energy| energy.imbalance()),

@@ -64,17 +64,18 @@ impl TemplateLoads {
         Ok(loads)
     }
 
-    /// Motion and turns of the top under the vertical load `vertical` down.
-    pub(super) fn plane(&self, vertical: f64) -> ([PlaneMotion; 3], [PlaneTurn; 3]) {
+    /// Motion and turns of the top under the vertical load `vertical` down, where its face lies `above` the point that it
+    /// turns about.
+    pub(super) fn plane(&self, vertical: f64, above: f64) -> ([PlaneMotion; 3], [PlaneTurn; 3]) {
         let along = self.horizontal.map(|force| match force {
             0.0 => PlaneMotion::Held(0.0),
             _ => PlaneMotion::Driven(force),
         });
         let [ex, ey] = self.eccentricity;
-        // e × F with F = (0, 0, −vertical).
+        // r × F with F = (horizontal, −vertical), which acts at r = (e, above).
         let moment = [
-            self.moment[0] - ey * vertical,
-            self.moment[1] + ex * vertical,
+            self.moment[0] - ey * vertical - above * self.horizontal[1],
+            self.moment[1] + ex * vertical + above * self.horizontal[0],
         ];
         let stays = PlaneTurn::Held(0.0);
         let [x, y] = match self.top {

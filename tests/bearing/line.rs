@@ -163,6 +163,11 @@ fn a_quarter_of_several_rollers_says_what_the_whole_says() {
         for sum in sum {
             assert!((sum / 100e3 - 1.0).abs() < 1e-8, "{sum}");
         }
+        // All rollers of a level together bear the load, and nothing says that one of them misses it.
+        for outcome in [&quarter, &whole] {
+            let balance = outcome.summary.answer.checks.force_balance.unwrap();
+            assert!(balance < 1e-8, "{balance}");
+        }
         for (name, a) in &quarter.summary.answer.interfaces.0 {
             let b = interface(&whole, name);
             for (what, a, b) in [
@@ -386,6 +391,48 @@ fn unlike_rollers_are_solved_as_a_half() {
     };
     assert_eq!(unlike.mirrors(), [1]);
     assert_eq!(unlike.seats().len(), 4);
+    // A steel by its name has the strength of the thickness of its part, which rollers alike share.
+    let named = two[..two.find("[steel]").unwrap()].replace("title", "steel = \"S355\"\ntitle");
+    let case = read(&named).unwrap();
+    let Kind::Bearing(bearing) = &case.kind else {
+        panic!("a bearing")
+    };
+    assert_eq!(bearing.mirrors(), [0, 1]);
+    let strength = |body: &str| bearing.steels.strength_of(body).unwrap().yield_stress;
+    assert_eq!(strength("roller_1"), Some(315.0));
+    assert_eq!(strength("upper_plate"), Some(345.0));
+    let said = case
+        .assumptions
+        .iter()
+        .filter(|a| a.key == "steel.thickness");
+    assert_eq!(said.count(), 1);
+}
+
+/// A tilted top turns about the axis of the roller, which stands off both plates by half of the angle: it is not dragged
+/// along its axis, and the plates' line loads are images of each other. The moment that holds the top is that of the line load.
+#[test]
+fn a_tilted_top_drags_no_roller_along() {
+    let text = with(&[(
+        "solid = true",
+        "solid = true\ntop = { tilt = [\"0.1 mrad\", 0] }",
+    )]);
+    let outcome = solved(&read(&format!("{text}\n[mesh]\npreset = \"h025\"\n")).unwrap());
+    let [upper, lower] =
+        ["upper_plate-roller", "roller-lower_plate"].map(|name| interface(&outcome, name));
+    for figures in [upper, lower] {
+        assert!(figures.force[1].abs() < 1e-3 * 100e3, "{:?}", figures.force);
+    }
+    let moment = |figures: &InterfaceFigures| {
+        let q = figures.q.as_ref().unwrap();
+        let slices = q.edges.windows(2).zip(&q.values);
+        slices
+            .map(|(e, q)| (e[1] - e[0]) * q * 0.5 * (e[0] + e[1]))
+            .sum::<f64>()
+    };
+    let [upper, lower] = [moment(upper), moment(lower)];
+    println!("{upper} {lower}");
+    assert!(upper < -1e5 && lower > 1e5, "{upper} {lower}");
+    assert!((upper / lower + 1.0).abs() < 1e-2, "{upper} {lower}");
 }
 
 /// Both bridge rollers, on their own meshes: seconds, and p0 as Hertz has it.

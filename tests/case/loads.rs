@@ -145,7 +145,17 @@ fn parallel_rollers_bear_the_same_loads() {
                 roller_diameter = 120\nsolid = true\nroller_length = 400\nplate_thickness = 60\n";
     let case = good(&format!("{text}top = {{ tilt = [\"0.2 mrad\", 0] }}\n"));
     let model = case.model();
-    assert_eq!(model.loads.planes[0].value.turn[0], PlaneTurn::Held(0.2e-3));
+    let plane = &model.loads.planes[0].value;
+    assert_eq!(plane.turn[0], PlaneTurn::Held(0.2e-3));
+    // It turns about the axis of the roller; a force on the top, 120 mm above, has a moment about it.
+    assert_eq!(plane.about, Some([0.0; 3]));
+    let pushed = good(&format!(
+        "{text}top = \"free\"\nhorizontal = [\"1 kN\", \"2 kN\"]\neccentricity = [3, 5]\n"
+    ));
+    let turn = pushed.model().loads.planes[0].value.turn;
+    let moments = [-900e3 * 5.0 - 2e3 * 120.0, 900e3 * 3.0 + 1e3 * 120.0];
+    let driven = moments.map(PlaneTurn::Driven);
+    assert_eq!([turn[0], turn[1]], driven);
     assert!(model.mirrors.is_empty());
     let said = case
         .assumptions

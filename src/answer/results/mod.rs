@@ -15,6 +15,7 @@ pub mod flow;
 pub mod hertz;
 pub mod hex;
 pub mod interface;
+pub mod levels;
 pub mod line_load;
 pub mod load;
 pub mod peaks;

@@ -72,12 +72,13 @@ impl BearingCase {
         };
         let loads = reader.loads()?;
         let breaks = loads.breaks_symmetry();
+        let mut said = Vec::new();
+        let mut steels = Steels::read(root, &mut said)?;
         let (geometry, full) = match parallel {
             true => {
                 let mut geometry = reader.line_geometry()?;
                 (geometry.check()).map_err(|error| misfit("line_bearing", error))?;
-                // Told to nobody yet: they are read again below, with the names of the bodies.
-                let steels = Steels::read(root, &mut Vec::new())?;
+                size_steels(&mut steels, &geometry, &mut said)?;
                 geometry.alike = are_alike(&geometry, &steels)?;
                 let full = reader.line_full(&geometry, breaks)?;
                 (Dimensions::Line(geometry), full)
@@ -86,6 +87,7 @@ impl BearingCase {
                 let geometry = reader.geometry()?;
                 (geometry.check()).map_err(|error| misfit("bearing", error))?;
                 check_grip(&friction, &geometry)?;
+                size_steels(&mut steels, &geometry, &mut said)?;
                 let full = reader.full(&geometry, breaks)?;
                 (Dimensions::Crossed(geometry), full)
             }
@@ -94,17 +96,7 @@ impl BearingCase {
         let unload_to = reader.unload()?;
         let rollings = reader.rollings()?;
         let mut mesh = mesh_choice::request(root, (full, &*geometry), reader.assumptions())?;
-        let mut steels = Steels::read(root, reader.assumptions())?;
-        let bodies = geometry.bodies();
-        let sizes: Vec<(&str, f64)> = (bodies.iter())
-            .map(|(body, size)| (body.as_str(), *size))
-            .collect();
-        let names: Vec<&str> = sizes.iter().map(|(body, _)| *body).collect();
-        steels.check_names(&names)?;
-        steels.set_sizes(&sizes, reader.assumptions());
-        for body in names {
-            steels.of(body)?;
-        }
+        reader.assumptions().append(&mut said);
         let mut names = vec![LOADED_PLANE.to_string()];
         let known = (&mut names, reader.assumptions());
         let mirrors = geometry.mirrors(full);
@@ -178,6 +170,24 @@ fn strips(
     }
     let predicted = compliance.and_then(|list| geometry.predicted(load, full, &list));
     Ok(predicted.ok())
+}
+
+/// Tells the steels the bodies of a bearing and how thick they are.
+fn size_steels(
+    steels: &mut Steels,
+    geometry: &dyn Layout,
+    said: &mut Vec<Assumption>,
+) -> Result<(), CaseError> {
+    let bodies = geometry.bodies();
+    let sizes: Vec<(&str, f64)> = (bodies.iter())
+        .map(|(body, size)| (body.as_str(), *size))
+        .collect();
+    let names: Vec<&str> = sizes.iter().map(|(body, _)| *body).collect();
+    steels.check_names(&names)?;
+    steels.set_sizes(&sizes, said);
+    names
+        .into_iter()
+        .try_for_each(|body| steels.of(body).map(drop))
 }
 
 /// Are rollers that are images of each other across x = 0 of the same steel?

@@ -90,6 +90,12 @@ impl Layout for BearingGeometry {
         BearingGeometry::height_range(self)
     }
 
+    /// On the lower face of the upper plate, which rocks on the roller below.
+    fn pivot(&self) -> [f64; 3] {
+        let [_, top] = BearingGeometry::height_range(self);
+        [2.0 * self.offset, 0.0, top - self.upper_thickness]
+    }
+
     fn mirrors(&self, full: bool) -> Vec<usize> {
         match self.is_whole(full) {
             true => Vec::new(),

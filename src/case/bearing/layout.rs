@@ -54,6 +54,9 @@ pub trait Layout: fmt::Debug {
     /// z of the lowest and the highest point of the stack.
     fn height_range(&self) -> [f64; 2];
 
+    /// The point that a top that turns turns about, below or above the middle of its face: where no roller slides for it.
+    fn pivot(&self) -> [f64; 3];
+
     /// Axes across which the model is mirrored; none where all of the bearing is to be modelled.
     fn mirrors(&self, full: bool) -> Vec<usize>;
 

@@ -10,7 +10,7 @@ use crate::case::load::Loads;
 use crate::case::model::Model;
 use crate::case::place::{KeyPlace, Located};
 use crate::case::source::Source;
-use crate::model::scene::{Controls, Partner, RigidPlane, Side, Step, Support};
+use crate::model::scene::{Controls, Partner, PlaneTurn, RigidPlane, Side, Step, Support};
 
 impl BearingCase {
     /// The model: four contact pairs, the top face a rigid plane
@@ -80,18 +80,21 @@ impl BearingCase {
         }
         let mirrors = self.mirrors();
         let vertical = self.load * modelled_share(&mirrors);
-        let (motion, turn) = self.loads.plane(vertical);
+        let pivot = self.layout().pivot();
+        let [_, top] = self.layout().height_range();
+        let (motion, turn) = self.loads.plane(vertical, top - pivot[2]);
+        // A quarter is only modelled of what is symmetric: it does not turn.
+        let turn = if mirrors.is_empty() {
+            turn
+        } else {
+            <_>::default()
+        };
         let plane = RigidPlane {
             name: LOADED_PLANE.to_string(),
             surface: TOP.to_string(),
             motion,
-            // A quarter is only modelled of what is symmetric: it does not turn.
-            turn: if mirrors.is_empty() {
-                turn
-            } else {
-                <_>::default()
-            },
-            about: None,
+            turn,
+            about: (turn != <[PlaneTurn; 3]>::default()).then_some(pivot),
         };
         let step = |name: &str, factor: f64| Step {
             name: name.to_string(),

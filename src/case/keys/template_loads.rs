@@ -27,7 +27,8 @@ pub(super) const TOP: Key = key(
     "top",
     "`held`, `free` or a table with `tilt`",
     "`held`",
-    "does the top turn about x and y: not, under the moments, or by given angles",
+    "does the top turn about x and y: not, under the moments, or by given angles; about the middle of the axes of parallel \
+     rollers, about the lower face of the upper plate of crossed ones",
 );
 
 pub const TILTED_TOP: Keys = Keys {

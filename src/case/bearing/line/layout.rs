@@ -115,6 +115,12 @@ impl Layout for LineGeometry {
         ]
     }
 
+    /// On the axis of the rollers, which then stand off both plates by half of the angle; about the line of contact the
+    /// plate would drag them along their axes.
+    fn pivot(&self) -> [f64; 3] {
+        [0.0; 3]
+    }
+
     fn mirrors(&self, full: bool) -> Vec<usize> {
         match (full, self.alike) {
             (true, _) => Vec::new(),

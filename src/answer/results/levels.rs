@@ -1,0 +1,131 @@
+//! The force that passes from level to level of a stack, where contact pairs side by side share it.
+//!
+//! Level 0 is what is held along the load, level k + 1 what touches level k. All pairs between two levels carry together
+//! what acts above them.
+
+use super::interface::Interface;
+use super::load::{along, cutting_pair, times};
+use crate::model::mesh::Surface;
+use crate::model::scene::{Partner, PlaneMotion, Scene, Support};
+use crate::model::state::State;
+use std::collections::BTreeMap;
+
+/// The forces along the load that balance says are the whole load: of every level that all of it passes. A pair that no
+/// support is reached from stands for itself.
+pub fn passing(scene: &Scene, state: &State, measured: &[Interface]) -> Vec<f64> {
+    let along = along(scene, state);
+    let sides: Vec<[Option<usize>; 2]> = (scene.contacts.iter())
+        .map(|pair| [pair.lower.body(&scene.mesh), pair.upper.body(&scene.mesh)])
+        .collect();
+    let levels = levels(scene, along, &sides);
+    let level = |side: Option<usize>| match side {
+        Some(body) => levels[body],
+        // A plane in space.
+        None => Some(0),
+    };
+    let beside = |mirrors: &[usize]| -> Vec<usize> {
+        let axis = main_axis(along);
+        mirrors.iter().copied().filter(|m| *m != axis).collect()
+    };
+    let loaded = loaded_bodies(scene, along);
+    let lowest_load = loaded.into_iter().filter_map(|body| levels[body]).min();
+    let mut sums: BTreeMap<usize, f64> = BTreeMap::new();
+    let mut alone = Vec::new();
+    for (index, interface) in measured.iter().enumerate() {
+        let [Some(a), Some(b)] = sides[index].map(level) else {
+            alone.push(interface.normal_force);
+            continue;
+        };
+        let upper = a.max(b);
+        if a == b || lowest_load.is_some_and(|lowest| lowest < upper) {
+            continue;
+        }
+        // What lies beside a mirror stands for its image too.
+        let images = times(&beside(&scene.mirrors)) / times(&beside(&cutting_pair(scene, index)));
+        *sums.entry(upper).or_default() += images * interface.normal_force;
+    }
+    sums.into_values().chain(alone).collect()
+}
+
+/// How many contacts each body is away from what is held along `along`; `None` where no chain of contacts leads there.
+fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<Option<usize>> {
+    let mut levels = vec![None; scene.mesh.bodies.len()];
+    for body in held_bodies(scene, along) {
+        levels[body] = Some(0);
+    }
+    for (pair, sides) in scene.contacts.iter().zip(sides) {
+        let on_plane = [&pair.lower, &pair.upper].map(|p| matches!(p, Partner::Plane { .. }));
+        if on_plane.contains(&true) {
+            for body in sides.iter().flatten() {
+                levels[*body] = levels[*body].or(Some(1));
+            }
+        }
+    }
+    for next in 1..=levels.len() {
+        for sides in sides {
+            let [Some(a), Some(b)] = *sides else { continue };
+            for [from, to] in [[a, b], [b, a]] {
+                if levels[from] == Some(next - 1) && levels[to].is_none() {
+                    levels[to] = Some(next);
+                }
+            }
+        }
+    }
+    levels
+}
+
+fn bodies_of<'s>(scene: &'s Scene, surface: &str) -> impl Iterator<Item = usize> + use<'s> {
+    let faces = scene.mesh.surface(surface).into_iter();
+    let faces = faces.flat_map(|s: &Surface| s.faces.iter());
+    faces.map(|face| scene.mesh.body_of(face.element as usize))
+}
+
+/// The axis that the load acts along, mostly.
+fn main_axis(along: [f64; 3]) -> usize {
+    let size = |axis: &usize| along[*axis].abs();
+    (0..3).fold(0, |best, axis| {
+        if size(&axis) > size(&best) {
+            axis
+        } else {
+            best
+        }
+    })
+}
+
+/// Bodies that a support or a plane holds along the load, where it is.
+fn held_bodies(scene: &Scene, along: [f64; 3]) -> Vec<usize> {
+    let axis = main_axis(along);
+    let supports = scene.supports.iter();
+    let supports = supports.filter(|support| stays(support, axis));
+    let planes = scene.rigid_planes.iter();
+    let planes = planes.filter(|plane| plane.motion[axis] == PlaneMotion::Held(0.0));
+    let surfaces = supports
+        .map(|s| &s.surface)
+        .chain(planes.map(|p| &p.surface));
+    surfaces.flat_map(|name| bodies_of(scene, name)).collect()
+}
+
+/// Is that a support that moves nothing along `axis`?
+fn stays(support: &Support, axis: usize) -> bool {
+    support.components[axis] == Some(0.0) && support.gradient[axis] == [0.0; 3]
+}
+
+/// Bodies that a force acts on, or that something moves along the load.
+fn loaded_bodies(scene: &Scene, along: [f64; 3]) -> Vec<usize> {
+    let axis = main_axis(along);
+    let moves = |motion: PlaneMotion| match motion {
+        PlaneMotion::Driven(force) => force != 0.0,
+        PlaneMotion::Held(travel) => travel != 0.0,
+        PlaneMotion::Free => false,
+    };
+    let planes = scene.rigid_planes.iter();
+    let planes = planes
+        .filter(|plane| moves(plane.motion[axis]))
+        .map(|p| &p.surface);
+    let supports = scene.supports.iter();
+    let supports = supports.filter(|s| s.components[axis].is_some() && !stays(s, axis));
+    let supports = supports.map(|s| &s.surface);
+    let tractions = scene.tractions.iter().map(|t| &t.surface);
+    let surfaces = planes.chain(supports).chain(tractions);
+    surfaces.flat_map(|name| bodies_of(scene, name)).collect()
+}

@@ -123,14 +123,19 @@ fn solved(angle: f64) -> Vec<f64> {
     assert!((total - LOAD).abs() < 1e-6 * LOAD, "{total}");
     assert!(rows.iter().all(|row| *row > 0.0), "full contact: {rows:?}");
     let [_, wide] = rows_of();
-    rows.iter().zip(wide).map(|(row, wide)| row / wide).collect()
+    rows.iter()
+        .zip(wide)
+        .map(|(row, wide)| row / wide)
+        .collect()
 }
 
 /// Where the force of each row of nodes acts under a load that is linear along it, and how wide a strip it stands for:
 /// those at the ends half of one, a third of the step inwards.
 fn rows_of() -> [Vec<f64>; 2] {
     let step = LENGTH / SLICES as f64;
-    let mut at: Vec<f64> = (0..=SLICES).map(|k| k as f64 * step - 0.5 * LENGTH).collect();
+    let mut at: Vec<f64> = (0..=SLICES)
+        .map(|k| k as f64 * step - 0.5 * LENGTH)
+        .collect();
     let mut wide = vec![step; SLICES + 1];
     for (end, inwards) in [(0, step / 3.0), (SLICES, -step / 3.0)] {
         at[end] += inwards;
@@ -149,28 +154,30 @@ fn softer_at_the_ends() -> Vec<f64> {
     let most = 1.0 / (1.0 - 0.3 * 0.3);
     for (k, factor) in softer.iter().enumerate() {
         let off = (k as f64 / SLICES as f64 - 0.5).abs();
-        assert!((0.99..most).contains(factor), "{k}: {factor}");
-        assert!(off > 0.4 || (factor - 1.0).abs() < 0.01, "{k}: {factor}");
+        assert!((0.97..most).contains(factor), "{k}: {factor}");
+        assert!(off > 0.4 || (factor - 1.0).abs() < 0.02, "{k}: {factor}");
     }
     assert!(softer[0] > 1.02, "{softer:?}");
     softer
 }
 
-/// The line load along all of the roller, its ends too, is that of slices: within 5 % of the mean, and of the slice's own
-/// where it bears the half of the mean or more. Where it bears less the slices' ignorance of each other shows: a roller
-/// is one piece, and what presses it beside a slice lowers the slice too.
+/// The line load along all of the roller, its ends too, is that of slices: within 2 % of the mean, and within 5 % of the
+/// slice's own, but where it is a tenth of the mean or less: at 0.3 mrad the outermost row, which all but lifts off. There
+/// slices show that they do not know of each other: a roller is one piece, and what presses beside a slice lowers it too.
 #[test]
 fn the_line_load_of_a_tilted_roller_is_that_of_slices() {
     let [at, wide] = rows_of();
     let softer = softer_at_the_ends();
-    println!("softer {softer:.3?}");
     let mean = LOAD / LENGTH;
     for angle in [0.1e-3, 0.2e-3, 0.3e-3] {
         let expected = slices(0.5 * angle, &at, &wide, &softer);
         for ((slice, load), z) in expected.iter().zip(solved(angle)).zip(&at) {
             let off = (load - slice).abs();
             let says = format!("{angle} rad, {z:.1} mm: {load:.1} of {slice:.1} N/mm");
-            println!("{says} {:.2} % {:.2} %", 100.0 * (load - slice) / slice, 100.0 * (load - slice) / mean);
+            assert!(off < 0.02 * mean, "{says}");
+            let light = *slice < 0.1 * mean;
+            assert!(light || off < 0.05 * slice, "{says}");
+            assert!(!light || angle > 0.2e-3 && *z < -0.47 * LENGTH, "{says}");
         }
     }
 }

@@ -97,6 +97,9 @@ impl BearingCase {
         let rollings = reader.rollings()?;
         let mut mesh = mesh_choice::request(root, (full, &*geometry), reader.assumptions())?;
         reader.assumptions().append(&mut said);
+        for (body, _) in geometry.bodies() {
+            steels.of(&body)?;
+        }
         let mut names = vec![LOADED_PLANE.to_string()];
         let known = (&mut names, reader.assumptions());
         let mirrors = geometry.mirrors(full);
@@ -185,9 +188,7 @@ fn size_steels(
     let names: Vec<&str> = sizes.iter().map(|(body, _)| *body).collect();
     steels.check_names(&names)?;
     steels.set_sizes(&sizes, said);
-    names
-        .into_iter()
-        .try_for_each(|body| steels.of(body).map(drop))
+    Ok(())
 }
 
 /// Are rollers that are images of each other across x = 0 of the same steel?

@@ -1,5 +1,6 @@
 //! What an answer is made from.
 
+use crate::answer::certify::Figure;
 use crate::answer::results::bore::Bore;
 use crate::answer::results::line_load::Slices;
 use crate::answer::results::peaks::BodyPeaks;
@@ -26,6 +27,8 @@ pub struct AnswerInputs<'a> {
     pub steps: &'a [State],
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,
+    /// The claims of that solution, where it is of another mesh; empty where it is of this one.
+    pub elastic_claims: &'a [Figure],
     /// The states at the ends of the steps of the solution in increments twice as large.
     pub doubled: &'a [State],
     /// Did the solution reach the end of the last step?
@@ -50,6 +53,7 @@ impl<'a> AnswerInputs<'a> {
             stays: None,
             steps: &[],
             elastic: None,
+            elastic_claims: &[],
             doubled: &[],
             converged: true,
             measures: &[],

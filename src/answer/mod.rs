@@ -134,6 +134,7 @@ impl Answer {
             bores: &bores,
             dents: &dents,
             elastic: solved.elastic,
+            elastic_claims: solved.elastic_claims,
             doubled: doubled.as_deref(),
         });
         let load = load::applied(scene, state);

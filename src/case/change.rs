@@ -1,7 +1,7 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
 use super::bearing::UNLOAD_TO;
-use super::bearing::{MeshRequest, Preset, Strips};
+use super::bearing::{MeshRequest, Preset, Scales, Strips};
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};
@@ -119,6 +119,28 @@ impl Case {
             .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
         bearing.mesh = request;
         Ok(())
+    }
+
+    /// Multiplies groups of element sizes of a bearing's mesh.
+    ///
+    /// # Errors
+    /// As [`scale_mesh`](Self::scale_mesh).
+    pub fn refine_mesh(&mut self, scales: &Scales) -> Result<(), CaseError> {
+        let bearing = self.bearing_mut("a refined template")?;
+        let request = bearing.mesh.refined(scales);
+        request
+            .check(&*bearing.geometry)
+            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
+        bearing.mesh = request;
+        Ok(())
+    }
+
+    /// Leaves out what does not say how good a mesh is: plastic flow, and the unloading of a bearing.
+    pub fn set_elastic_and_loaded(&mut self) {
+        self.set_elastic();
+        if let Kind::Bearing(bearing) = &mut self.kind {
+            bearing.unload_to = None;
+        }
     }
 
     /// Meshes a bearing for lines of contact of these widths, where its preset looks at them.

@@ -18,6 +18,8 @@ pub struct Figure {
     pub error: Errors,
     /// Why the figure or its error should be read with care.
     pub note: Option<&'static str>,
+    /// Does it lie beside a loaded edge? The mesh decides it more than any other.
+    pub at_edge: bool,
 }
 
 impl Figure {
@@ -216,5 +218,6 @@ pub(super) fn figure_of(what: Quantity, place: &str, value: f64) -> Figure {
         value,
         error: Errors::default(),
         note: None,
+        at_edge: false,
     }
 }

@@ -1,6 +1,6 @@
 //! Peak stress and strain of bodies.
 
-use super::figure::{Errors, Figure, Quantity, figure_of};
+use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -9,6 +9,8 @@ use crate::model::scene::{ContactPair, Partner, Scene};
 
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
                        mesh; look at the elastic peak and the plastic strain";
+
+const FINER: &str = "of the elastic solution on a finer mesh";
 
 const SINGULAR: &str = "at a loaded edge, or where a fillet is not resolved: grows with every refinement until the \
                         steel yields";
@@ -53,7 +55,7 @@ const JUMP: f64 = 0.35;
 /// to be read at all.
 pub(super) fn claims(
     own: &[BodyPeaks],
-    elastic: Option<&[BodyPeaks]>,
+    (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
     strips: &[Strip],
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
@@ -76,11 +78,29 @@ pub(super) fn claims(
         claims.extend(peaks);
         let names = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
         let elastic = elastic.and_then(|bodies| bodies.get(index));
-        let elastic = elastic.map_or_else(Vec::new, |elastic| mises(elastic, names));
+        let mut elastic = elastic.map_or_else(Vec::new, |elastic| mises(elastic, names));
+        if !of_finer.is_empty() {
+            elastic = as_elastic(of_finer, &body.name);
+        }
         claims.push(plastic_strain(body, elastic.first()));
         claims.extend(elastic);
     }
     claims
+}
+
+/// Claims of a body's Mises peaks that stayed elastic on another mesh, as those of the elastic solution.
+fn as_elastic(claims: &[Figure], body: &str) -> Vec<Figure> {
+    let names = [
+        (Quantity::PeakMises, Quantity::ElasticPeakMises),
+        (Quantity::MisesAway, Quantity::ElasticMisesAway),
+    ];
+    let renamed = |(own, elastic): (Quantity, Quantity)| {
+        let mut claim = figure(claims, own, body)?.clone();
+        claim.what = elastic;
+        claim.note.get_or_insert(FINER);
+        Some(claim)
+    };
+    names.into_iter().filter_map(renamed).collect()
 }
 
 /// The peak plastic strain. Near its beginning it is what the elastic stress exceeds the yield limit

@@ -51,6 +51,8 @@ pub struct Evidence<'a> {
     pub dents: &'a [(String, String, f64)],
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,
+    /// The claims of that solution, where it is of another mesh; empty where it is of this one.
+    pub elastic_claims: &'a [Figure],
     /// The claims of the solution in increments twice as large.
     pub doubled: Option<&'a [Figure]>,
 }
@@ -65,7 +67,11 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         ..
     } = *evidence;
     let mut claims: Vec<Figure> = descent_claim(evidence).into_iter().collect();
-    let flowing = mises::claims(peaks, evidence.elastic, &Strip::all(scene, evidence.lines));
+    let flowing = mises::claims(
+        peaks,
+        (evidence.elastic, evidence.elastic_claims),
+        &Strip::all(scene, evidence.lines),
+    );
     claims.extend(other::bores(evidence.bores));
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
@@ -127,6 +133,7 @@ fn descent_claim(evidence: &Evidence) -> Option<Figure> {
             ..Errors::default()
         },
         note: (!by_force).then_some("prescribed"),
+        at_edge: false,
     })
 }
 

@@ -135,7 +135,10 @@ impl Contact<'_> {
             false => (self.shapelessness(field) > SHAPELESS).then_some(SHAPE),
         };
         if let Some(why) = unresolved {
-            return claim(None, why);
+            return Figure {
+                at_edge,
+                ..claim(None, why)
+            };
         }
         let fall = || FALL * falls;
         let error = self
@@ -180,7 +183,10 @@ impl Contact<'_> {
 
     fn line_load(&self, line: &HeaviestLine) -> Figure {
         let error = Some(load_error(line)).filter(|_| line.departs != Some(Departure::Width));
-        self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
+        Figure {
+            at_edge: line.departs == Some(Departure::LoadedEdge),
+            ..self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
+        }
     }
 
     /// `None` where the strip is not Hertz's.

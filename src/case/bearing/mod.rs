@@ -26,6 +26,7 @@ mod request;
 mod roller_end;
 #[cfg(test)]
 mod sample;
+mod scales;
 mod seat;
 mod sizes;
 mod strips;
@@ -46,6 +47,7 @@ pub use preset::{Preset, UnknownPreset};
 pub(super) use reader::UNLOAD_TO;
 pub use request::MeshRequest;
 pub use roller_end::shape_roller_ends;
+pub use scales::Scales;
 pub use seat::Seat;
 pub use sizes::{MESH_KEYS, MeshKey, SizeKind, Sizes};
 pub use strips::{FoundLine, Strips};

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use super::error::GeometryError;
 use super::layout::Layout;
 use super::preset::Preset;
+use super::scales::Scales;
 use super::sizes::{MESH_KEYS, PLATE_TO_ROLLER, SizeKind, Sizes};
 use super::strips::{FoundLine, Strips};
 
@@ -21,9 +22,8 @@ pub struct MeshRequest {
     /// Every element this many times as large as those say, in every direction, the grading kept;
     /// see [`Sizes::scaled`].
     pub scale: f64,
-    /// Beyond that, elements across the contact lines and below them this many times as large, the
-    /// region of fine elements staying as wide and deep as it is.
-    pub contact_scale: f64,
+    /// Beyond that, groups of elements by themselves.
+    pub scales: Scales,
     /// All four quarters of a centred bearing; a displaced one is always whole.
     pub full: bool,
 }
@@ -35,7 +35,7 @@ impl Default for MeshRequest {
             strips: None,
             overrides: Vec::new(),
             scale: 1.0,
-            contact_scale: 1.0,
+            scales: Scales::default(),
             full: false,
         }
     }
@@ -48,13 +48,7 @@ impl MeshRequest {
     /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
     /// are not in [`MESH_KEYS`] are passed over.
     pub fn sizes(&self, geometry: &dyn Layout) -> Sizes {
-        let mut sizes = self.unscaled(geometry).scaled(self.scale);
-        sizes.roller_size *= self.contact_scale;
-        sizes.plate_size *= self.contact_scale;
-        for count in [&mut sizes.fine_elements, &mut sizes.fine_layers] {
-            *count = (*count / self.contact_scale).round().max(1.0);
-        }
-        sizes
+        self.scales.of(self.unscaled(geometry).scaled(self.scale))
     }
 
     fn unscaled(&self, geometry: &dyn Layout) -> Sizes {
@@ -82,8 +76,16 @@ impl MeshRequest {
 
     /// The same mesh with elements at the contact `scale` times as large.
     pub fn sharpened(&self, scale: f64) -> Self {
+        self.refined(&Scales {
+            contact: scale,
+            ..Scales::default()
+        })
+    }
+
+    /// The same mesh with groups of elements this many times as large.
+    pub fn refined(&self, scales: &Scales) -> Self {
         Self {
-            contact_scale: self.contact_scale * scale,
+            scales: self.scales.and(scales),
             ..self.clone()
         }
     }
@@ -189,6 +191,28 @@ mod tests {
         assert_eq!(after.roller_size, 0.5 * before.roller_size);
         assert_eq!(after.fine_elements, 2.0 * before.fine_elements);
         assert_eq!(after.crossing_size, before.crossing_size);
+    }
+
+    #[test]
+    fn each_scale_has_its_own_sizes() {
+        let base = MeshRequest::default();
+        let scales = Scales {
+            contact: 0.5,
+            round: 0.25,
+            along: 0.5,
+        };
+        let (before, after) = (
+            base.sizes(&initial()),
+            base.refined(&scales).sizes(&initial()),
+        );
+        let ratio = |of: fn(&Sizes) -> f64| of(&after) / of(&before);
+        assert_eq!(ratio(|s| s.roller_size), 0.5);
+        assert_eq!(ratio(|s| s.around_cap), 0.25);
+        assert_eq!(ratio(|s| s.plan_cap), 0.5);
+        assert_eq!(ratio(|s| s.end_size), 0.5);
+        assert_eq!(after.along_growth, before.along_growth.sqrt());
+        let none = base.refined(&scales.part(0.0)).sizes(&initial());
+        assert_eq!(none, before);
     }
 
     #[test]

@@ -95,6 +95,12 @@ impl Strips {
         (!lines.is_empty()).then(|| Self::of(diameter, &narrow, &wide, true))
     }
 
+    /// Fine elements reach so many times as far, on rollers of this diameter.
+    pub fn widened(&self, diameter: f64, factor: f64) -> Self {
+        let wide = [self.widest * factor];
+        Self::of(diameter, &[self.narrowest], &wide, self.found)
+    }
+
     fn of(diameter: f64, narrow: &[f64], wide: &[f64], found: bool) -> Self {
         // Three digits: one mesh whatever the units, though the numbers differ in their last ones.
         let rounded = |width: f64| {

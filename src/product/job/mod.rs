@@ -34,5 +34,6 @@ pub use export::{Exported, export};
 pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unknowns};
 pub use options::Options;
 pub use outcome::Outcome;
-pub use run::{has_checkpoint, is_sized_by_lines, run, run_on};
+pub use run::{has_checkpoint, is_sized_by_lines, run, run_beside, run_on, run_on_beside};
+pub use second::Twin;
 pub use strips::kept as found_strips;

@@ -9,7 +9,7 @@ use super::options::Options;
 use super::outcome::{Outcome, reported};
 use super::record::Recorder;
 use super::report;
-use super::second::{elastic_peaks, stays};
+use super::second::{Twin, elastic_peaks, stays};
 use super::strips::{self, Watch};
 use super::summarise::{Second, phases, summarise};
 use crate::answer::results::recovery::recover;
@@ -43,6 +43,19 @@ pub fn run(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, JobError> {
+    run_beside(case, options, None, observer)
+}
+
+/// The same beside the elastic solution `twin` on a mesh of its own, which gives the elastic peaks.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_beside(
+    case: &Case,
+    options: &Options,
+    twin: Option<&Twin>,
+    observer: &mut dyn Observer,
+) -> Result<Outcome, JobError> {
     let start = Instant::now();
     let _folder = options.open()?;
     let out = options.out.as_deref();
@@ -56,7 +69,8 @@ pub fn run(
     }
     loop {
         let mesh = find_mesh(&case, out, &mut |line| observer.message(line))?;
-        match solve_on(&case, mesh, options, start, mesh_may_change, observer)? {
+        let with = (twin, mesh_may_change);
+        match solve_on(&case, mesh, options, start, with, observer)? {
             Ended::Done(outcome) => return Ok(*outcome),
             Ended::Remesh(strips) => {
                 observer.message(
@@ -87,8 +101,22 @@ pub fn run_on(
     start: Instant,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, JobError> {
+    run_on_beside(case, mesh, options, (start, None), observer)
+}
+
+/// The same beside the elastic solution `twin` on a mesh of its own, which gives the elastic peaks.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_on_beside(
+    case: &Case,
+    mesh: Mesh,
+    options: &Options,
+    (start, twin): (Instant, Option<&Twin>),
+    observer: &mut dyn Observer,
+) -> Result<Outcome, JobError> {
     let _folder = options.open()?;
-    match solve_on(case, mesh, options, start, false, observer)? {
+    match solve_on(case, mesh, options, start, (twin, false), observer)? {
         Ended::Done(outcome) => Ok(*outcome),
         Ended::Remesh(_) => Err(JobError::Interrupted),
     }
@@ -106,7 +134,7 @@ fn solve_on(
     mesh: Mesh,
     options: &Options,
     start: Instant,
-    mesh_may_change: bool,
+    (twin, mesh_may_change): (Option<&Twin>, bool),
     observer: &mut dyn Observer,
 ) -> Result<Ended, JobError> {
     let mut scene = case.scene(mesh)?;
@@ -148,9 +176,10 @@ fn solve_on(
     }
     let stays = stays(&scene, &solution, observer);
     let clock = Clock::start();
-    let elastic = match options.elastic_peaks {
-        true => elastic_peaks(&scene, &solution, observer),
-        false => None,
+    let elastic = match twin {
+        Some(twin) => Some(twin.peaks.clone()),
+        None if options.elastic_peaks => elastic_peaks(&scene, &solution, observer),
+        None => None,
     };
     let timing = Timing {
         mesh_s,
@@ -163,6 +192,7 @@ fn solve_on(
     };
     let second = Second {
         elastic: elastic.as_deref(),
+        elastic_claims: twin.map_or(&[], |twin| &twin.claims),
         stays: stays.as_deref(),
     };
     let recovered = recover(&scene, reported(&scene, &solution));

@@ -1,6 +1,7 @@
 //! What is solved beside the case itself: what stays without load, and the peaks without plasticity.
 
-use super::outcome::{reported, unloaded};
+use super::outcome::{Outcome, reported, unloaded};
+use crate::answer::certify::Figure;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::peaks::{BodyPeaks, peaks};
 use crate::answer::results::recovery::recover;
@@ -60,6 +61,23 @@ pub fn elastic_peaks(
 fn peaks_of(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
     let edges = LoadedEdges::find(scene, state);
     peaks(scene, state, &recover(scene, state), &edges)
+}
+
+/// The elastic solution of a case on a mesh of its own.
+#[derive(Debug, Clone)]
+pub struct Twin {
+    pub(super) peaks: Vec<BodyPeaks>,
+    pub(super) claims: Vec<Figure>,
+}
+
+impl Twin {
+    /// Of an elastic case that is solved.
+    pub fn of(outcome: &Outcome) -> Self {
+        Self {
+            peaks: peaks_of(&outcome.scene, outcome.state()),
+            claims: outcome.summary.answer.certificate.clone(),
+        }
+    }
 }
 
 /// Tells nothing, but stops where the observer behind it wants to.

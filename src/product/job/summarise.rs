@@ -4,6 +4,7 @@ use super::error::JobError;
 use super::options::Options;
 use super::outcome::{reported, unloaded};
 use super::{compare, hand_checks, left_out, rules, sizing, strips};
+use crate::answer::certify::Figure;
 use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
@@ -24,6 +25,8 @@ use crate::solver::solve::{self, Phase, Solution, Timers};
 #[derive(Debug, Clone, Copy)]
 pub struct Second<'a> {
     pub elastic: Option<&'a [BodyPeaks]>,
+    /// Of those peaks, where they are of another mesh.
+    pub elastic_claims: &'a [Figure],
     pub stays: Option<&'a [[f64; 3]]>,
 }
 
@@ -45,6 +48,7 @@ pub fn summarise(
         stays: second.stays,
         steps: &solution.states,
         elastic: second.elastic,
+        elastic_claims: second.elastic_claims,
         doubled: &solution.doubled,
         converged: solution.complete,
         bores: &bores(case),

@@ -1,6 +1,6 @@
 //! A mesh on the way to a target.
 
-use super::{Goal, Target};
+use super::goal::{Goal, Target};
 use crate::answer::certify::{self, Quantity};
 use crate::product::converge::cost::Cost;
 use crate::render::Summary;
@@ -26,6 +26,8 @@ pub struct Figure {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     pub level: usize,
+    /// Is it of the elastic twin, loaded only?
+    pub twin: bool,
     pub unknowns: usize,
     pub figures: Vec<Figure>,
     /// Goals that there is no figure for, such as Hertz's pressure where steel flows.
@@ -49,14 +51,19 @@ impl Figure {
         }
     }
 
-    /// Is the estimated error within the target, and unless bars decide alone the change from the mesh before?
-    pub fn meets(&self, target: &Target, bars_decide: bool) -> bool {
+    /// The largest error that the target leaves it.
+    pub(super) fn allowed(&self, target: &Target) -> f64 {
         let within = match (target.goal, self.goal) {
             (Goal::Mises, Goal::PlasticStrain) => STRAIN_TO_STRESS * target.within,
             _ => target.within,
         };
-        let small =
-            |error: Option<f64>| error.is_some_and(|e| e.abs() <= within * self.value.abs());
+        within * self.value.abs()
+    }
+
+    /// Is the estimated error within the target, and unless bars decide alone the change from the mesh before?
+    pub fn meets(&self, target: &Target, bars_decide: bool) -> bool {
+        let allowed = self.allowed(target);
+        let small = |error: Option<f64>| error.is_some_and(|e| e.abs() <= allowed);
         small(self.estimate) && (bars_decide || small(self.change))
     }
 }
@@ -88,12 +95,24 @@ impl Level {
         }
         Self {
             level,
+            twin: false,
             unknowns: summary.counters.dofs,
             figures,
             absent,
             bars_decide,
             cost,
             summary: summary.clone(),
+        }
+    }
+
+    /// Takes over Hertz's pressure from the elastic twin where steel flows.
+    pub(super) fn take_hertz(&mut self, twin: &Self) {
+        let hertz = Goal::HertzPressure;
+        let own = self.absent.iter().position(|goal| *goal == hertz);
+        let of_twin = twin.figures.iter().find(|figure| figure.goal == hertz);
+        if let Some((own, figure)) = own.zip(of_twin) {
+            self.absent.remove(own);
+            self.figures.push(figure.clone());
         }
     }
 
@@ -121,16 +140,12 @@ fn single(goal: Goal, certificate: &[certify::Figure]) -> Vec<Goal> {
     }
 }
 
-/// The claim that a single goal is about: the largest, with a bar or without; of Mises peaks the largest of those with a
-/// bar, one at a loaded edge where there is no other.
+/// The claim that a single goal is about: the largest away from loaded edges, with a bar or without; of Mises peaks the
+/// largest of those with a bar. One at a loaded edge where there is no other.
 fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure> {
     let among = |names: &[Quantity]| -> Vec<&certify::Figure> {
         let claims = certificate.iter().filter(|c| names.contains(&c.what));
         claims.collect()
-    };
-    let largest = |claims: Vec<_>| {
-        let by_value = |a: &&certify::Figure, b: &&certify::Figure| a.value.total_cmp(&b.value);
-        claims.into_iter().max_by(by_value)
     };
     let regular = |names: &[Quantity]| {
         let (sure, unsure): (Vec<_>, Vec<_>) =
@@ -164,7 +179,10 @@ pub fn table(levels: &[Level]) -> String {
         for figure in &level.figures {
             let estimate = figure.estimate.map(|_| figure.share(figure.estimate));
             table.row([
-                level.level.into(),
+                match level.twin {
+                    true => format!("{}, elastic", level.level).into(),
+                    false => level.level.into(),
+                },
                 level.unknowns.into(),
                 figure.what.name().into(),
                 (&figure.place).into(),
@@ -186,4 +204,11 @@ pub fn table(levels: &[Level]) -> String {
         );
     }
     out
+}
+
+/// The largest claim; of those beside a loaded edge only where there is no other.
+fn largest(claims: Vec<&certify::Figure>) -> Option<&certify::Figure> {
+    let (edge, away): (Vec<_>, Vec<_>) = claims.into_iter().partition(|claim| claim.at_edge);
+    let of = if away.is_empty() { edge } else { away };
+    of.into_iter().max_by(|a, b| a.value.total_cmp(&b.value))
 }

@@ -1,12 +1,17 @@
 //! Refining until a figure is as good as asked for.
 //!
 //! The case is solved on finer and finer meshes of its series until the certificate's estimate is within the target, or
-//! until it is plain that it will not be. Of a bearing on meshes that are sized by its lines of contact the bars decide:
-//! that they hold is what the coverage suite asks. Of other scenes the change from the mesh before must be as small.
+//! until it is plain that it will not be. Of a bearing on meshes that are sized by its lines of contact the bars decide,
+//! and choose the next mesh: that they hold is what the coverage suite asks. Of other scenes the change from the mesh
+//! before must be as small.
 
+mod by_bars;
+mod ending;
 mod goal;
 mod level;
+mod plan;
 
+pub use ending::{Limits, Verdict, folder};
 pub use goal::{Goal, Target, TargetError};
 pub use level::{Figure, Level, table};
 
@@ -15,43 +20,13 @@ use crate::product::converge::cost::Meter;
 use crate::product::converge::{ConvergeError, Series};
 use crate::product::job::{self, Options, Outcome};
 use crate::solver::solve::Observer;
+use ending::{places, singular};
 use std::f64::consts::SQRT_2;
-use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// How far to go.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
-    /// Levels to solve at most.
-    pub levels: usize,
-    /// A level that is expected to have more unknowns is not solved.
-    pub unknowns: f64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self {
-            levels: 8,
-            unknowns: 1.5e6,
-        }
-    }
-}
-
-/// How it ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
-    Met,
-    /// Why it was not.
-    NotMet(String),
-    Interrupted,
-}
-
-/// Levels whose peak has no estimate before that is believed.
-const SINGULAR_LEVELS: usize = 3;
-
-/// Solves `case` level by level. A bearing that is meshed by its lines of contact begins with that mesh, made for the lines
-/// as found, and all its elements are smaller by √2 from one to the next. Other meshes of a bearing are halved at the
-/// contact. Other cases as in [`Series`].
+/// Solves `case` level by level. A bearing that is meshed by its lines of contact as in [`by_bars`]. Other meshes of a
+/// bearing are halved at the contact, and all their elements smaller by √2 from one to the next. Other cases as in
+/// [`Series`].
 ///
 /// Each is solved in a folder `level-<n>` of its own below that of `options`;
 /// `told` hears of every level. The outcome is that of the last one.
@@ -66,39 +41,24 @@ pub fn refine(
     observer: &mut dyn Observer,
     mut told: impl FnMut(&Level),
 ) -> Result<(Vec<Level>, Verdict, Outcome), ConvergeError> {
-    let sized_by_lines = job::is_sized_by_lines(case);
-    let mut case = case.clone();
-    let mut series = Series::of(&case, &[], SQRT_2)?;
-    if let Series::Template { contact, .. } = &mut series
-        && !sized_by_lines
-    {
+    if job::is_sized_by_lines(case) {
+        return by_bars::refine(case, (target, limits), options, observer, &mut told);
+    }
+    let mut series = Series::of(case, &[], SQRT_2)?;
+    if let Series::Template { contact, .. } = &mut series {
         *contact = SQRT_2;
     }
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let number = levels.len();
-        let below = options.out.as_deref().unwrap_or(Path::new("."));
-        let out = folder(below, number);
-        let own = Options {
-            out: Some(out.clone()),
-            ..options.clone()
-        };
+        let (below, own) = places(options, number);
         let meter = Meter::start();
-        let outcome = if sized_by_lines && number == 0 {
-            let outcome = job::run(&case, &own, observer)?;
-            // Finer meshes are of the lines as found.
-            if let Some(strips) = job::found_strips(&out)? {
-                case.set_strips(strips);
-            }
-            outcome
-        } else {
-            let (scaled, mesh) = series.mesh(&case, number, below, observer)?;
-            job::run_on(&scaled, mesh, &own, Instant::now(), observer)?
-        };
+        let (scaled, mesh) = series.mesh(case, number, &below, observer)?;
+        let outcome = job::run_on(&scaled, mesh, &own, Instant::now(), observer)?;
         if outcome.interrupted {
             return Ok((levels, Verdict::Interrupted, outcome));
         }
-        let asked = (target, sized_by_lines);
+        let asked = (target, false);
         let level = Level::new(number, asked, &outcome.summary, levels.last(), meter.stop());
         told(&level);
         levels.push(level);
@@ -106,11 +66,6 @@ pub fn refine(
             return Ok((levels, verdict, outcome));
         }
     }
-}
-
-/// Where level `number` writes.
-pub fn folder(below: &Path, number: usize) -> PathBuf {
-    below.join(format!("level-{number}"))
 }
 
 /// The verdict after these levels; `None` while there is more to do.
@@ -123,23 +78,7 @@ fn judge(levels: &[Level], target: &Target, limits: &Limits) -> Option<Verdict> 
     if last.meets(target) {
         return Some(Verdict::Met);
     }
-    // Finer meshes resolve all but peaks beside edges.
-    let singular = |f: &Figure| f.estimate.is_none() && f.what.away_from_edges().is_some();
-    let unknown = |level: &Level| level.figures.iter().any(singular);
-    if levels.len() >= SINGULAR_LEVELS && levels.iter().rev().take(SINGULAR_LEVELS).all(unknown) {
-        let figure = last.figures.iter().find(|f| singular(f))?;
-        let values: Vec<String> = levels
-            .iter()
-            .filter_map(|l| l.value_of(figure.goal))
-            .map(|v| format!("{v:.4}"))
-            .collect();
-        let why = format!(
-            "no mesh meets it: {} of {} lies at a loaded edge, where the elastic stress is \
-             singular; it went {}",
-            figure.what.name(),
-            figure.place,
-            values.join(", ")
-        );
+    if let Some(why) = singular(levels) {
         return Some(Verdict::NotMet(why));
     }
     let next = last.unknowns as f64 * growth(levels);

@@ -1,0 +1,285 @@
+//! A bearing that is meshed by its lines of contact: each mesh is chosen by what the bars of the one before say.
+//!
+//! First its elastic twin is solved, loaded only: a tenth of the time of the case itself. Where steel flows, the twin is
+//! what elastic figures are of; it goes on alone until they are as good as asked for. The case itself, with flow, its second
+//! solution and unloading, is solved on the mesh that should meet the rest, and on a finer one where that was foreseen
+//! too well.
+
+use super::ending::{Limits, Verdict, places, singular};
+use super::goal::{Goal, Target};
+use super::level::Level;
+use super::plan;
+use crate::answer::certify::Quantity;
+use crate::case::bearing::Scales;
+use crate::case::{Case, Kind};
+use crate::product::converge::ConvergeError;
+use crate::product::converge::cost::Meter;
+use crate::product::job::{self, Options, Outcome, Twin};
+use crate::solver::solve::Observer;
+use std::time::Instant;
+
+type Refined = Result<(Vec<Level>, Verdict, Outcome), ConvergeError>;
+
+/// See [`super::refine`].
+pub(super) fn refine(
+    case: &Case,
+    (target, limits): (&Target, &Limits),
+    options: &Options,
+    observer: &mut dyn Observer,
+    told: &mut dyn FnMut(&Level),
+) -> Refined {
+    let mut way = Way {
+        target,
+        limits,
+        options,
+        observer,
+        told,
+        levels: Vec::new(),
+    };
+    let twin = twin(case).filter(|_| target.goal != Goal::PlasticStrain);
+    let Some(twin) = twin else {
+        return way.own(case.clone(), None, false);
+    };
+    let (twin, case) = match way.elastic(twin, case.clone())? {
+        Elastic::Solved(twin, case) => (twin, case),
+        Elastic::Interrupted(outcome) => {
+            return Ok((way.levels, Verdict::Interrupted, *outcome));
+        }
+    };
+    way.own(*case, twin.as_ref(), true)
+}
+
+/// What came of the elastic solutions.
+enum Elastic {
+    /// The last one, where steel flows, and the case on the mesh that it asks for.
+    Solved(Option<Twin>, Box<Case>),
+    Interrupted(Box<Outcome>),
+}
+
+/// Is that figure of the elastic twin, where steel flows?
+fn is_elastic(goal: Goal) -> bool {
+    matches!(goal, Goal::Mises | Goal::ElasticMises | Goal::HertzPressure)
+}
+
+/// On the way to a target.
+struct Way<'a> {
+    target: &'a Target,
+    limits: &'a Limits,
+    options: &'a Options,
+    observer: &'a mut dyn Observer,
+    told: &'a mut dyn FnMut(&Level),
+    levels: Vec<Level>,
+}
+
+impl Way<'_> {
+    /// The elastic twin, until what is elastic is as good as asked for.
+    fn elastic(&mut self, mut twin: Case, mut case: Case) -> Result<Elastic, ConvergeError> {
+        loop {
+            let first = self.levels.is_empty();
+            let meter = Meter::start();
+            let (_, own) = places(self.options, self.levels.len());
+            let own = Options {
+                report: false,
+                ..own
+            };
+            let outcome = self.solve(&twin, &own, None, !first)?;
+            if outcome.interrupted {
+                return Ok(Elastic::Interrupted(Box::new(outcome)));
+            }
+            let mut level = self.level(&outcome, &meter);
+            level.twin = true;
+            let flows = flows(&case, &outcome);
+            if first {
+                if let Some(strips) = found(&own)? {
+                    twin.set_strips(strips);
+                    case.set_strips(strips);
+                }
+                let counts = |goal| !flows || !is_elastic(goal);
+                let foreseen = foreseen(&level, flows);
+                let scales = plan::next(&foreseen, self.target, counts);
+                widen(&mut case, &outcome);
+                case.refine_mesh(&self.affordable(&case, &scales, level.unknowns))?;
+            }
+            let scales = plan::next(&level, self.target, is_elastic);
+            let next = self.affordable(&twin, &scales, level.unknowns);
+            self.tell(level);
+            // One more level is of the case itself.
+            let last = self.levels.len() + 1 >= self.limits.levels;
+            if !flows || last || next == Scales::default() {
+                let twin = flows.then(|| Twin::of(&outcome));
+                return Ok(Elastic::Solved(twin, Box::new(case)));
+            }
+            twin.refine_mesh(&next)?;
+        }
+    }
+
+    /// The case itself, until all is as good as asked for.
+    fn own(mut self, mut case: Case, twin: Option<&Twin>, mut is_sized: bool) -> Refined {
+        loop {
+            let meter = Meter::start();
+            let (_, own) = places(self.options, self.levels.len());
+            let outcome = self.solve(&case, &own, twin, is_sized)?;
+            if outcome.interrupted {
+                return Ok((self.levels, Verdict::Interrupted, outcome));
+            }
+            if !is_sized && let Some(strips) = found(&own)? {
+                case.set_strips(strips);
+            }
+            is_sized = true;
+            let mut level = self.level(&outcome, &meter);
+            if let Some(before) = self.levels.iter().rfind(|level| level.twin) {
+                level.take_hertz(before);
+            }
+            let counts = |goal| twin.is_none() || !is_elastic(goal);
+            let scales = plan::next(&level, self.target, counts);
+            let (met, nothing) = (level.meets(self.target), level.figures.is_empty());
+            let unknowns = level.unknowns;
+            self.tell(level);
+            let count = self.levels.len();
+            let why = if met {
+                return Ok((self.levels, Verdict::Met, outcome));
+            } else if nothing {
+                format!("the certificate has no {}", self.target.goal.name())
+            } else if let Some(why) = singular(&self.levels) {
+                why
+            } else if scales == Scales::default() {
+                "the elastic solution misses it on the finest mesh within the limits".to_owned()
+            } else if count >= self.limits.levels {
+                format!("not met by the finest of {count} meshes")
+            } else if let expected = expected(&case, &scales, unknowns)
+                && expected > self.limits.unknowns
+            {
+                format!(
+                    "not met by the finest of {count} meshes; the next one would have about {expected:.0} unknowns"
+                )
+            } else {
+                case.refine_mesh(&scales)?;
+                continue;
+            };
+            return Ok((self.levels, Verdict::NotMet(why), outcome));
+        }
+    }
+
+    /// Solves a case; on its own mesh where that `is_sized`, else on one that may be made anew for the lines as found.
+    fn solve(
+        &mut self,
+        case: &Case,
+        own: &Options,
+        twin: Option<&Twin>,
+        is_sized: bool,
+    ) -> Result<Outcome, ConvergeError> {
+        let start = Instant::now();
+        if !is_sized {
+            return Ok(job::run_beside(case, own, twin, self.observer)?);
+        }
+        if let Some(out) = &own.out {
+            std::fs::create_dir_all(out).map_err(|source| {
+                crate::ground::file::FileError::Write {
+                    path: out.clone(),
+                    source,
+                }
+            })?;
+        }
+        let mut say = |line: &str| self.observer.message(line);
+        let mesh = job::find_mesh(case, own.out.as_deref(), &mut say)?;
+        let beside = (start, twin);
+        Ok(job::run_on_beside(case, mesh, own, beside, self.observer)?)
+    }
+
+    fn level(&self, outcome: &Outcome, meter: &Meter) -> Level {
+        let asked = (self.target, true);
+        let number = self.levels.len();
+        Level::new(
+            number,
+            asked,
+            &outcome.summary,
+            self.levels.last(),
+            meter.stop(),
+        )
+    }
+
+    fn tell(&mut self, level: Level) {
+        (self.told)(&level);
+        self.levels.push(level);
+    }
+
+    /// The scales, or as much of them as the limit on unknowns leaves.
+    fn affordable(&self, case: &Case, scales: &Scales, unknowns: usize) -> Scales {
+        const SHARES: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
+        let parts = SHARES.map(|share| scales.part(share));
+        let fits = |part: &Scales| expected(case, part, unknowns) <= self.limits.unknowns;
+        parts.into_iter().find(fits).unwrap_or_default()
+    }
+}
+
+/// The level with the bars that the case itself should have: where steel flows the increments add to that of the pressure,
+/// by 0.3 of it on two meshes of a displaced bearing.
+fn foreseen(level: &Level, flows: bool) -> Level {
+    const INCREMENTS: f64 = 1.3;
+    let mut foreseen = level.clone();
+    let pressures = foreseen.figures.iter_mut();
+    for figure in pressures.filter(|figure| flows && figure.goal == Goal::Pressure) {
+        figure.estimate = figure.estimate.map(|bar| INCREMENTS * bar);
+    }
+    foreseen
+}
+
+/// What the mesh of a run was made for, where its solution found that.
+fn found(own: &Options) -> Result<Option<crate::case::bearing::Strips>, ConvergeError> {
+    let out = own.out.as_deref();
+    Ok(out.map(job::found_strips).transpose()?.flatten())
+}
+
+/// The case without what does not say how good its mesh is; `None` where that is all of it.
+fn twin(case: &Case) -> Option<Case> {
+    let Kind::Bearing(bearing) = &case.kind else {
+        return None;
+    };
+    let more = case.controls.plasticity || bearing.unload_to.is_some();
+    more.then(|| {
+        let mut twin = case.clone();
+        twin.set_elastic_and_loaded();
+        twin
+    })
+}
+
+/// Does steel flow in the case of which `outcome` is the elastic twin?
+fn flows(case: &Case, outcome: &Outcome) -> bool {
+    let bodies = outcome.summary.answer.bodies.0.iter();
+    let beyond =
+        |peak: Option<f64>, limit: Option<f64>| peak.zip(limit).is_some_and(|(p, l)| p > l);
+    case.controls.plasticity
+        && (bodies.clone())
+            .any(|(_, body)| beyond(body.mises_max.integration_point, body.yield_stress))
+}
+
+/// Unknowns of the mesh with these scales, where that without them has so many.
+fn expected(case: &Case, scales: &Scales, unknowns: usize) -> f64 {
+    let Kind::Bearing(bearing) = &case.kind else {
+        return unknowns as f64;
+    };
+    let mut refined = bearing.clone();
+    refined.mesh = refined.mesh.refined(scales);
+    unknowns as f64 * refined.elements() / bearing.elements()
+}
+
+/// Where the elastic pressure exceeds what steel begins to flow at, p0 = 1.79 Y (Johnson, Contact Mechanics, section
+/// 6.1), strips become wider: here by the root of the excess, between none at its beginning and all of it, as pressure
+/// is bounded by hardness.
+fn widen(case: &mut Case, outcome: &Outcome) {
+    let yields = (outcome.scene.materials.iter()).map(|steel| steel.yield_stress);
+    let begins = 1.79 * yields.fold(f64::INFINITY, f64::min);
+    let claims = outcome.summary.answer.certificate.iter();
+    let pressures = claims.filter(|c| c.what == Quantity::HertzPressure);
+    let excess = pressures.map(|c| c.value).fold(0.0, f64::max) / begins;
+    let Kind::Bearing(bearing) = &case.kind else {
+        return;
+    };
+    if case.controls.plasticity
+        && excess > 1.0
+        && let Some(strips) = bearing.mesh.strips
+    {
+        let strips = strips.widened(bearing.geometry.diameter(), excess.sqrt());
+        case.set_strips(strips);
+    }
+}

@@ -995,6 +995,50 @@ fn a_target_of_all_certified_figures_asks_for_those_that_there_are() {
 }
 
 #[test]
+fn where_steel_flows_a_target_says_which_mesh_elastic_figures_are_of() {
+    let folder = TempDir::new().unwrap();
+    let case =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2/initial-centre.toml");
+    let line = format!(
+        "run {} --out out --quiet --target elastic-mises=8%",
+        case.display()
+    );
+    let run = brinell(folder.path(), &line).success();
+    prints(
+        &run,
+        &[
+            "0, elastic",
+            "elastic figures are of the elastic solution",
+            "in level-0",
+        ],
+    );
+    let of = |level: &str| summary(&folder.path().join(format!("out/{level}/summary.json")));
+    let (twin, own) = (of("level-0"), of("level-1"));
+    assert!(twin["elastic_twin"].is_null());
+    assert_eq!(own["elastic_twin"]["folder"], "level-0");
+    assert_eq!(own["elastic_twin"]["dofs"], twin["dofs"]);
+    let claim = |of: &serde_json::Value, what: &str| {
+        let claims = of["certificate"].as_array().unwrap().clone();
+        let same = |c: &serde_json::Value| c["what"] == what && c["where"] == "lower_plate";
+        claims.into_iter().find(same).unwrap()
+    };
+    let [of_twin, taken] = [
+        claim(&twin, "peak_mises"),
+        claim(&own, "elastic_peak_mises"),
+    ];
+    assert_eq!(
+        [&of_twin["value"], &of_twin["error"]],
+        [&taken["value"], &taken["error"]]
+    );
+    assert!(
+        taken["note"]
+            .as_str()
+            .unwrap()
+            .contains("a mesh of its own")
+    );
+}
+
+#[test]
 fn a_target_that_no_mesh_meets_is_said_to_be_missed() {
     let folder = TempDir::new().unwrap();
     let run = brinell(

@@ -21,6 +21,7 @@ pub fn digest(summary: &Summary, missed: &[String]) -> String {
         ("p max", pressure(summary)),
         ("p0", hertz(summary)),
         ("Mises", mises(summary, &used)),
+        ("", elastic_twin(summary)),
         ("plastic strain", plastic_strain(summary)),
         ("line load", line_load(summary)),
         ("forces", forces(summary)),
@@ -167,6 +168,15 @@ fn mises(summary: &Summary, used: &[Utilisation]) -> Option<String> {
     let peak = largest_of(summary, Quantity::MisesAway)
         .or_else(|| largest_of(summary, Quantity::PeakMises))?;
     Some(format!("{}, {}", told(summary, peak), peak.what.name()))
+}
+
+/// What elastic figures are of, where that is not the solution that the rest is of.
+fn elastic_twin(summary: &Summary) -> Option<String> {
+    let twin = summary.elastic_twin.as_ref()?;
+    let (dofs, folder) = (twin.dofs, &twin.folder);
+    Some(format!(
+        "elastic figures are of the elastic solution on a mesh of its own, {dofs} unknowns, in {folder}"
+    ))
 }
 
 fn plastic_strain(summary: &Summary) -> Option<String> {

@@ -75,6 +75,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
             ..Timing::default()
         },
         peak_memory_bytes: Some(123_000_000),
+        elastic_twin: None,
         comparison: comparison.to_vec(),
         sizing: None,
         rules: None,
@@ -123,6 +124,7 @@ fn the_summary_has_every_key_and_no_nan() {
         "factor_entries",
         "timing",
         "peak_memory_bytes",
+        "elastic_twin",
         "applied_load",
         "descent",
         "bodies",

@@ -10,7 +10,7 @@ use crate::model::scene::{ContactPair, Partner, Scene};
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
                        mesh; look at the elastic peak and the plastic strain";
 
-const FINER: &str = "of the elastic solution on a finer mesh";
+const OF_TWIN: &str = "of the elastic solution, on a mesh of its own";
 
 const SINGULAR: &str = "at a loaded edge, or where a fillet is not resolved: grows with every refinement until the \
                         steel yields";
@@ -97,7 +97,7 @@ fn as_elastic(claims: &[Figure], body: &str) -> Vec<Figure> {
     let renamed = |(own, elastic): (Quantity, Quantity)| {
         let mut claim = figure(claims, own, body)?.clone();
         claim.what = elastic;
-        claim.note.get_or_insert(FINER);
+        claim.note.get_or_insert(OF_TWIN);
         Some(claim)
     };
     names.into_iter().filter_map(renamed).collect()

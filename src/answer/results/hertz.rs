@@ -177,7 +177,8 @@ fn departure(
 }
 
 /// Mean pressure below a strip over the yield stress, where flow begins: π/4 of p0 = 1.79 Y (Johnson, Contact
-/// Mechanics, section 6.1). It only grows from there, and where lines merge it is less.
+/// Mechanics, section 6.1). It only grows from there; elastic lines that merge press less, and where they flow into one
+/// strip its load is one, too.
 const FLOW_BEGINS: f64 = 1.4;
 
 /// Mean pressure of the heaviest row of a line.

@@ -192,7 +192,7 @@ fn solve_on(
     };
     let second = Second {
         elastic: elastic.as_deref(),
-        elastic_claims: twin.map_or(&[], |twin| &twin.claims),
+        twin,
         stays: stays.as_deref(),
     };
     let recovered = recover(&scene, reported(&scene, &solution));

@@ -7,6 +7,7 @@ use crate::answer::results::peaks::{BodyPeaks, peaks};
 use crate::answer::results::recovery::recover;
 use crate::model::scene::Scene;
 use crate::model::state::State;
+use crate::render::summary::ElasticTwin;
 use crate::solver::solve::{self, Observer, Solution};
 
 /// The displacement that stays after unloading, where there is unloading. Dents can be told without
@@ -68,14 +69,19 @@ fn peaks_of(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
 pub struct Twin {
     pub(super) peaks: Vec<BodyPeaks>,
     pub(super) claims: Vec<Figure>,
+    pub(super) told: ElasticTwin,
 }
 
 impl Twin {
-    /// Of an elastic case that is solved.
-    pub fn of(outcome: &Outcome) -> Self {
+    /// Of an elastic case that is solved, with the name of the folder of its files.
+    pub fn of(outcome: &Outcome, folder: String) -> Self {
         Self {
             peaks: peaks_of(&outcome.scene, outcome.state()),
             claims: outcome.summary.answer.certificate.clone(),
+            told: ElasticTwin {
+                folder,
+                dofs: outcome.summary.counters.dofs,
+            },
         }
     }
 }

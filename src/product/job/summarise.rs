@@ -3,8 +3,8 @@
 use super::error::JobError;
 use super::options::Options;
 use super::outcome::{reported, unloaded};
+use super::second::Twin;
 use super::{compare, hand_checks, left_out, rules, sizing, strips};
-use crate::answer::certify::Figure;
 use crate::answer::results::bore::Bore;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
@@ -25,8 +25,8 @@ use crate::solver::solve::{self, Phase, Solution, Timers};
 #[derive(Debug, Clone, Copy)]
 pub struct Second<'a> {
     pub elastic: Option<&'a [BodyPeaks]>,
-    /// Of those peaks, where they are of another mesh.
-    pub elastic_claims: &'a [Figure],
+    /// Where those peaks are of another mesh.
+    pub twin: Option<&'a Twin>,
     pub stays: Option<&'a [[f64; 3]]>,
 }
 
@@ -48,7 +48,7 @@ pub fn summarise(
         stays: second.stays,
         steps: &solution.states,
         elastic: second.elastic,
-        elastic_claims: second.elastic_claims,
+        elastic_claims: second.twin.map_or(&[], |twin| &twin.claims),
         doubled: &solution.doubled,
         converged: solution.complete,
         bores: &bores(case),
@@ -79,6 +79,7 @@ pub fn summarise(
         counters: counters(&solution.counters),
         timing,
         peak_memory_bytes: memory::peak(),
+        elastic_twin: second.twin.map(|twin| twin.told.clone()),
         assumptions: assumptions(case),
         left_out: left_out::list(case, scene, solution, options),
         warnings,

@@ -5,7 +5,7 @@
 //! solution and unloading, is solved on the mesh that should meet the rest, and on a finer one where that was foreseen
 //! too well.
 
-use super::ending::{Limits, Verdict, places, singular};
+use super::ending::{Limits, Verdict, name, places, singular};
 use super::goal::{Goal, Target};
 use super::level::Level;
 use super::plan;
@@ -56,11 +56,6 @@ enum Elastic {
     Interrupted(Box<Outcome>),
 }
 
-/// Is that figure of the elastic twin, where steel flows?
-fn is_elastic(goal: Goal) -> bool {
-    matches!(goal, Goal::Mises | Goal::ElasticMises | Goal::HertzPressure)
-}
-
 /// On the way to a target.
 struct Way<'a> {
     target: &'a Target,
@@ -77,7 +72,8 @@ impl Way<'_> {
         loop {
             let first = self.levels.is_empty();
             let meter = Meter::start();
-            let (_, own) = places(self.options, self.levels.len());
+            let number = self.levels.len();
+            let (_, own) = places(self.options, number);
             let own = Options {
                 report: false,
                 ..own
@@ -94,19 +90,19 @@ impl Way<'_> {
                     twin.set_strips(strips);
                     case.set_strips(strips);
                 }
-                let counts = |goal| !flows || !is_elastic(goal);
+                let counts = |goal: Goal| !flows || !goal.is_elastic();
                 let foreseen = foreseen(&level, flows);
                 let scales = plan::next(&foreseen, self.target, counts);
                 widen(&mut case, &outcome);
                 case.refine_mesh(&self.affordable(&case, &scales, level.unknowns))?;
             }
-            let scales = plan::next(&level, self.target, is_elastic);
+            let scales = plan::next(&level, self.target, Goal::is_elastic);
             let next = self.affordable(&twin, &scales, level.unknowns);
             self.tell(level);
             // One more level is of the case itself.
             let last = self.levels.len() + 1 >= self.limits.levels;
             if !flows || last || next == Scales::default() {
-                let twin = flows.then(|| Twin::of(&outcome));
+                let twin = flows.then(|| Twin::of(&outcome, name(number)));
                 return Ok(Elastic::Solved(twin, Box::new(case)));
             }
             twin.refine_mesh(&next)?;
@@ -127,10 +123,11 @@ impl Way<'_> {
             }
             is_sized = true;
             let mut level = self.level(&outcome, &meter);
-            if let Some(before) = self.levels.iter().rfind(|level| level.twin) {
-                level.take_hertz(before);
+            let before = self.levels.iter().rfind(|level| level.twin);
+            if let Some(before) = before.filter(|_| twin.is_some()) {
+                level.take_elastic(before);
             }
-            let counts = |goal| twin.is_none() || !is_elastic(goal);
+            let counts = |goal: Goal| twin.is_none() || !goal.is_elastic();
             let scales = plan::next(&level, self.target, counts);
             let (met, nothing) = (level.meets(self.target), level.figures.is_empty());
             let unknowns = level.unknowns;

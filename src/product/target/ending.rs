@@ -44,9 +44,14 @@ pub(super) fn places(options: &Options, number: usize) -> (PathBuf, Options) {
     (below.to_owned(), own)
 }
 
+/// Name of the folder of level `number`.
+pub(super) fn name(number: usize) -> String {
+    format!("level-{number}")
+}
+
 /// Where level `number` writes.
 pub fn folder(below: &Path, number: usize) -> PathBuf {
-    below.join(format!("level-{number}"))
+    below.join(name(number))
 }
 
 /// Why no mesh meets a target, where that is plain: finer meshes resolve all but peaks beside edges.

@@ -70,6 +70,11 @@ impl Goal {
         Self::Descent,
     ];
 
+    /// Is that figure of the elastic twin, where steel flows?
+    pub(super) fn is_elastic(self) -> bool {
+        matches!(self, Self::Mises | Self::ElasticMises | Self::HertzPressure)
+    }
+
     /// As it is asked for.
     pub fn name(self) -> &'static str {
         match self {

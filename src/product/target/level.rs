@@ -20,6 +20,15 @@ pub struct Figure {
     pub estimate: Option<f64>,
     /// Difference from the mesh before.
     pub change: Option<f64>,
+    /// The elastic twin that it is of, where steel flows.
+    pub of: Option<TwinMesh>,
+}
+
+/// A mesh of the elastic twin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TwinMesh {
+    pub level: usize,
+    pub unknowns: usize,
 }
 
 /// One mesh, solved.
@@ -32,6 +41,8 @@ pub struct Level {
     pub figures: Vec<Figure>,
     /// Goals that there is no figure for, such as Hertz's pressure where steel flows.
     pub absent: Vec<Goal>,
+    /// Larger figures beside loaded edges, which are not judged.
+    pub beside_edges: Vec<Figure>,
     /// Do its bars alone decide? Else the change from the mesh before must be small, too.
     pub bars_decide: bool,
     pub cost: Cost,
@@ -48,6 +59,16 @@ impl Figure {
         match error.filter(|_| self.value != 0.0) {
             Some(error) => format!("{} %", significant(100.0 * error / self.value, 2)),
             None => "-".to_owned(),
+        }
+    }
+
+    /// What and where, with its error.
+    fn in_words(&self) -> String {
+        let (what, place) = (self.what.name(), &self.place);
+        let value = significant(self.value, 4);
+        match self.estimate {
+            None => format!("{what} of {place}, {value}, unresolved"),
+            error => format!("{what} of {place}, {value} ± {}", self.share(error)),
         }
     }
 
@@ -78,20 +99,27 @@ impl Level {
     ) -> Self {
         let mut figures = Vec::new();
         let mut absent = Vec::new();
+        let mut beside_edges = Vec::new();
         for goal in single(target.goal, &summary.answer.certificate) {
             let Some(claim) = claim(goal, &summary.answer.certificate) else {
                 absent.push(goal);
                 continue;
             };
             let old = before.and_then(|level| level.value_of(goal));
-            figures.push(Figure {
+            let figure = |claim: &certify::Figure, old: Option<f64>| Figure {
                 goal,
                 what: claim.what,
                 place: claim.place.clone(),
                 value: claim.value,
                 estimate: claim.bar(),
                 change: old.map(|old| claim.value - old),
-            });
+                of: None,
+            };
+            figures.push(figure(claim, old));
+            let same = (summary.answer.certificate.iter()).filter(|c| c.what == claim.what);
+            let larger = same.filter(|c| c.at_edge && !claim.at_edge && c.value > claim.value);
+            let largest = larger.max_by(|a, b| a.value.total_cmp(&b.value));
+            beside_edges.extend(largest.map(|claim| figure(claim, None)));
         }
         Self {
             level,
@@ -99,20 +127,34 @@ impl Level {
             unknowns: summary.counters.dofs,
             figures,
             absent,
+            beside_edges,
             bars_decide,
             cost,
             summary: summary.clone(),
         }
     }
 
-    /// Takes over Hertz's pressure from the elastic twin where steel flows.
-    pub(super) fn take_hertz(&mut self, twin: &Self) {
-        let hertz = Goal::HertzPressure;
-        let own = self.absent.iter().position(|goal| *goal == hertz);
-        let of_twin = twin.figures.iter().find(|figure| figure.goal == hertz);
-        if let Some((own, figure)) = own.zip(of_twin) {
-            self.absent.remove(own);
-            self.figures.push(figure.clone());
+    /// Takes over what is elastic from the twin, where steel flows.
+    pub(super) fn take_elastic(&mut self, twin: &Self) {
+        let of = Some(TwinMesh {
+            level: twin.level,
+            unknowns: twin.unknowns,
+        });
+        for figure in twin.figures.iter().filter(|f| f.goal.is_elastic()) {
+            let taken = Figure {
+                of,
+                ..figure.clone()
+            };
+            match self.figures.iter_mut().find(|f| f.goal == figure.goal) {
+                Some(own) => {
+                    *own = Figure {
+                        what: own.what,
+                        ..taken
+                    }
+                }
+                None => self.figures.push(taken),
+            }
+            self.absent.retain(|goal| *goal != figure.goal);
         }
     }
 
@@ -178,12 +220,16 @@ pub fn table(levels: &[Level]) -> String {
     for level in levels {
         for figure in &level.figures {
             let estimate = figure.estimate.map(|_| figure.share(figure.estimate));
+            let (number, unknowns) = match figure.of {
+                Some(twin) => (twin.level, twin.unknowns),
+                None => (level.level, level.unknowns),
+            };
             table.row([
-                match level.twin {
-                    true => format!("{}, elastic", level.level).into(),
-                    false => level.level.into(),
+                match level.twin || figure.of.is_some() {
+                    true => format!("{number}, elastic").into(),
+                    false => number.into(),
                 },
-                level.unknowns.into(),
+                unknowns.into(),
                 figure.what.name().into(),
                 (&figure.place).into(),
                 Cell::figure(figure.value),
@@ -202,6 +248,11 @@ pub fn table(levels: &[Level]) -> String {
             "Not asked for, as this answer has none: {}\n",
             names.join(", ")
         );
+    }
+    let edges = levels.last().map_or(&[][..], |level| &level.beside_edges);
+    if !edges.is_empty() {
+        let told: Vec<String> = edges.iter().map(Figure::in_words).collect();
+        out += &format!("Not judged, as beside a loaded edge: {}\n", told.join("; "));
     }
     out
 }

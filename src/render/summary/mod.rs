@@ -9,7 +9,7 @@ mod values;
 pub use hand_checks::HandCheck;
 pub use rules::{JudgedRule, RuleSheet, SteelAfter};
 pub use sizing::{Demand, EvenLoad, SizedLine, SizedPatch, Sizing, SizingRule};
-pub use values::{Comparison, Counters, Reported, Timing};
+pub use values::{Comparison, Counters, ElasticTwin, Reported, Timing};
 
 use super::left_out::LeftOut;
 use super::warnings::Warning;
@@ -34,6 +34,9 @@ pub struct Summary {
     pub counters: Counters,
     pub timing: Timing,
     pub peak_memory_bytes: Option<u64>,
+    /// The elastic solution that elastic figures are of, where it has a mesh of its own; null where it has that of the
+    /// case.
+    pub elastic_twin: Option<ElasticTwin>,
     pub comparison: Vec<Comparison>,
     /// The sizing rules, for bearings and for lines and patches of contact that are recognised.
     pub sizing: Option<Sizing>,

@@ -34,6 +34,14 @@ pub struct Timing {
     pub phases: Named<f64>,
 }
 
+/// An elastic solution beside the case, on a mesh of its own.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+pub struct ElasticTwin {
+    /// Folder of its files, beside that of the case.
+    pub folder: String,
+    pub dofs: usize,
+}
+
 /// A figure of a reference.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(untagged)]

@@ -9,7 +9,7 @@ use super::ending::{Limits, Verdict, name, places, singular};
 use super::goal::{Goal, Target};
 use super::level::Level;
 use super::plan;
-use crate::answer::certify::Quantity;
+use crate::answer::certify::{self, Quantity, figure};
 use crate::case::bearing::Scales;
 use crate::case::{Case, Kind};
 use crate::product::converge::ConvergeError;
@@ -209,14 +209,20 @@ impl Way<'_> {
     }
 }
 
-/// The level with the bars that the case itself should have: where steel flows the increments add to that of the pressure,
-/// by 0.3 of it on two meshes of a displaced bearing.
+/// The level with the bars that the case itself should have: where steel flows the largest pressure is known as well as the
+/// load per length below it, but for what nodes and increments miss: 0.5 to 1.5 % of it at fifteen strips of five bearings
+/// whose fine elements reach as far as the strip. A mesh more costs more than one a little too fine, so nearly the most is
+/// foreseen.
 fn foreseen(level: &Level, flows: bool) -> Level {
-    const INCREMENTS: f64 = 1.3;
+    const MISSED: f64 = 0.013;
     let mut foreseen = level.clone();
+    let certificate = &level.summary.answer.certificate;
     let pressures = foreseen.figures.iter_mut();
-    for figure in pressures.filter(|figure| flows && figure.goal == Goal::Pressure) {
-        figure.estimate = figure.estimate.map(|bar| INCREMENTS * bar);
+    for pressure in pressures.filter(|figure| flows && figure.goal == Goal::Pressure) {
+        let line = figure(certificate, Quantity::LineLoad, &pressure.place);
+        if let Some(bar) = line.and_then(certify::Figure::relative_bar) {
+            pressure.estimate = Some((bar + MISSED) * pressure.value);
+        }
     }
     foreseen
 }

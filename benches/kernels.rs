@@ -187,6 +187,7 @@ fn loaded(cells: usize) -> (Scene, State) {
         steps: Vec::new(),
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
         mesh,

@@ -18,6 +18,7 @@ mod patch;
 mod plane;
 mod solved;
 mod steps;
+mod tie;
 mod unloaded;
 
 pub use body::{BodyFigures, RollerFigures};
@@ -30,6 +31,7 @@ pub use patch::PatchFigures;
 pub use plane::PlaneFigures;
 pub use solved::Solved;
 pub use steps::{StepFigures, StepInterface};
+pub use tie::TieFigures;
 pub use unloaded::{DentFigures, Unloaded};
 
 use crate::ground::geometry::{add, sub};
@@ -73,6 +75,9 @@ pub struct Answer {
     pub bodies: Named<BodyFigures>,
     /// Every contact pair, in the order of the scene.
     pub interfaces: Named<InterfaceFigures>,
+    /// Every tie, in the order of the scene; left out of JSON where there is none.
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    pub ties: Named<TieFigures>,
     /// Every hollow roller.
     pub rollers: Named<RollerFigures>,
     /// Bodies that nothing but contact holds.
@@ -158,6 +163,7 @@ impl Answer {
             max_strain: strain.map(|(value, _)| value),
             bodies: body::bodies(solved, &peaks, &edges),
             interfaces: interface::all(solved, &measured, &lines),
+            ties: tie::ties(scene, state),
             rollers: Named(rollers.collect()),
             balance: checks::balance(scene, state),
             stiffness: descent.filter(|d| *d != 0.0).map(|d| load / d),

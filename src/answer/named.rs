@@ -48,6 +48,11 @@ impl<T: JsonSchema> JsonSchema for Named<T> {
 }
 
 impl<T> Named<T> {
+    /// No value at all?
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// The value called `name`.
     pub fn get(&self, name: &str) -> Option<&T> {
         self.0

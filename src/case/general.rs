@@ -10,6 +10,7 @@ use super::model::Model;
 use super::parse::Table;
 use super::place::Located;
 use super::steel::Steels;
+use super::tie;
 use crate::model::mesh::Mesh;
 use crate::model::scene::Controls;
 
@@ -43,11 +44,13 @@ impl GeneralCase {
             }
         }
         let loads = Loads::read(root, &mirrors, (&steels, assumptions))?;
+        let ties = tie::read(root)?;
         let name = name.to_string();
         let model = Model {
             name,
             steels,
             contacts,
+            ties,
             loads,
             mirrors,
             controls,

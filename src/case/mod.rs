@@ -34,6 +34,7 @@ mod source;
 mod steel;
 mod temperature;
 mod template_loads;
+mod tie;
 mod title_block;
 mod values;
 pub mod variant;

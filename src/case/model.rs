@@ -8,7 +8,7 @@ use super::place::{KeyPlace, Located};
 use super::steel::Steels;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{self, ContactPair, Controls, Partner, Scene};
+use crate::model::scene::{self, ContactPair, Controls, Partner, Scene, Tie};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +19,8 @@ pub struct Model {
     pub steels: Steels,
     /// Contact pairs.
     pub contacts: Vec<Contact>,
+    /// Pairs of surfaces that are joined.
+    pub ties: Vec<Located<Tie>>,
     /// Supports, planes, tractions and steps.
     pub loads: Loads,
     /// Axes (0, 1, 2) across which the model is mirrored.
@@ -42,6 +44,11 @@ impl Model {
             .iter()
             .map(|c| c.pair(&mesh, &materials))
             .collect::<Result<Vec<_>, _>>()?;
+        for tie in &self.ties {
+            for surface in &tie.value.surfaces {
+                check_surface(&mesh, surface, &tie.place)?;
+            }
+        }
         let loads = &self.loads;
         for support in &loads.supports {
             check_surface(&mesh, &support.value.surface, &support.place)?;
@@ -73,6 +80,7 @@ impl Model {
             temperatures: values(&loads.temperatures),
             steps: loads.steps.clone(),
             mirrors: self.mirrors.clone(),
+            ties: values(&self.ties),
             half_turn: Vec::new(),
             controls: self.controls,
             mesh,

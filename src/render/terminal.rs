@@ -21,6 +21,7 @@ pub fn tables(summary: &Summary, explain: bool) -> String {
         texts(&sections::bodies(summary)),
         text(&sections::compared(summary)),
         texts(&sections::contact(summary)),
+        texts(&sections::ties(summary)),
         together(sections::slices(summary)),
         text(&sections::lines(summary)),
         together(sections::sizing(summary)),

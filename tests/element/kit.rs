@@ -21,6 +21,7 @@ pub fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
         steps: vec![step(1.0)],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             residual: 1e-12,

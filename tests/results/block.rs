@@ -140,6 +140,7 @@ pub fn stack() -> Scene {
         }],
         mirrors: vec![0, 1],
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }
@@ -189,6 +190,7 @@ pub fn pressed(scene: &Scene) -> State {
         displacement: vec![[0.0; 3]; scene.mesh.points.len()],
         stress: vec![[[0.0; 6]; 8]; elements],
         peeq: vec![[0.0; 8]; elements],
+        ties: Vec::new(),
         contacts: vec![field],
         planes: vec![PlaneField {
             travel: [0.0, 0.0, -0.01],

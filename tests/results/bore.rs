@@ -44,6 +44,7 @@ fn roller(around: usize, quarter: bool) -> Scene {
         steps: vec![],
         mirrors: if quarter { vec![0, 1] } else { vec![] },
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }

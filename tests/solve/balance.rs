@@ -59,6 +59,7 @@ fn standing(friction: f64, side: f64) -> Scene {
         }],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }

@@ -26,6 +26,7 @@ fn scene(mesh: Mesh, steel: Steel) -> Scene {
         }],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }

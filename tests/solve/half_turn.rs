@@ -74,6 +74,7 @@ fn crossed_bars(layers: usize) -> Scene {
         steps: vec![step("load", 1.0), step("unload", 0.02)],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             residual: 1e-11,

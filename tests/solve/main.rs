@@ -16,3 +16,4 @@ mod statics;
 mod symmetry;
 mod thermal;
 mod turning;
+mod ties;

@@ -55,6 +55,7 @@ fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 
         }],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             element,

@@ -38,6 +38,7 @@ fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
         rigid_planes: Vec::new(),
         tractions: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         steps: vec![step],
         mirrors: Vec::new(),
         half_turn: Vec::new(),

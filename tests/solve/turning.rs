@@ -41,6 +41,7 @@ fn scene(mesh: Mesh, steel: Steel, top: RigidPlane) -> Scene {
         }],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls {
             element: ElementKind::Enhanced,

@@ -25,6 +25,7 @@ impl BearingCase {
             name: name.to_string(),
             steels: self.steels.clone(),
             contacts: self.contacts(&place),
+            ties: Vec::new(),
             loads: self.loads(&place),
             mirrors: self.mirrors(),
             controls: Controls {

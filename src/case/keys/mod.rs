@@ -17,7 +17,7 @@ pub use line_bearing::{
 };
 pub use scene::{
     AXES, BODY, CONTACT, FAMILY_MESH, FILE_MESH, LOAD, PARTNER, PLANE, RIGID_PLANE, SCENE, STEP,
-    SUPPORT, TEMPERATURE,
+    SUPPORT, TEMPERATURE, TIE,
 };
 pub use template_loads::TILTED_TOP;
 
@@ -119,6 +119,7 @@ const CHAPTERS: [(&str, &[&Keys]); 4] = [
             &FILE_MESH,
             &FAMILY_MESH,
             &BODY,
+            &TIE,
             &CONTACT,
             &PARTNER,
             &PLANE,

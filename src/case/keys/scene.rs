@@ -19,6 +19,12 @@ pub const SCENE: Keys = Keys {
             "pairs of surfaces that may touch",
         ),
         key(
+            "tie",
+            "list of tables",
+            "none",
+            "pairs of surfaces that are joined, though their meshes do not match",
+        ),
+        key(
             "support",
             "list of tables",
             "none",
@@ -107,6 +113,31 @@ pub const BODY: Keys = Keys {
             "table as [steel], or the name of a grade",
             "[steel]",
             "what the body has otherwise",
+        ),
+    ],
+};
+
+pub const TIE: Keys = Keys {
+    heading: "[[tie]]",
+    about: "Two surfaces that are joined for good, by mortar integrals: their nodes need not meet.",
+    keys: &[
+        key(
+            "surfaces",
+            "list of two surfaces",
+            "required",
+            "what is joined; the force of the tie is told as it acts on the second one",
+        ),
+        key(
+            "name",
+            "text",
+            "`<first>-<second>`",
+            "of the tie in all results",
+        ),
+        key(
+            "tolerance",
+            "length",
+            "5 % of the side of a facet, on the coarser side",
+            "the largest distance of the two that is bridged; a larger one is an error",
         ),
     ],
 };

@@ -5,7 +5,7 @@ use super::error::BuildError;
 use super::load::Load;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{Step, Support};
+use crate::model::scene::{Step, Support, Tie};
 
 /// The steel of every body, in the order of the mesh; of several for one body the last.
 pub(super) fn check_steels(
@@ -78,6 +78,23 @@ pub(super) fn check_loads(mesh: &Mesh, loads: &[Load]) -> Result<(), BuildError>
                 of: load.name.clone(),
                 value,
                 allowed: "finite",
+            });
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn check_ties(mesh: &Mesh, ties: &[Tie]) -> Result<(), BuildError> {
+    for tie in ties {
+        for surface in &tie.surfaces {
+            check_surface(mesh, &format!("the tie `{}`", tie.name), surface)?;
+        }
+        if let Some(value) = tie.tolerance.filter(|t| !(*t > 0.0 && t.is_finite())) {
+            return Err(BuildError::Number {
+                what: "the tolerance",
+                of: tie.name.clone(),
+                value,
+                allowed: "positive",
             });
         }
     }

@@ -1,14 +1,18 @@
 //! A scene, said piece by piece.
 
 use super::axis::Axis;
-use super::check::{check_loads, check_steels, check_steps, check_surface, mirror_plane};
+use super::check::{
+    check_loads, check_steels, check_steps, check_surface, check_ties, mirror_plane,
+};
 use super::contact::Contact;
 use super::error::BuildError;
 use super::load::{Load, Placed};
 use super::shape::Shape;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{ContactPair, Controls, Partner, Scene, Side, Step, Support, carrier};
+use crate::model::scene::{
+    ContactPair, Controls, Partner, Scene, Side, Step, Support, Tie, carrier,
+};
 
 /// Says a scene piece by piece, and checks it in [`build`](Self::build).
 ///
@@ -38,6 +42,7 @@ pub struct SceneBuilder {
     wrong: Option<BuildError>,
     steels: Vec<(String, Steel)>,
     contacts: Vec<Contact>,
+    ties: Vec<Tie>,
     supports: Vec<Support>,
     loads: Vec<Load>,
     steps: Vec<Step>,
@@ -77,6 +82,12 @@ impl SceneBuilder {
     /// Adds a contact.
     pub fn contact(mut self, contact: Contact) -> Self {
         self.contacts.push(contact);
+        self
+    }
+
+    /// Joins two surfaces for good, whether their nodes meet or not.
+    pub fn tie(mut self, tie: Tie) -> Self {
+        self.ties.push(tie);
         self
     }
 
@@ -178,6 +189,7 @@ impl SceneBuilder {
             check_surface(&mesh, "a support", &support.surface)?;
         }
         check_loads(&mesh, &self.loads)?;
+        check_ties(&mesh, &self.ties)?;
         check_steps(&self.steps, &self.loads, &self.supports)?;
         let contacts = self.contacts.into_iter();
         let contacts = contacts.map(|contact| pair(contact, &mesh, &materials));
@@ -206,6 +218,7 @@ impl SceneBuilder {
             steps: self.steps,
             mirrors: self.mirrors.iter().map(|axis| axis.index()).collect(),
             temperatures: Vec::new(),
+            ties: self.ties,
             half_turn: Vec::new(),
             controls: self.controls,
             mesh,

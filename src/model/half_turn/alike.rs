@@ -10,6 +10,9 @@ pub fn loads(scene: &Scene) -> Result<(), NoHalfTurn> {
     if !scene.controls.half_turn {
         return Err(NoHalfTurn::NotWanted);
     }
+    if !scene.ties.is_empty() {
+        return Err(NoHalfTurn::Tie);
+    }
     let straight = |plane: &RigidPlane| {
         let [x, y, z] = plane.motion;
         let stays = |motion| matches!(motion, PlaneMotion::Held(0.0) | PlaneMotion::Free);

@@ -132,6 +132,7 @@ fn fold(
         steps: scene.steps.clone(),
         mirrors: scene.mirrors.clone(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: cut,
         controls: scene.controls,
         mesh: half_mesh,

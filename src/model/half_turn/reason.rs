@@ -9,6 +9,9 @@ pub enum NoHalfTurn {
     /// Not a plate that a force moves towards a fixed one.
     #[error("the load is not that of a plate pressed straight towards a fixed one")]
     Load,
+    /// Surfaces are tied.
+    #[error("surfaces are tied")]
+    Tie,
     /// A body has no image.
     #[error("`{body}` is not the image of a body of the same steel")]
     Body {
@@ -44,6 +47,6 @@ pub enum NoHalfTurn {
 impl NoHalfTurn {
     /// Might a user have expected it? Not of scenes that are loaded in another way.
     pub fn is_worth_telling(&self) -> bool {
-        !matches!(self, Self::NotWanted | Self::Load)
+        !matches!(self, Self::NotWanted | Self::Load | Self::Tie)
     }
 }

@@ -15,6 +15,7 @@ impl HalfTurn {
             displacement: self.unfold_displacement(&half.displacement, travel),
             stress: self.by_element(&half.stress, turned_stress),
             peeq: self.by_element(&half.peeq, |p| p),
+            ties: Vec::new(),
             contacts: self.contacts(&half.contacts),
             planes: half.planes.iter().map(of_the_whole).collect(),
             energy: half.energy.map(|energy| energy.times(2.0)),

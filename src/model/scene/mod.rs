@@ -10,6 +10,7 @@ mod pair;
 mod rigid_plane;
 mod step;
 mod temperature;
+mod tie;
 mod unloading;
 
 use crate::analytic::{DomainError, Elastic, contact_compliance};
@@ -23,6 +24,7 @@ pub use rigid_plane::{PlaneTurn, Pose, RigidPlane};
 use serde::Serialize;
 pub use step::Step;
 pub use temperature::Temperature;
+pub use tie::{TOLERANCE_SHARE, Tie};
 pub use unloading::UNLOADED_SHARE;
 
 /// Everything the solver needs.
@@ -36,6 +38,8 @@ pub struct Scene {
     pub materials: Vec<Steel>,
     /// Pairs of surfaces that may touch.
     pub contacts: Vec<ContactPair>,
+    /// Pairs of surfaces that are joined.
+    pub ties: Vec<Tie>,
     /// Prescribed displacements.
     pub supports: Vec<Support>,
     /// Surfaces that move as rigid planes.

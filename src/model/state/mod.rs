@@ -22,6 +22,9 @@ pub struct State {
     pub peeq: Vec<[f64; 8]>,
     /// One field a contact pair, in the order of the scene.
     pub contacts: Vec<ContactField>,
+    /// One field a tie, in the order of the scene.
+    #[serde(default)]
+    pub ties: Vec<TieField>,
     /// Travel of the rigid planes, in the order of the scene.
     pub planes: Vec<PlaneField>,
     /// Where the work of the loads went, on the modelled part; `None` where that is not known.
@@ -112,6 +115,27 @@ pub struct PlaneField {
     pub force: [f64; 3],
     /// Moment on the plane about its point (applied, or the reaction where held), modelled part only.
     pub moment: [f64; 3],
+}
+
+/// What a tie carries, node by node of the surface whose nodes follow the other one.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TieField {
+    /// Index of that surface in the tie: 0 or 1.
+    pub follows: usize,
+    /// Its mesh nodes that the other surface covers, ascending.
+    pub nodes: Vec<u32>,
+    /// Area that each node stands for.
+    pub area: Vec<f64>,
+    /// Force of each node on the second surface of the tie.
+    pub force: Vec<[f64; 3]>,
+    /// Normal stress across the tie, compression positive: the force over the area.
+    pub pressure: Vec<f64>,
+    /// Shear stress across the tie, on the second surface.
+    pub shear: Vec<[f64; 3]>,
+    /// The largest distance of the two surfaces, a length.
+    pub distance: f64,
+    /// Share of the area of the surface that follows which the other one covers.
+    pub covered: f64,
 }
 
 impl ContactField {

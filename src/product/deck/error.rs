@@ -48,6 +48,10 @@ pub enum InpError {
         axis: &'static str,
         other: String,
     },
+    /// Surfaces cannot be tied.
+    #[error("{why}")]
+    #[diagnostic(code(brinell::export::tie))]
+    Tie { why: String },
     #[error("{what} must be more than 0, and is {value}")]
     #[diagnostic(code(brinell::export::not_positive))]
     NotPositive { what: &'static str, value: f64 },

@@ -6,6 +6,7 @@ mod driven;
 mod error;
 mod pairs;
 mod springs;
+mod ties;
 mod tractions;
 
 pub use error::InpError;
@@ -41,6 +42,7 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
     }
     let mut names = Names::new(&scene.mesh);
     let pairs = pairs(scene, &mut names)?;
+    let ties = ties::ties(scene, &mut names)?;
     let driven = driven(scene)?;
     let springs = springs(scene, &mut names);
     let nodal_forces = (scene.steps.iter())
@@ -53,6 +55,7 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
         settings,
         names,
         pairs,
+        ties,
         driven,
         springs,
         spring_share: LOAD_SHARE,

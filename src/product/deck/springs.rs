@@ -5,6 +5,7 @@ use crate::answer::results::load;
 use crate::ground::geometry::{AXES, norm};
 use crate::model::scene::{Partner, PlaneMotion, Scene};
 use crate::render::inp::{Names, Springs};
+use crate::solver::solve::joined;
 use std::collections::BTreeSet;
 
 /// The springs of a body and axis together would carry this share of the load if the body moved by
@@ -33,6 +34,13 @@ pub fn springs(scene: &Scene, names: &mut Names) -> Vec<Springs> {
             }
         }
     }
+    // What holds one of several tied bodies holds all.
+    let joined = joined(scene);
+    for body in 0..free.len() {
+        let group = (0..free.len()).filter(|other| joined[*other] == joined[body]);
+        let all = group.map(|other| free[other]);
+        free[body] = all.fold([true; 3], |all, one| [0, 1, 2].map(|a| all[a] && one[a]));
+    }
     for partner in scene
         .contacts
         .iter()
@@ -41,6 +49,9 @@ pub fn springs(scene: &Scene, names: &mut Names) -> Vec<Springs> {
         if let Partner::Surface(name) = partner {
             taken.extend(mesh.surface(name).iter().flat_map(|s| s.nodes()));
         }
+    }
+    for surfaces in scene.ties.iter().filter_map(|tie| tie.of(mesh)) {
+        taken.extend(surfaces.into_iter().flat_map(|s| s.nodes()));
     }
     let total = total_stiffness(scene);
     let mut list = Vec::new();

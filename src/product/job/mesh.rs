@@ -8,7 +8,6 @@ use crate::ground::file::write_atomically;
 use crate::ground::memory::available;
 use crate::model::mesh::family::problem_h;
 use crate::model::mesh::{Mesh, gmsh, msh};
-use crate::solver::fem::dofs::DofMap;
 use crate::solver::solve::{self, Forecast};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -118,7 +117,7 @@ pub fn make_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
 /// The free displacement components that `case` has on `mesh`; `None` where the two do not fit.
 pub fn unknowns(case: &Case, mesh: &Mesh) -> Option<usize> {
     let scene = case.scene(mesh.clone()).ok()?;
-    Some(DofMap::new(&scene).ok()?.len())
+    solve::unknowns(&scene).ok()
 }
 
 /// What an element costs at least: seconds of gmsh and bytes of the solution.

@@ -11,6 +11,7 @@ pub struct Deck<'a> {
     pub settings: &'a Settings,
     pub names: Names,
     pub pairs: Vec<Pair>,
+    pub ties: Vec<DeckTie>,
     pub driven: Vec<Driven>,
     pub springs: Vec<Springs>,
     /// The springs of a body and axis together would carry this share of the load if the body moved by a thousandth
@@ -42,6 +43,18 @@ pub struct Pair {
     pub friction: f64,
     /// Does Brinell take cylinders of the pair as round in the initial gap?
     pub true_geometry: bool,
+}
+
+/// A tie as the deck has it.
+pub struct DeckTie {
+    /// Its name.
+    pub name: String,
+    /// Of the face sets: that which follows (slave) and the other one (master).
+    pub sides: [String; 2],
+    /// In the order of the sides.
+    pub faces: [Vec<Face>; 2],
+    /// Nodes farther from the other side are not tied, a length.
+    pub tolerance: f64,
 }
 
 /// An axis along which the nodes of a rigid plane move as one.

@@ -13,8 +13,9 @@ mod mesh;
 mod names;
 mod settings;
 mod steps;
+mod tie;
 
-pub use deck::{Deck, Driven, NodalForce, Pair, Springs};
+pub use deck::{Deck, DeckTie, Driven, NodalForce, Pair, Springs};
 pub use names::Names;
 pub use settings::{ContactType, Settings};
 
@@ -29,6 +30,7 @@ impl Deck<'_> {
         self.head(out)?;
         self.mesh(out)?;
         self.steel(out)?;
+        self.ties(out)?;
         self.contact(out)?;
         self.hold(out)?;
         self.steps(out)

@@ -9,7 +9,7 @@ use super::sections::{
 use crate::render::OutputError;
 use crate::render::sections::{
     bodies, certificate, checks, compared, contact, hand_checks, lines, load_line, rules, sizing,
-    statics, steps, unloaded,
+    statics, steps, ties, unloaded,
 };
 use crate::render::table::Table;
 use crate::render::table::html::{table, tables};
@@ -68,6 +68,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
             "Contact",
             html! {
                 (tables(&contact(summary)))
+                (tables(&ties(summary)))
                 (table(&lines(summary)))
                 (tables(&statics(summary)))
                 (table(&checks(summary)))

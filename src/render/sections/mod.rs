@@ -11,6 +11,7 @@ mod sizing;
 mod slices;
 mod statics;
 mod steps;
+mod ties;
 mod unloaded;
 
 pub use bodies::bodies;
@@ -24,4 +25,5 @@ pub use sizing::sizing;
 pub use slices::slices;
 pub use statics::{checks, statics};
 pub use steps::steps;
+pub use ties::ties;
 pub use unloaded::unloaded;

@@ -12,11 +12,13 @@ pub mod facing;
 pub mod law;
 pub mod mortar;
 pub mod search;
+pub mod tie;
 
 mod bend;
 mod clip;
 mod facet;
 mod gathered;
+mod gauss;
 mod node_sum;
 mod pair;
 mod piece;

@@ -75,7 +75,7 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
     }
     let covered = pieces.iter().zip(&carrier.nodes);
     let covered = covered.filter_map(|(piece, own)| piece.as_ref().map(|_| *own));
-    sliver::absorb(&mut nodes, covered);
+    sliver::absorb(&mut nodes, pair.follow, covered);
     nodes
         .into_iter()
         .filter_map(|(node, sum)| sum.finish(node, pair))

@@ -23,6 +23,10 @@ pub struct Pair<'a> {
     pub true_geometry: bool,
     /// Is there friction?
     pub friction: bool,
+    /// Integrate facets that are no parallelograms to the last digit, too?
+    pub closely: bool,
+    /// Nodes of the carrier that have no multiplier of their own, ascending: what they do is decided elsewhere.
+    pub follow: &'a [u32],
     /// Rows with a larger initial gap (a length) are left out.
     pub reach: f64,
     /// E / (1 − ν²) of each body.

@@ -36,6 +36,7 @@ pub(super) fn on_surface(
         ),
         carrier,
         opposite,
+        closely: pair.closely,
     };
     let mut direction = normal;
     let mut out = facet.project(direction, farthest);
@@ -60,6 +61,7 @@ struct Facing<'a> {
     others: Vec<usize>,
     carrier: &'a Side,
     opposite: &'a Side,
+    closely: bool,
 }
 
 impl Facing<'_> {
@@ -71,7 +73,10 @@ impl Facing<'_> {
         if dot(normal, direction) < LEAST_SLANT {
             return piece;
         }
-        let view = View::new(&carrier.corners[index], normal, direction);
+        let mut view = View::new(&carrier.corners[index], normal, direction);
+        if self.closely {
+            view = view.closely();
+        }
         for &other in &self.others {
             if dot(normal, opposite.normals[other]) > MOST_FACING {
                 continue;

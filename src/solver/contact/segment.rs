@@ -6,6 +6,7 @@
 
 use super::clip::{self, Point};
 use super::facet::shape_at;
+use super::gauss::{self, RulePoint};
 use crate::ground::geometry::{Vec3, add, dot, scale, sub, tangents};
 
 /// A point of a segment.
@@ -26,6 +27,8 @@ pub(super) struct View {
     corners: [Point; 4],
     /// Area of the facet's own plane over that of its view.
     stretch: f64,
+    /// How far the view is from a parallelogram, where integrals are to be right to rounding.
+    distortion: Option<f64>,
 }
 
 /// An overlap of no more than this share of the facet is rounding along a common edge.
@@ -59,9 +62,16 @@ impl View {
             axes: tangents(direction),
             corners: [[0.0; 2]; 4],
             stretch: dot(normal, direction).recip(),
+            distortion: None,
         };
         view.corners = facet.map(|p| view.project(p));
         view
+    }
+
+    /// To rounding where facets are no parallelograms, too.
+    pub fn closely(mut self) -> Self {
+        self.distortion = Some(gauss::distortion(&self.corners));
+        self
     }
 
     fn project(&self, p: Vec3) -> Point {
@@ -81,17 +91,20 @@ impl View {
         if polygon.is_empty() || clip::area(&polygon) <= ROUNDING * facet_area {
             return;
         }
-        self.points(&polygon, |p| shape_at(&window, p), each);
+        let rule = (self.distortion)
+            .and_then(|own| gauss::close(own.max(gauss::distortion(&window))))
+            .unwrap_or(&RULE);
+        self.points((&polygon, rule), |p| shape_at(&window, p), each);
     }
 
     /// Hands on the quadrature points of the whole facet; the opposite shape functions are zero.
     pub fn whole(&self, each: impl FnMut(SegmentPoint)) {
-        self.points(&self.corners, |_| Some([0.0; 4]), each);
+        self.points((&self.corners, &RULE), |_| Some([0.0; 4]), each);
     }
 
     fn points(
         &self,
-        polygon: &[Point],
+        (polygon, rule): (&[Point], &[RulePoint]),
         opposite: impl Fn(Point) -> Option<[f64; 4]>,
         mut each: impl FnMut(SegmentPoint),
     ) {
@@ -102,7 +115,7 @@ impl View {
         for (k, a) in polygon.iter().enumerate() {
             let b = polygon[(k + 1) % polygon.len()];
             let area = clip::area(&[centre, *a, b]);
-            for (l, weight) in RULE {
+            for &(l, weight) in rule {
                 let p = [
                     l[0] * centre[0] + l[1] * a[0] + l[2] * b[0],
                     l[0] * centre[1] + l[1] * a[1] + l[2] * b[1],

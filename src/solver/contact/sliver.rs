@@ -19,12 +19,17 @@ const LEAST_COVERED: f64 = 0.02;
 const TIE: f64 = 1e-9;
 
 /// Adds the sums of slivers to those of the nodes beside them. `facets` are the nodes of all facets that the
-/// other side covers in part.
-pub(super) fn absorb(nodes: &mut BTreeMap<u32, NodeSum>, facets: impl Iterator<Item = [u32; 4]>) {
+/// other side covers in part. Likewise those of the nodes `follow`, ascending, which have no multiplier: a tie moves them.
+pub(super) fn absorb(
+    nodes: &mut BTreeMap<u32, NodeSum>,
+    follow: &[u32],
+    facets: impl Iterator<Item = [u32; 4]>,
+) {
+    let follows = |node: &u32| follow.binary_search(node).is_ok();
     let slivers: BTreeMap<u32, f64> = nodes
         .iter()
         .map(|(node, sum)| (*node, sum.covered()))
-        .filter(|(_, covered)| *covered > 0.0 && *covered < LEAST_COVERED)
+        .filter(|(node, covered)| *covered > 0.0 && (*covered < LEAST_COVERED || follows(node)))
         .collect();
     // Of the nodes at the other ends of its edges that which is covered most; a tie goes to the lower number.
     let mut beside: BTreeMap<u32, (f64, u32)> = BTreeMap::new();
@@ -37,6 +42,9 @@ pub(super) fn absorb(nodes: &mut BTreeMap<u32, NodeSum>, facets: impl Iterator<I
                 continue;
             }
             for other in [facet[(a + 1) % 4], facet[(a + 3) % 4]] {
+                if follows(&other) {
+                    continue;
+                }
                 let candidate = (nodes[&other].covered(), other);
                 let best = beside.entry(*node).or_insert(candidate);
                 let more = candidate.0 - best.0;
@@ -50,7 +58,9 @@ pub(super) fn absorb(nodes: &mut BTreeMap<u32, NodeSum>, facets: impl Iterator<I
     let mut order: Vec<(f64, u32)> = slivers.iter().map(|(node, c)| (*c, *node)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     for (_, node) in order {
-        let (_, into) = beside[&node];
+        let Some(&(_, into)) = beside.get(&node) else {
+            continue;
+        };
         if into == node || !nodes.contains_key(&into) {
             continue;
         }

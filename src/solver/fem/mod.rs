@@ -6,3 +6,4 @@ pub mod element;
 pub mod enhanced;
 pub mod hex8;
 pub mod loads;
+pub mod tied;

@@ -5,6 +5,7 @@ use crate::solver::fem::dofs::Conflict;
 use crate::solver::linear::cholesky::FactorError;
 use crate::solver::solve::checkpoint::kept::Stranger;
 use crate::solver::solve::no_balance::NoBalance;
+use crate::solver::solve::ties::error::TieError;
 
 /// Why a scene could not be solved. What was accepted before went to the observer.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -13,6 +14,10 @@ pub enum SolveError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Conflict(#[from] Conflict),
+    /// Surfaces cannot be tied.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Tie(#[from] TieError),
     /// Every displacement component is prescribed.
     #[error("nothing is free to move: every displacement component is prescribed")]
     #[diagnostic(

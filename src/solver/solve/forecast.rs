@@ -3,7 +3,7 @@
 use crate::ground::geometry::Vec3;
 use crate::model::half_turn::HalfTurn;
 use crate::model::scene::Scene;
-use crate::solver::fem::dofs::DofMap;
+use crate::solver::fem::tied::Tied;
 use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::condensed::size::Size;
 use crate::solver::solve::error::SolveError;
@@ -17,6 +17,8 @@ use crate::solver::solve::rows::contact_rows::contact_rows;
 use crate::solver::solve::start::can_yield::can_yield;
 use crate::solver::solve::start::close_gaps::{Closing, touch};
 use crate::solver::solve::start::nearest_row::nearest_row;
+use crate::solver::solve::ties::unknowns::{equations, tied};
+use std::sync::Arc;
 
 /// What solving a scene will take.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,8 +83,9 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
         least(scene)
     };
     let half_turn = HalfTurn::of(scene).ok();
+    let tied = tied(scene)?;
     let expected = Expected::at_start(scene);
-    let (rows, spare) = expected.split(contact_rows(scene, expected.reach));
+    let (rows, spare) = expected.split(contact_rows(scene, &tied, expected.reach));
     let of = |rows: &[ContactRow], pair: usize| rows.iter().filter(|r| r.pair == pair).count();
     let pairs = (scene.contacts.iter().zip(before).zip(after)).enumerate();
     let pairs = pairs.map(|(index, ((pair, before), after))| PairForecast {
@@ -96,10 +99,10 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
     let pairs = pairs.collect();
     let (unknowns, size) = match &half_turn {
         Some(half_turn) => {
-            let rows = contact_rows(&half_turn.half, expected.reach);
-            size(&half_turn.half, &expected.split(rows).0)?
+            let rows = contact_rows(&half_turn.half, &tied, expected.reach);
+            size(&half_turn.half, tied, &expected.split(rows).0)?
         }
-        None => size(scene, &rows)?,
+        None => size(scene, tied, &rows)?,
     };
     let can_yield = (0..scene.mesh.hexes.len() as u32).filter(|e| can_yield(scene, *e));
     let can_yield = can_yield.count();
@@ -120,8 +123,8 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
 }
 
 /// Unknowns of a scene whose bodies touch, and what its model takes, contact being likely to close at `rows`.
-fn size(scene: &Scene, rows: &[ContactRow]) -> Result<(usize, Size), SolveError> {
-    let dofs = DofMap::new(scene)?;
+fn size(scene: &Scene, tied: Arc<Tied>, rows: &[ContactRow]) -> Result<(usize, Size), SolveError> {
+    let dofs = equations(scene, tied)?;
     if dofs.is_empty() {
         return Err(SolveError::NothingFree);
     }

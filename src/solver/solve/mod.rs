@@ -12,6 +12,7 @@
 //! | `checkpoint/` | all that is serialised, as plain data |
 //! | `observer`, `no_balance`, `error` | what the outside is told |
 //! | `rows/` | contact rows: mortar operator and law |
+//! | `ties/` | which components follow which others |
 //! | `start/` | lengths of the scene, floating bodies in touch, what is expected |
 //! | `rigid/`, `statics/` | rigid-body modes, rest and balance of rigid bodies |
 //! | `condensed/` | static condensation of the bodies |
@@ -43,6 +44,7 @@ mod rows;
 mod spring_back;
 mod start;
 mod statics;
+mod ties;
 mod unfolding;
 mod working_set;
 
@@ -59,3 +61,6 @@ pub use observer::{Iteration, Observer, Silent};
 pub use rigid::free_motion::{FreeMotion, free_motions};
 pub use spring_back::spring_back;
 pub use start::close_gaps::{Closing, close_gaps};
+pub use start::joined::joined;
+pub use ties::error::TieError;
+pub use ties::unknowns::{joints, unknowns};

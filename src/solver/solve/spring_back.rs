@@ -17,6 +17,7 @@ use crate::solver::solve::params::{
     ELASTIC_FORCE_ROUNDING, FACTOR_DIRECTIONS, SPRING_BACK_LOOSEST, SPRING_BACK_RESIDUAL,
     SPRING_BACK_TOLERANCE,
 };
+use crate::solver::solve::ties::unknowns::tied;
 use rayon::prelude::*;
 
 /// Displacement of every node, in the length unit of the scene, that stays when the bodies spring
@@ -63,7 +64,7 @@ fn spring_back_of(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveEr
         flow,
         divided: false,
     };
-    let model = Model::new(&alone, &expected, Vec::new())?;
+    let model = Model::new(&alone, &expected, (Vec::new(), tied(&alone)?))?;
     let (forces, elastic) = plastic_forces(&model, state, &expected.flow);
     let mut all = model.all.gather(&forces);
     model.bodies.reduce(&mut all);
@@ -71,6 +72,7 @@ fn spring_back_of(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveEr
     let kept = solve(&model, &forces, ELASTIC_FORCE_ROUNDING * elastic)?;
     model.bodies.recover(&kept, &mut all);
     model.all.scatter_add(&all, 1.0, &mut stays);
+    model.all.tied.spread(&mut stays);
     Ok(stays)
 }
 

@@ -21,6 +21,7 @@ pub fn scene(name: &str, mesh: Mesh, steel: Steel) -> Scene {
         steps: vec![step("load", 1.0)],
         mirrors: Vec::new(),
         temperatures: Vec::new(),
+        ties: Vec::new(),
         half_turn: Vec::new(),
         controls: Controls::default(),
     }

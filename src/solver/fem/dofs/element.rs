@@ -9,7 +9,7 @@ pub struct ElementTerms {
     pub equations: [u32; 24],
     /// 1, or −1 where a component moves against its equation.
     pub signs: [f64; 24],
-    /// Further shares, of turns of rigid planes: component, equation, lever.
+    /// Further shares, of turns of rigid planes and of ties: component, equation, lever.
     pub further: Vec<(usize, u32, f64)>,
 }
 

@@ -1,4 +1,4 @@
-//! Displacement components that follow the turn of a rigid plane.
+//! Displacement components that hang on more than an equation of their own: turns of rigid planes, ties.
 
 /// One share of a displacement component, beside that of its own equation: `lever` times the unknown of `equation`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -7,7 +7,7 @@ pub struct Further {
     pub node: u32,
     /// the axis (0, 1, 2),
     pub axis: usize,
-    /// the equation of the turn, whose unknown is the angle times a length,
+    /// the equation: of a turn, whose unknown is the angle times a length, or of a component that this one follows by a tie,
     pub equation: u32,
     /// and the displacement for an unknown of one, without unit.
     pub lever: f64,

@@ -5,6 +5,8 @@ use super::fixed::FIXED;
 use super::further::Further;
 use super::prescribed::Prescribed;
 use crate::model::mesh::Mesh;
+use crate::solver::fem::tied::Tied;
+use std::sync::Arc;
 
 /// Which equation each displacement component belongs to.
 ///
@@ -24,7 +26,8 @@ pub struct DofMap {
     pub turns: Vec<[Option<u32>; 3]>,
     /// Half the distance of the furthest node of each rigid plane from its point, a length.
     pub turn_length: Vec<f64>,
-    /// What turns of rigid planes add to components, by node, ascending.
+    /// What turns of rigid planes add to components, and all that components hang on that follow others by ties; by node,
+    /// ascending.
     pub further: Vec<Further>,
     /// Prescribed components, or prescribed shares of them: node, axis, displacement at factor one, and what
     /// prescribes it (a [`Source`](super::Source)).
@@ -32,6 +35,8 @@ pub struct DofMap {
     /// Is the node the image of another under the half turn? It has the other's equations, x and y exchanged, and moves
     /// along z the other way. Empty where there is no half turn.
     pub turned: Vec<bool>,
+    /// Components that follow others: they have no equations of their own.
+    pub tied: Arc<Tied>,
 }
 
 impl DofMap {
@@ -52,7 +57,7 @@ impl DofMap {
         vertex_of
     }
 
-    /// What turns of rigid planes add to the components of `node`.
+    /// What turns of rigid planes and ties add to the components of `node`.
     pub fn further_of(&self, node: u32) -> &[Further] {
         if self.further.is_empty() {
             return &[];
@@ -112,7 +117,8 @@ impl DofMap {
         out
     }
 
-    /// Adds `factor` times the solution `x` to the nodal displacements.
+    /// Adds `factor` times the solution `x` to the nodal displacements. What follows a prescribed component by a tie gets its
+    /// share of that by [`Tied::spread`].
     pub fn scatter_add(&self, x: &[f64], factor: f64, nodal: &mut [[f64; 3]]) {
         for (node, (equations, values)) in self.equations.iter().zip(&mut *nodal).enumerate() {
             for (axis, (equation, value)) in equations.iter().zip(values).enumerate() {

@@ -8,6 +8,7 @@ mod further;
 mod map;
 mod number;
 mod owner;
+mod owners;
 mod prescribed;
 
 pub use conflict::Conflict;
@@ -15,4 +16,6 @@ pub use element::ElementTerms;
 pub use fixed::FIXED;
 pub use further::Further;
 pub use map::DofMap;
+pub use owner::Owner;
+pub use owners::{Owners, owners};
 pub use prescribed::{Prescribed, Source};

@@ -1,6 +1,5 @@
 //! Numbering the equations of a scene.
 
-use super::conflict::Conflict;
 use super::cut::Cut;
 use super::fixed::FIXED;
 use super::further::Further;
@@ -8,70 +7,13 @@ use super::map::DofMap;
 use super::owner::Owner;
 use super::prescribed::{Prescribed, Source};
 use crate::ground::geometry::{Vec3, norm, sub};
-use crate::model::mesh::Mesh;
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
+use crate::solver::fem::tied::{Tied, component};
+use std::sync::Arc;
 
 impl DofMap {
-    /// Numbers the equations of `scene`.
-    ///
-    /// # Errors
-    /// [`Conflict`] where supports and planes contradict each other.
-    pub fn new(scene: &Scene) -> Result<Self, Conflict> {
-        let mesh = &scene.mesh;
-        let mut owner = vec![[None::<Owner>; 3]; mesh.points.len()];
-        let mut claim = |mesh: &Mesh, surface: &str, axis: usize, owns: &dyn Fn(u32) -> Owner| {
-            for node in mesh.surface(surface).map(|s| s.nodes()).unwrap_or_default() {
-                let new = owns(node);
-                let slot = &mut owner[node as usize][axis];
-                match *slot {
-                    Some(old) if !old.agrees(&new) => {
-                        return Err(Conflict {
-                            first: old.name(scene).to_owned(),
-                            second: new.name(scene).to_owned(),
-                            axis: ['x', 'y', 'z'][axis],
-                            node,
-                        });
-                    }
-                    Some(Owner::Plane(_)) => {}
-                    _ => *slot = Some(new),
-                }
-            }
-            Ok(())
-        };
-        for (index, plane) in scene.rigid_planes.iter().enumerate() {
-            let about = plane.point(mesh, &scene.mirrors);
-            for axis in 0..3 {
-                let owns = |node: u32| {
-                    let arm = sub(mesh.points[node as usize], about);
-                    let free = plane.free_turns(axis, arm).next().is_some();
-                    match plane.motion[axis] {
-                        PlaneMotion::Held(value) if !free => {
-                            let value = value + plane.given_turn(axis, arm);
-                            Owner::Held(value, Source::Plane(index))
-                        }
-                        _ => Owner::Plane(index),
-                    }
-                };
-                if plane.motion[axis] != PlaneMotion::Free {
-                    claim(mesh, &plane.surface, axis, &owns)?;
-                }
-            }
-        }
-        for (index, support) in scene.supports.iter().enumerate() {
-            for axis in 0..3 {
-                if let Some(constant) = support.components[axis] {
-                    let owns = |node: u32| {
-                        let value = support.displacement(axis, &mesh.points[node as usize]);
-                        Owner::Held(value.unwrap_or(constant), Source::Support(index))
-                    };
-                    claim(mesh, &support.surface, axis, &owns)?;
-                }
-            }
-        }
-        Ok(Self::number(scene, &owner))
-    }
-
-    fn number(scene: &Scene, owner: &[[Option<Owner>; 3]]) -> Self {
+    /// Numbers the equations of `scene`, whose components have these owners, or follow others as `tied` says.
+    pub fn new(scene: &Scene, owner: &[[Option<Owner>; 3]], tied: Arc<Tied>) -> Self {
         let planes = scene.rigid_planes.len();
         let mut map = Self {
             equations: vec![[FIXED; 3]; owner.len()],
@@ -82,6 +24,7 @@ impl DofMap {
             further: Vec::new(),
             prescribed: Vec::new(),
             turned: Vec::new(),
+            tied,
         };
         let cut = Cut::new(scene, owner);
         let mut next = 0u32;
@@ -90,6 +33,7 @@ impl DofMap {
             for (axis, owner) in axes.iter().enumerate() {
                 match *owner {
                     None if cut.decides(node, axis) => {}
+                    None if map.tied.row(component(node as u32, axis)).is_some() => {}
                     None => {
                         map.equations[node][axis] = next;
                         next += 1;
@@ -124,6 +68,7 @@ impl DofMap {
             map.equations[*image as usize] = [y, x, z];
         }
         map.turned = cut.turned;
+        map.add_tied();
         map
     }
 
@@ -162,6 +107,27 @@ impl DofMap {
                 equation,
                 lever: lever / place.length,
             });
+        }
+    }
+
+    /// What follows by a tie hangs on the equations of what it follows.
+    fn add_tied(&mut self) {
+        let mut shares = Vec::new();
+        for (component, row) in self.tied.rows() {
+            for (other, factor) in row {
+                let (other, along) = (other / 3, (other % 3) as usize);
+                let of_other = self.terms(other).filter(|(_, axis, _)| *axis == along);
+                shares.extend(of_other.map(|(equation, _, share)| Further {
+                    node: component / 3,
+                    axis: (component % 3) as usize,
+                    equation,
+                    lever: factor * share,
+                }));
+            }
+        }
+        if !shares.is_empty() {
+            self.further.extend(shares);
+            self.further.sort_by_key(|further| further.node);
         }
     }
 

@@ -5,7 +5,7 @@ use crate::model::scene::Scene;
 
 /// What decides a displacement component.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Owner {
+pub enum Owner {
     /// Given, at factor one.
     Held(f64, Source),
     /// It follows a rigid plane, by its index, that is driven or free to turn.
@@ -13,6 +13,7 @@ pub(super) enum Owner {
 }
 
 impl Owner {
+    /// Do both say the same?
     pub fn agrees(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Held(a, _), Self::Held(b, _)) => a == b,
@@ -21,6 +22,7 @@ impl Owner {
         }
     }
 
+    /// Name of the surface of the scene that decides.
     pub fn name<'a>(&self, scene: &'a Scene) -> &'a str {
         match *self {
             Self::Held(_, Source::Support(i)) => &scene.supports[i].surface,

@@ -22,6 +22,7 @@ impl Kept {
                 stress: Vec::new(),
                 peeq: Vec::new(),
                 contacts: state.contacts.clone(),
+                ties: state.ties.clone(),
                 planes: state.planes.clone(),
                 energy: state.energy,
             },

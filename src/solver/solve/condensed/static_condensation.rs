@@ -133,6 +133,7 @@ impl CondensedBodies {
                 .collect(),
             prescribed: dofs.prescribed.clone(),
             turned: dofs.turned.clone(),
+            tied: dofs.tied.clone(),
         }
     }
 

@@ -49,17 +49,18 @@ impl Run<'_, '_> {
         self.solver = LinearSolver::default();
         self.model.release();
         let (scene, expected) = (self.model.scene, &self.expected);
+        let tied = self.model.all.tied.clone();
         let (model, timers) = (&mut self.model, &mut self.counters.timers);
         let model = timers.time(Phase::Prepare, || {
             let rows = if integrate {
-                contact_rows(scene, expected.reach)
+                contact_rows(scene, &tied, expected.reach)
             } else {
                 let mut rows = std::mem::take(&mut model.rows);
                 rows.append(&mut model.spare);
                 rows.sort_by_key(key);
                 rows
             };
-            Model::new(scene, expected, rows)
+            Model::new(scene, expected, (rows, tied))
         })?;
         // Then the same in terms of the new one. For each of its rows, the old row of the same contact node, if any.
         let map: Vec<Option<usize>> = model

@@ -13,6 +13,7 @@ use crate::solver::solve::observer::Observer;
 use crate::solver::solve::rows::contact_rows::{contact_rows, sights};
 use crate::solver::solve::start::close_gaps::{Closing, touch};
 use crate::solver::solve::start::extent::extent;
+use crate::solver::solve::ties::unknowns::tied;
 use crate::solver::solve::unfolding::Unfolding;
 
 /// Solves `scene`, telling `observer` of every iteration and increment.
@@ -80,8 +81,9 @@ fn solve_touching(
         None => Expected::at_start(scene),
     };
     let model = timers.time(Phase::Prepare, || {
-        let rows = contact_rows(scene, expected.reach);
-        Model::new(scene, &expected, rows)
+        let tied = tied(scene)?;
+        let rows = contact_rows(scene, &tied, expected.reach);
+        Model::new(scene, &expected, (rows, tied))
     })?;
     let mut run = Run::new(model, expected, observer);
     run.sights = timers.time(Phase::Prepare, || {

@@ -29,6 +29,7 @@ impl Model<'_> {
                 nodal[p.node as usize][p.axis] += factor * p.value;
             }
         }
+        dofs.tied.spread(&mut nodal);
         nodal
     }
 

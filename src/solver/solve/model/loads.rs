@@ -52,6 +52,7 @@ impl Model<'_> {
             for p in self.all.prescribed.iter().filter(|p| p.source == source) {
                 u[p.node as usize][p.axis] = p.value;
             }
+            self.all.tied.spread(&mut u);
             let elements = (0u32..).zip(&mesh.hexes).filter_map(|(element, nodes)| {
                 let local = nodes.map(|n| u[n as usize]);
                 let moves = local.iter().flatten().any(|v| *v != 0.0);

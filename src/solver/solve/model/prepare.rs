@@ -3,7 +3,7 @@
 use crate::ground::memory::available;
 use crate::model::material::Elastic;
 use crate::model::scene::{Scene, SolverKind};
-use crate::solver::fem::dofs::DofMap;
+use crate::solver::fem::tied::Tied;
 use crate::solver::linear::preconditioner::Preconditioner;
 use crate::solver::linear::schwarz::Schwarz;
 use crate::solver::solve::checkpoint::expected::Expected;
@@ -16,18 +16,20 @@ use crate::solver::solve::model::structure::{Structure, needed};
 use crate::solver::solve::model::system::{Model, is_soft};
 use crate::solver::solve::model::thermal::{Heated, thermal_forces};
 use crate::solver::solve::rows::contact_row::{ContactRow, law};
+use crate::solver::solve::ties::unknowns::equations;
+use std::sync::Arc;
 
 impl<'a> Model<'a> {
-    /// Prepares `scene` with its contact `rows` for what is expected to happen.
+    /// Prepares `scene` with its contact `rows`, `tied` as it is, for what is expected to happen.
     ///
     /// # Errors
     /// [`SolveError`] where supports contradict each other, nothing is free or memory runs out.
     pub fn new(
         scene: &'a Scene,
         expected: &Expected,
-        rows: Vec<ContactRow>,
+        (rows, tied): (Vec<ContactRow>, Arc<Tied>),
     ) -> Result<Self, SolveError> {
-        let all = DofMap::new(scene)?;
+        let all = equations(scene, tied)?;
         if all.is_empty() {
             return Err(SolveError::NothingFree);
         }

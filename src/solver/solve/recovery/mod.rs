@@ -8,3 +8,4 @@ pub mod plane_fields;
 pub mod reaction;
 pub mod state;
 pub mod stresses;
+pub mod tie_fields;

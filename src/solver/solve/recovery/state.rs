@@ -9,6 +9,7 @@ use crate::solver::solve::model::system::Model;
 use crate::solver::solve::recovery::contact_fields::contact_fields;
 use crate::solver::solve::recovery::plane_fields::plane_fields;
 use crate::solver::solve::recovery::stresses::stresses;
+use crate::solver::solve::recovery::tie_fields::tie_fields;
 
 /// The accepted state in the terms of the scene.
 pub fn recovered_state(
@@ -23,6 +24,7 @@ pub fn recovered_state(
     State {
         step: point.step,
         time: point.time,
+        ties: tie_fields(model, (point, evaluation), &plastic, &displacement),
         contacts: contact_fields(model, history, (evaluation, sights), &displacement),
         planes: plane_fields(model, &plastic, point, &displacement),
         displacement,

@@ -30,6 +30,7 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     seen.supports(scene, &bodies);
     seen.planes(scene, &bodies);
     seen.half_turn(scene, &bodies);
+    seen.ties(scene, &bodies);
     seen.contacts(scene, rows, &bodies);
     seen.shared_nodes(&bodies);
     let load = bodies.load(scene, &|_| 1.0);

@@ -36,6 +36,7 @@ fn movable_modes(scene: &Scene, bodies: &RigidBodies) -> Option<DMatrix<f64>> {
     seen.supports(scene, bodies);
     seen.planes(scene, bodies);
     seen.half_turn(scene, bodies);
+    seen.ties(scene, bodies);
     seen.shared_nodes(bodies);
     let modes = seen.unresisted(MOVABLE_EIGENVALUE);
     (!modes.is_empty()).then(|| DMatrix::from_columns(&modes))

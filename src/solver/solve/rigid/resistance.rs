@@ -10,6 +10,8 @@ use crate::solver::solve::rigid::rigid_bodies::{ModeRow, RigidBodies};
 use crate::solver::solve::rows::contact_row::ContactRow;
 use crate::solver::solve::start::extent::extent;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
 use std::collections::BTreeMap;
 
 /// The quadratic form of what resists the modes of all bodies.
@@ -116,6 +118,30 @@ impl Resistance {
             }
             self.add(&normal);
             rubbing.iter().for_each(|rows| self.add(rows));
+        }
+    }
+
+    /// Bodies whose surfaces are tied move together there: each node of the one with the nearest body of the other.
+    pub fn ties(&mut self, scene: &Scene, frames: &RigidBodies) {
+        for [first, second] in scene.ties.iter().filter_map(|tie| tie.of(&scene.mesh)) {
+            let at = |node: u32| frames.points[node as usize];
+            let opposite = second.nodes().into_iter();
+            let tree = RTree::bulk_load(opposite.map(|n| GeomWithData::new(at(n), n)).collect());
+            for axis in 0..3 {
+                let row = |node: u32| {
+                    let mut row = frames.of_node(node, axis)?;
+                    let nearest = tree.nearest_neighbor(at(node))?.data;
+                    let body = *frames.bodies[nearest as usize].first()?;
+                    let mut direction = [0.0; 3];
+                    direction[axis] = 1.0;
+                    let other = frames.row(body, at(node), direction, -1.0);
+                    let sum = row.entry(body).or_insert([0.0; 6]);
+                    sum.iter_mut().zip(other).for_each(|(s, o)| *s += o);
+                    Some(row)
+                };
+                let rows: Vec<ModeRow> = first.nodes().into_iter().filter_map(row).collect();
+                self.add(&rows);
+            }
         }
     }
 

@@ -4,11 +4,12 @@ use crate::model::scene::{ContactPair, Partner, Scene};
 use crate::solver::contact::facing::Sight;
 use crate::solver::contact::mortar::{Opposite, Row};
 use crate::solver::contact::{facing, mortar};
+use crate::solver::fem::tied::Tied;
 use crate::solver::solve::rows::contact_row::{ContactRow, law};
 use crate::solver::solve::rows::held_planes::held_planes;
 
-/// Contact rows of all pairs up to an initial gap of `reach`, by pair and node.
-pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
+/// Contact rows of all pairs up to an initial gap of `reach`, by pair and node. Nodes that are `tied` to others have none.
+pub fn contact_rows(scene: &Scene, tied: &Tied, reach: f64) -> Vec<ContactRow> {
     let moduli: Vec<f64> = scene
         .materials
         .iter()
@@ -16,7 +17,8 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
         .collect();
     let mut all = Vec::new();
     for (index, pair) in scene.contacts.iter().enumerate() {
-        let rows = pair_rows(scene, pair, reach, &moduli);
+        let follow = following(scene, tied, pair);
+        let rows = pair_rows(scene, pair, (reach, &follow), &moduli);
         all.extend(rows.into_iter().map(|row| ContactRow {
             law: law(pair, row.stiffness, false),
             pair: index,
@@ -26,17 +28,35 @@ pub fn contact_rows(scene: &Scene, reach: f64) -> Vec<ContactRow> {
     all
 }
 
-/// Rows of one pair.
-pub fn pair_rows(scene: &Scene, pair: &ContactPair, reach: f64, moduli: &[f64]) -> Vec<Row> {
+/// Nodes of the carrier that a tie moves. Were they to press by themselves, they would ask of the nodes that they follow
+/// what these ask of themselves.
+fn following(scene: &Scene, tied: &Tied, pair: &ContactPair) -> Vec<u32> {
+    if tied.is_empty() {
+        return Vec::new();
+    }
+    let [carrier, _] = pair.carrier_first();
+    let nodes = carrier.surface(&scene.mesh).map(|s| s.nodes());
+    let mut nodes = nodes.unwrap_or_default();
+    nodes.retain(|node| tied.has(*node));
+    nodes
+}
+
+/// Rows of one pair up to an initial gap of `reach`; the nodes `follow` of its carrier have none.
+pub fn pair_rows(
+    scene: &Scene,
+    pair: &ContactPair,
+    (reach, follow): (f64, &[u32]),
+    moduli: &[f64],
+) -> Vec<Row> {
     let held = held_planes(scene, pair);
-    let prepared = prepared(scene, pair, (reach, moduli, &held));
+    let prepared = prepared(scene, pair, (reach, moduli, &held), follow);
     prepared.map_or_else(Vec::new, |pair| mortar::rows(&pair))
 }
 
 /// Where the sides of each pair face each other, as far apart as `distance`.
 pub fn sights(scene: &Scene, distance: f64) -> Vec<Vec<Sight>> {
     let moduli = vec![1.0; scene.materials.len()];
-    let of = |pair| prepared(scene, pair, (0.0, &moduli, &[]));
+    let of = |pair| prepared(scene, pair, (0.0, &moduli, &[]), &[]);
     let see = |pair| of(pair).map_or_else(Vec::new, |pair| facing::sights(&pair, distance));
     scene.contacts.iter().map(see).collect()
 }
@@ -46,6 +66,7 @@ fn prepared<'a>(
     scene: &'a Scene,
     pair: &ContactPair,
     (reach, moduli, held): (f64, &'a [f64], &'a [(usize, f64)]),
+    follow: &'a [u32],
 ) -> Option<mortar::Pair<'a>> {
     let mesh = &scene.mesh;
     let [carrier, other] = pair.carrier_first();
@@ -62,6 +83,8 @@ fn prepared<'a>(
         opposite,
         true_geometry: pair.true_geometry,
         friction: pair.friction > 0.0,
+        closely: false,
+        follow,
         reach,
         moduli,
         mirrors: &scene.mirrors,

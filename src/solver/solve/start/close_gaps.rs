@@ -13,6 +13,7 @@ use crate::model::scene::{ContactPair, Partner, Scene};
 use crate::solver::solve::params::CLOSING_ROUNDS;
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::start::held_bodies::held_bodies;
+use crate::solver::solve::start::joined::joined;
 use crate::solver::solve::start::load_direction::load_direction;
 use crate::solver::solve::start::nearest_row::nearest_row;
 
@@ -35,7 +36,13 @@ pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
     let Some(direction) = load_direction(scene) else {
         return Vec::new();
     };
+    let joined = joined(scene);
     let mut placed = held_bodies(scene, direction);
+    for body in 0..placed.len() {
+        if placed[body] {
+            place(&mut placed, &joined, body);
+        }
+    }
     let mut closings = Vec::new();
     let mut ways = vec![None; scene.contacts.len()];
     while placed.iter().any(|p| !p) {
@@ -51,13 +58,13 @@ pub fn close_gaps(scene: &mut Scene, tolerance: f64) -> Vec<Closing> {
                 break;
             }
             total += way;
-            move_body(scene, body, scale(direction, way));
+            move_bodies(scene, &joined, body, scale(direction, way));
             let mut fresh = vec![None; scene.contacts.len()];
-            let only = |other: usize| other == body;
+            let only = |other: usize| joined[other] == joined[body];
             let rest = nearest_floating(scene, &placed, &only, direction, &mut fresh);
             way = rest.map_or(0.0, |(_, way)| way);
         }
-        placed[body] = true;
+        place(&mut placed, &joined, body);
         if total != 0.0 {
             closings.push(Closing {
                 body: scene.mesh.bodies[body].name.clone(),
@@ -116,9 +123,19 @@ fn way_to_touch(scene: &Scene, pair: &ContactPair, direction: Vec3) -> Option<f6
     (lean > 0.1).then(|| row.gap / lean)
 }
 
-fn move_body(scene: &mut Scene, body: usize, shift: Vec3) {
+/// The body stands, and with it all that ties join it to.
+fn place(placed: &mut [bool], joined: &[usize], body: usize) {
+    let own = joined.iter().zip(placed);
+    own.filter(|(group, _)| **group == joined[body])
+        .for_each(|(_, placed)| *placed = true);
+}
+
+/// Moves a body with all that ties join it to.
+fn move_bodies(scene: &mut Scene, joined: &[usize], body: usize, shift: Vec3) {
     let mut moved = vec![false; scene.mesh.points.len()];
-    for element in scene.mesh.bodies[body].elements.clone() {
+    let own = (0..joined.len()).filter(|other| joined[*other] == joined[body]);
+    let elements = own.flat_map(|body| scene.mesh.bodies[body].elements.clone());
+    for element in elements.collect::<Vec<_>>() {
         for node in scene.mesh.hexes[element] {
             if !std::mem::replace(&mut moved[node as usize], true) {
                 let point = &mut scene.mesh.points[node as usize];

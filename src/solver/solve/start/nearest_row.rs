@@ -12,7 +12,7 @@ pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
     let whole = extent(scene);
     let mut reach = 1e-3 * whole;
     while reach < 2.0 * whole {
-        let rows = pair_rows(scene, pair, reach, &moduli);
+        let rows = pair_rows(scene, pair, (reach, &[]), &moduli);
         let nearest = rows.into_iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
         if nearest.is_some() {
             return nearest;

@@ -1,0 +1,6 @@
+//! Ties of a scene: which displacement components follow which others.
+
+pub mod error;
+pub mod followers;
+pub mod order;
+pub mod unknowns;

@@ -15,5 +15,5 @@ mod resume;
 mod statics;
 mod symmetry;
 mod thermal;
-mod turning;
 mod ties;
+mod turning;

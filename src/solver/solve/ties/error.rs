@@ -72,4 +72,25 @@ pub enum TieError {
         /// Its second surface.
         second: String,
     },
+    /// Both surfaces are held, on facets of their own.
+    #[error(
+        "tie `{tie}`: `{by}` holds all corners of a facet of `{surface}` along {axis}, and facets of the other surface are \
+         held, too: there nothing is left to tie"
+    )]
+    #[diagnostic(
+        code(brinell::tie::held),
+        help(
+            "hold one of the two bodies only, or tie a surface that ends where the support begins"
+        )
+    )]
+    Held {
+        /// Name of the tie.
+        tie: String,
+        /// The surface whose nodes would follow.
+        surface: String,
+        /// The surface of the support or rigid plane.
+        by: String,
+        /// The axis.
+        axis: char,
+    },
 }

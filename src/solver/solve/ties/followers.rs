@@ -5,34 +5,29 @@
 //!
 //! *Where something else decides already.* A component that a support or a rigid plane holds does not follow, nor does
 //! one that follows by an earlier tie, or that would follow itself in a circle: edges at which several ties meet are tied
-//! once. Its dual function is added to that of a node beside it, so that these still sum to one and a uniform stress is passed on
-//! exactly. Only across a mirror plane it is left out: shear is zero there. The same is done with nodes of which the
+//! once. Its dual function is added to that of a node beside it that follows, or else across a facet, so that these still sum to one and a uniform
+//! stress is passed on exactly. (From a corner of a surface whose rim is held that is the node across the facet: were
+//! the function of the corner left out, this would go unnoticed on parallelograms, where it is biorthogonal to what the
+//! free nodes opposite do, but not on other facets.) Only across a mirror plane it is left out: shear is zero there. Where all of a facet is held nothing would tie what lies
+//! opposite: then the other side follows, and where that is held as well surfaces cannot be tied. The same is done with nodes of which the
 //! other side covers but a sliver.
 
-use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::{Scene, TOLERANCE_SHARE, Tie};
-use crate::solver::contact::mortar::{Opposite, Pair};
-use crate::solver::contact::tie::{Seam, TiedNode, seam};
-use crate::solver::fem::loads::area;
+use crate::model::mesh::Surface;
+use crate::model::scene::{Scene, Tie};
+use crate::solver::contact::tie::{Seam, TiedNode};
 use crate::solver::fem::dofs::Owners;
-use crate::solver::fem::tied::{Component, Follower, Joint, NodeArea, Tied, component};
-use crate::solver::solve::start::extent::extent;
+use crate::solver::fem::tied::{Component, Follower, NodeArea, Tied, component};
 use crate::solver::solve::ties::error::TieError;
 use crate::solver::solve::ties::order::{Order, sorted};
+use crate::solver::solve::ties::sides::Sides;
 use nalgebra::Matrix3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Share of a surface that is covered in full, whatever its facets make of a round rim.
-const COVERED: f64 = 0.99;
-
-/// Share of both surfaces of which less lies upon the other: then they do not belong together.
-const NOT_COVERED: f64 = 1e-3;
-
-/// Ratio of the mean areas of facets up to which these count as equal.
-const EQUAL_FACETS: f64 = 1.1;
-
 /// Share of the area of a facet that the other side has to cover before a node for it to follow.
 const LEAST_COVERED: f64 = 0.1;
+
+/// Covered shares that differ by no more than this factor are even, so that rounding decides nothing.
+const EVEN: f64 = 1.0 + 1e-9;
 
 /// The followers of all ties of `scene`.
 ///
@@ -42,7 +37,20 @@ pub fn followers(scene: &Scene, owners: &Owners) -> Result<Tied, TieError> {
     let mut tied = Tied::new(scene.mesh.points.len());
     let (mut order, mut all) = (Order::default(), Vec::new());
     for (index, tie) in (0..).zip(&scene.ties) {
-        let (joint, carrier, seam) = joint(scene, tie)?;
+        let sides = Sides::of(scene, tie)?;
+        let of = |follows: usize, order: &Order| {
+            let joint = sides.joint(tie, follows)?;
+            let own = one_tie(scene, (tie, &sides, follows), owners, order.clone())?;
+            Ok((joint, own))
+        };
+        let first = of(sides.first, &order);
+        let (joint, (own, after)) = match first {
+            // What supports hold cannot follow: then the other side may.
+            Err(held @ TieError::Held { .. }) => of(1 - sides.first, &order).map_err(|_| held)?,
+            other => other?,
+        };
+        order = after;
+        let seam = &sides.seams[joint.follows];
         tied.joints.push(joint);
         tied.areas.extend(seam.nodes.iter().map(|node| NodeArea {
             tie: index,
@@ -50,9 +58,7 @@ pub fn followers(scene: &Scene, owners: &Owners) -> Result<Tied, TieError> {
             area: node.area,
             normal: node.normal,
         }));
-        let held = |node: u32, axis: usize| owners[node as usize][axis].is_some();
-        for axis in 0..3 {
-            let own = share_out(scene, (carrier, &seam), (axis, &held), &mut order);
+        for (axis, own) in own.into_iter().enumerate() {
             all.extend(own.into_iter().map(|(k, absorbed)| {
                 let absorbed = absorbed.into_iter().map(|i| &seam.nodes[i]);
                 follower(index, axis, &seam.nodes[k], absorbed)
@@ -62,17 +68,44 @@ pub fn followers(scene: &Scene, owners: &Owners) -> Result<Tied, TieError> {
     Ok(sorted(all, tied))
 }
 
-/// By number of each node of the seam that follows along `axis`: the numbers of those whose functions it takes over.
+/// By number of each node of a seam that follows: the numbers of those whose functions it takes over.
+type Own = BTreeMap<usize, Vec<usize>>;
+
+/// What follows along each axis where one side of a tie does, and the `order` with it.
+fn one_tie(
+    scene: &Scene,
+    (tie, sides, follows): (&Tie, &Sides, usize),
+    owners: &Owners,
+    mut order: Order,
+) -> Result<([Own; 3], Order), TieError> {
+    let (carrier, seam) = (sides.surfaces[follows], &sides.seams[follows]);
+    let mut all = [Own::new(), Own::new(), Own::new()];
+    for (axis, own) in all.iter_mut().enumerate() {
+        *own = share_out(scene, (carrier, seam), (axis, owners), &mut order).map_err(|node| {
+            let by = owners[node as usize][axis].map(|owner| owner.name(scene).to_owned());
+            TieError::Held {
+                tie: tie.name.clone(),
+                surface: tie.surfaces[follows].clone(),
+                by: by.unwrap_or_default(),
+                axis: ['x', 'y', 'z'][axis],
+            }
+        })?;
+    }
+    Ok((all, order))
+}
+
+/// What follows along `axis`; a node that cannot where something has to.
 fn share_out(
     scene: &Scene,
     (carrier, seam): (&Surface, &Seam),
-    (axis, held): (usize, &dyn Fn(u32, usize) -> bool),
+    (axis, owners): (usize, &Owners),
     order: &mut Order,
-) -> BTreeMap<usize, Vec<usize>> {
-    let mut own: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+) -> Result<Own, u32> {
+    let held = |c: Component| owners[c as usize / 3][c as usize % 3].is_some();
+    let mut own = Own::new();
     for (k, node) in seam.nodes.iter().enumerate() {
         let component = component(node.node, axis);
-        let taken = held(node.node, axis) || order.has(component);
+        let taken = held(component) || order.has(component);
         if node.covered >= LEAST_COVERED
             && !taken
             && !order.reaches(opposite(node, axis), component)
@@ -84,40 +117,47 @@ fn share_out(
     let number: BTreeMap<u32, usize> = (seam.nodes.iter().enumerate())
         .map(|(k, node)| (node.node, k))
         .collect();
-    let mut beside: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
+    // At the other ends of its edges, and across its facets.
+    let mut beside: BTreeMap<u32, [BTreeSet<usize>; 2]> = BTreeMap::new();
     for face in &carrier.faces {
         for (k, node) in face.nodes.iter().enumerate() {
-            for step in [1, 3] {
+            for (step, way) in [(1, 0), (3, 0), (2, 1)] {
                 let other = number.get(&face.nodes[(k + step) % 4]);
-                beside.entry(*node).or_default().extend(other);
+                beside.entry(*node).or_default()[way].extend(other);
             }
         }
     }
     for (k, node) in seam.nodes.iter().enumerate() {
+        let this = component(node.node, axis);
         let mirrored = || {
             let at = &scene.mesh.points[node.node as usize];
             scene.mirrors_through(at).any(|mirror| mirror == axis)
         };
-        if own.contains_key(&k) || (held(node.node, axis) && mirrored()) {
+        if own.contains_key(&k) || (held(this) && mirrored()) {
             continue;
         }
-        let absorbed = || opposite(node, axis).chain([component(node.node, axis)]);
+        let absorbed = || opposite(node, axis).chain([this]);
         let able = |other: &&usize| {
             let target = component(seam.nodes[**other].node, axis);
             own.contains_key(other) && !order.reaches(absorbed(), target)
         };
-        // The node beside it that is covered most; of equals the lowest.
-        let sides = beside.get(&node.node).into_iter().flatten().filter(able);
-        let best = sides.fold(None::<usize>, |best, other| match best {
-            Some(b) if seam.nodes[*other].covered <= seam.nodes[b].covered * (1.0 + 1e-9) => best,
-            _ => Some(*other),
-        });
-        if let Some(best) = best {
+        // That which is covered most; of equals the lowest.
+        let best_of = |sides: &BTreeSet<usize>| {
+            let sides = sides.iter().filter(able);
+            sides.fold(None::<usize>, |best, other| match best {
+                Some(b) if seam.nodes[*other].covered <= seam.nodes[b].covered * EVEN => best,
+                _ => Some(*other),
+            })
+        };
+        let near = beside.get(&node.node);
+        if let Some(best) = near.and_then(|near| near.iter().find_map(best_of)) {
             order.insert(component(seam.nodes[best].node, axis), absorbed());
             own.entry(best).or_default().push(k);
+        } else if held(this) && opposite(node, axis).any(|c| !held(c) && !order.has(c)) {
+            return Err(node.node);
         }
     }
-    own
+    Ok(own)
 }
 
 /// Components opposite that decide about that of `node` along `axis`.
@@ -162,108 +202,4 @@ fn follower<'n>(
         terms: terms.into_iter().collect(),
         tie,
     }
-}
-
-/// How a tie joins, the surface whose nodes follow, and its integrals.
-fn joint<'s>(scene: &'s Scene, tie: &Tie) -> Result<(Joint, &'s Surface, Seam), TieError> {
-    let mesh = &scene.mesh;
-    let of = |index: usize| {
-        let surface = mesh.surface(&tie.surfaces[index]);
-        surface.ok_or_else(|| TieError::NoSurface {
-            tie: tie.name.clone(),
-            surface: tie.surfaces[index].clone(),
-        })
-    };
-    let surfaces = [of(0)?, of(1)?];
-    let second: BTreeSet<u32> = surfaces[1].nodes().into_iter().collect();
-    if let Some(node) = surfaces[0].nodes().into_iter().find(|n| second.contains(n)) {
-        return Err(TieError::SharedNodes {
-            tie: tie.name.clone(),
-            first: tie.surfaces[0].clone(),
-            second: tie.surfaces[1].clone(),
-            node,
-        });
-    }
-    let facets = surfaces.map(|surface| mean_facet(mesh, surface));
-    let tolerance = tie
-        .tolerance
-        .unwrap_or_else(|| TOLERANCE_SHARE * facets[0].max(facets[1]).sqrt());
-    let seen = |reach: f64| [0, 1].map(|own| one_side(scene, surfaces, own, reach));
-    let share = |seam: &Seam| seam.areas[0] / seam.areas[1];
-    let mut seams = seen(tolerance);
-    let shares = [share(&seams[0]), share(&seams[1])];
-    let [first, second] = tie.surfaces.clone();
-    if shares[0].max(shares[1]) < NOT_COVERED {
-        // Do they face each other at all?
-        let distance = farthest(&seen(extent(scene))[0]);
-        let tie = tie.name.clone();
-        return Err(match distance {
-            d if d > tolerance => TieError::Apart {
-                tie,
-                first,
-                second,
-                distance: d,
-                tolerance,
-            },
-            _ => TieError::NoOverlap { tie, first, second },
-        });
-    }
-    let follows = match shares.map(|s| s >= COVERED) {
-        [true, false] => 0,
-        [false, true] => 1,
-        [true, true] => usize::from(facets[0] > EQUAL_FACETS * facets[1]),
-        [false, false] => usize::from(shares[1] > EQUAL_FACETS * shares[0]),
-    };
-    let seam = std::mem::replace(
-        &mut seams[follows],
-        Seam {
-            nodes: Vec::new(),
-            areas: [0.0; 2],
-        },
-    );
-    let distance = farthest(&seam);
-    if distance > tolerance {
-        return Err(TieError::Apart {
-            tie: tie.name.clone(),
-            first,
-            second,
-            distance,
-            tolerance,
-        });
-    }
-    let joint = Joint {
-        follows,
-        distance,
-        tolerance,
-        covered: shares[follows],
-    };
-    Ok((joint, surfaces[follows], seam))
-}
-
-fn one_side(scene: &Scene, surfaces: [&Surface; 2], own: usize, reach: f64) -> Seam {
-    let moduli = vec![1.0; scene.materials.len()];
-    seam(&Pair {
-        mesh: &scene.mesh,
-        carrier: surfaces[own],
-        opposite: Opposite::Surface(surfaces[1 - own]),
-        true_geometry: true,
-        friction: false,
-        closely: true,
-        follow: &[],
-        reach,
-        moduli: &moduli,
-        mirrors: &scene.mirrors,
-        held: &[],
-    })
-}
-
-/// The largest distance of the two sides around a node.
-fn farthest(seam: &Seam) -> f64 {
-    let distances = seam.nodes.iter().map(|node| node.distance);
-    distances.fold(0.0, f64::max)
-}
-
-/// Mean area of the facets of a surface.
-fn mean_facet(mesh: &Mesh, surface: &Surface) -> f64 {
-    area(mesh, surface) / surface.faces.len().max(1) as f64
 }

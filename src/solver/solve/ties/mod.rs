@@ -3,4 +3,5 @@
 pub mod error;
 pub mod followers;
 pub mod order;
+pub mod sides;
 pub mod unknowns;

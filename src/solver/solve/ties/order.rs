@@ -4,7 +4,7 @@ use crate::solver::fem::tied::{Component, Follower, Tied};
 use std::collections::BTreeMap;
 
 /// Followers under way, in no order yet.
-#[derive(Default)]
+#[derive(Default, Clone)]
 pub struct Order {
     follows: BTreeMap<Component, Vec<Component>>,
 }

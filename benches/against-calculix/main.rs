@@ -18,6 +18,7 @@ mod reactions;
 mod reading;
 mod slice;
 mod subject;
+mod tied;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -34,6 +35,7 @@ cargo bench --bench against-calculix -- SCENARIO... [--write] [--repeat N] [--no
   centre-fields, offset-fields
                displacements, reactions and Mises stresses of the exported bearing, node by node;
                fails where they differ by more than is allowed
+  tie-fields   displacements of an exported beam of two parts that are tied, likewise
 
   --write          put the tables into docs/performance.md and docs/cross-check.md
   --repeat N       run each short run N times, for the median [default: 3]
@@ -68,7 +70,7 @@ impl Options {
 
 const SCENARIOS: [&str; 4] = ["centre", "centre-100k", "problem-h", "slice"];
 /// What is compared node by node.
-const FIELDS: [&str; 2] = ["centre-fields", "offset-fields"];
+const FIELDS: [&str; 3] = ["centre-fields", "offset-fields", "tie-fields"];
 /// Element sizes of about 100 thousand unknowns, over those of `h0125`.
 const SCALE_100K: f64 = 0.68;
 
@@ -136,6 +138,7 @@ fn run(options: &Options, scenarios: &[&str]) -> Result<(), String> {
             "problem-h" => problem_h::run(options, &folder)?,
             "centre-fields" => fields::run(options, &folder, &fields::CENTRE)?,
             "offset-fields" => fields::run(options, &folder, &fields::OFFSET)?,
+            "tie-fields" => tied::run(&folder)?,
             _ => slice::run(options, &folder)?,
         };
         println!("\n{tables}");

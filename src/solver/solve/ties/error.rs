@@ -93,4 +93,20 @@ pub enum TieError {
         /// The axis.
         axis: char,
     },
+    /// A contact pair wants what a tie joins.
+    #[error(
+        "tie `{tie}`: contact pair `{pair}` is between the surfaces that it joins, or on one of which every node follows"
+    )]
+    #[diagnostic(
+        code(brinell::tie::contact),
+        help(
+            "leave one of the two out: what is tied neither opens nor slides. Contact beside a tie needs a surface of its own"
+        )
+    )]
+    Contact {
+        /// Name of the tie.
+        tie: String,
+        /// Name of the contact pair.
+        pair: String,
+    },
 }

@@ -20,6 +20,7 @@ use crate::solver::fem::tied::{Component, Follower, NodeArea, Tied, component};
 use crate::solver::solve::ties::error::TieError;
 use crate::solver::solve::ties::order::{Order, sorted};
 use crate::solver::solve::ties::sides::Sides;
+use crate::solver::solve::ties::touching::beside_contact;
 use nalgebra::Matrix3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -65,7 +66,9 @@ pub fn followers(scene: &Scene, owners: &Owners) -> Result<Tied, TieError> {
             }));
         }
     }
-    Ok(sorted(all, tied))
+    let tied = sorted(all, tied);
+    beside_contact(scene, &tied)?;
+    Ok(tied)
 }
 
 /// By number of each node of a seam that follows: the numbers of those whose functions it takes over.

@@ -4,4 +4,5 @@ pub mod error;
 pub mod followers;
 pub mod order;
 pub mod sides;
+pub mod touching;
 pub mod unknowns;

@@ -99,6 +99,8 @@ fn contact_rows(bencher: Bencher, across: usize) {
         opposite: Opposite::Surface(surface("block_contact")),
         true_geometry: true,
         friction: true,
+        closely: false,
+        follow: &[],
         reach: 1e-3,
         moduli: &[STEEL.youngs_modulus; 2],
         held: &[],

@@ -152,6 +152,7 @@ fn keys_of_a_scene_are_read() {
     all_read_inline(&keys::PLANE, &plane, |l| {
         contact(&format!("plane = {{ {l} }}"))
     });
+    all_read(&keys::TIE, &[("surfaces", "[\"a\", \"b\"]")], table("tie"));
     let surface = [("surface", "\"a\"")];
     all_read(&keys::SUPPORT, &surface, table("support"));
     let heated = [("body", "\"a\""), ("value", "1")];

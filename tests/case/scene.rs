@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::kit::{BEARING, SCENE, blocks, centred, displaced, good, mesh, render, shipped, with};
 use brinell::case::bearing::{CROSSED, RollerEnd};
-use brinell::case::{Case, Kind, MisesRead, interfaces, read};
+use brinell::case::{Case, Kind, MisesRead, interfaces, parse, read};
 use brinell::model::scene::{Partner, PlaneMotion, Scene, Side, Step, TractionValue};
 
 fn bearing(case: &Case) -> &brinell::case::BearingCase {
@@ -315,6 +315,35 @@ fn rigid_planes_tractions_and_steps() {
     assert_eq!(whole.steps[0].factor_of("lid"), 1.0);
     assert_eq!(whole.steps[1].factor_of("lid"), 0.1);
     assert_eq!(whole.steps[1].factor_of("top"), 0.5);
+}
+
+#[test]
+fn ties() {
+    let tie = "[[tie]]\nsurfaces = [\"top\", \"base\"]\n";
+    let text = format!("{SCENE}{tie}name = \"weld\"\ntolerance = \"20 µm\"\n");
+    let read = &scene(&text).ties[0];
+    assert_eq!(read.surfaces, ["top", "base"]);
+    assert_eq!((read.name.as_str(), read.tolerance), ("weld", Some(0.02)));
+    let plain = &scene(&format!("{SCENE}{tie}")).ties[0];
+    assert_eq!((plain.name.as_str(), plain.tolerance), ("top-base", None));
+    for (wrong, says) in [
+        ("[\"top\"]", "joins two surfaces, and here are 1"),
+        ("[\"top\", \"top\"]", "cannot be tied to itself"),
+        ("[\"top\", 3]", "surfaces"),
+    ] {
+        let text = format!("{SCENE}[[tie]]\nsurfaces = {wrong}\n");
+        let error = parse("case.toml", &text)
+            .map(|_| ())
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(says), "{wrong}: {error}");
+    }
+    let twice = format!("{SCENE}{tie}{tie}");
+    let error = parse("case.toml", &twice)
+        .map(|_| ())
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("two ties called `top-base`"), "{error}");
 }
 
 #[test]

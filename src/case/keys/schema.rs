@@ -4,7 +4,7 @@ use super::{
     ACTION, AXES, BEARING, BEARING_MESH, BODY, COMBINATION, COMPARISON, CONTACT, CONTROLS,
     FAMILY_MESH, FILE_MESH, HARDENING, Key, Keys, LINE_BEARING, LINE_BEARING_MESH,
     LINE_PLATE_CURVE, LINE_PLATE_SIZE, LINE_PLATE_THICKNESS, LOAD, PARTNER, PLANE, PLATE_THICKNESS,
-    RIGID_PLANE, ROLLER_END, ROOT, SCENE, STEEL, STEP, SUPPORT, TEMPERATURE, TILTED_TOP,
+    RIGID_PLANE, ROLLER_END, ROOT, SCENE, STEEL, STEP, SUPPORT, TEMPERATURE, TIE, TILTED_TOP,
     TITLE_BLOCK,
 };
 use serde_json::{Map, Value, json};
@@ -31,6 +31,7 @@ pub fn schema() -> Value {
         ("combination", list(object(&COMBINATION, &[]))),
         ("body", list(object(&BODY, &[("steel", body_steel)]))),
         ("contact", list(contact())),
+        ("tie", list(object(&TIE, &[]))),
         ("support", list(object(&SUPPORT, &[]))),
         ("rigid_plane", list(object(&RIGID_PLANE, &rigid_plane()))),
         ("pressure", list(object(&LOAD, &[]))),
@@ -228,6 +229,7 @@ fn listed(words: &str) -> Option<Value> {
         "three shares",
         "three lengths",
         "three differences of temperature",
+        "two surfaces",
         "two lengths",
         "two forces",
         "two moments",
@@ -236,7 +238,7 @@ fn listed(words: &str) -> Option<Value> {
     let found = of.iter().find(|of| words.starts_with(*of))?;
     Some(match *found {
         "tables" => json!({ "type": "object" }),
-        "names" => json!({ "type": "string" }),
+        "names" | "two surfaces" => json!({ "type": "string" }),
         _ => quantity(),
     })
 }

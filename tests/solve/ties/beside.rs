@@ -1,6 +1,7 @@
 //! Ties beside supports, mirror planes and contact, and what is refused.
 
 use super::*;
+use brinell::model::mesh::{Face, Surface};
 
 #[test]
 fn a_half_says_what_the_whole_says_of_a_tie_at_its_mirror_plane() {
@@ -160,8 +161,28 @@ fn where_a_support_holds_the_facets_of_one_side_the_other_side_follows() {
 
 #[test]
 fn where_supports_hold_facets_of_both_sides_nothing_can_be_tied() {
-    let scene = cubes().fix("a_z_max").hold("b_z_min", Axis::X);
-    let said = Solved::of(scene.build().unwrap()).map(|_| ()).unwrap_err();
+    let mut scene = cubes().fix("a_z_min").build().unwrap();
+    // A strip of either surface, on either side.
+    for (whole, part, left) in [("a_z_max", "left", true), ("b_z_min", "right", false)] {
+        let faces = scene.mesh.surface(whole).unwrap().faces.clone();
+        let points = &scene.mesh.points;
+        let inside = |face: &&Face| {
+            let x = |n: &u32| points[*n as usize][0];
+            face.nodes.iter().all(|n| (x(n) < 0.4) == left)
+        };
+        let faces: Vec<Face> = faces.iter().filter(inside).copied().collect();
+        assert!(!faces.is_empty());
+        scene.mesh.surfaces.push(Surface {
+            name: part.into(),
+            faces,
+        });
+        scene.supports.push(Support {
+            components: [Some(0.0), None, None],
+            gradient: [[0.0; 3]; 3],
+            ..linear(part)
+        });
+    }
+    let said = Solved::of(scene).map(|_| ()).unwrap_err();
     let said = said.to_string();
     assert!(
         said.contains("along x") && said.contains("nothing is left to tie"),

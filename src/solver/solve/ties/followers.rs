@@ -156,8 +156,11 @@ fn share_out(
         if let Some(best) = near.and_then(|near| near.iter().find_map(best_of)) {
             order.insert(component(seam.nodes[best].node, axis), absorbed());
             own.entry(best).or_default().push(k);
-        } else if held(this) && opposite(node, axis).any(|c| !held(c) && !order.has(c)) {
-            return Err(node.node);
+        } else if held(this) {
+            let mut along = opposite(node, axis).filter(|c| *c as usize % 3 == axis);
+            if along.any(|c| !held(c) && !order.has(c)) {
+                return Err(node.node);
+            }
         }
     }
     Ok(own)

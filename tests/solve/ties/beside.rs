@@ -31,7 +31,7 @@ fn a_half_says_what_the_whole_says_of_a_tie_at_its_mirror_plane() {
         let mut found = (0..points.len()).filter(|n| near(&points[*n]));
         let node = match body {
             "a" => found.next(),
-            _ => found.last(),
+            _ => found.next_back(),
         };
         whole.state().displacement[node.unwrap()]
     };

@@ -43,8 +43,8 @@ impl GeneralCase {
                 assumptions.push(Assumption::default(&key, "0", &why));
             }
         }
-        let loads = Loads::read(root, &mirrors, (&steels, assumptions))?;
         let ties = tie::read(root)?;
+        let loads = Loads::read(root, &mirrors, (&steels, assumptions))?;
         let name = name.to_string();
         let model = Model {
             name,

@@ -6,6 +6,7 @@
 mod bearing;
 mod common;
 mod line_bearing;
+mod pairs;
 mod scene;
 pub mod schema;
 mod template_loads;
@@ -15,9 +16,9 @@ pub use common::{ACTION, COMBINATION, COMPARISON, CONTROLS, HARDENING, ROOT, STE
 pub use line_bearing::{
     LINE_BEARING, LINE_BEARING_MESH, LINE_PLATE_CURVE, LINE_PLATE_SIZE, LINE_PLATE_THICKNESS,
 };
+pub use pairs::{CONTACT, PARTNER, PLANE, TIE};
 pub use scene::{
-    AXES, BODY, CONTACT, FAMILY_MESH, FILE_MESH, LOAD, PARTNER, PLANE, RIGID_PLANE, SCENE, STEP,
-    SUPPORT, TEMPERATURE, TIE,
+    AXES, BODY, FAMILY_MESH, FILE_MESH, LOAD, RIGID_PLANE, SCENE, STEP, SUPPORT, TEMPERATURE,
 };
 pub use template_loads::TILTED_TOP;
 

@@ -5,6 +5,7 @@ use crate::process::Cost;
 use crate::reading::{LIMITS, READINGS, Values, of_fields, within};
 use crate::{Options, ccx, subject};
 use brinell::model::mesh::Mesh;
+use brinell::model::mesh::family::problem_h as family;
 use brinell::model::mesh::msh::write::msh41;
 use brinell::model::scene::ElementKind;
 use brinell::proof::verify::problem_h::{self, Sizes};
@@ -117,7 +118,7 @@ impl Candidate {
     /// The program as a process on the same mesh, from a file.
     fn timed(&self, folder: &Path, repeat: usize) -> Result<Row, String> {
         let element = brinell::product::converge::study::element_name(self.element);
-        let mesh = problem_h::half(&self.sizes).map_err(|e| e.to_string())?;
+        let mesh = family::half(&self.sizes).map_err(|e| e.to_string())?;
         let case = write(folder, &mesh, true, &format!("element = \"{element}\""))?;
         let run = subject::run(&case, folder, &[], 1, repeat)?;
         Ok(Row {
@@ -159,7 +160,7 @@ pub fn write(folder: &Path, mesh: &Mesh, half: bool, controls: &str) -> Result<P
 /// symmetry plane holds.
 fn peer(across: usize, element: &str, folder: &Path, repeat: usize) -> Result<Row, String> {
     let folder = folder.join(format!("{element}-{across}"));
-    let mesh = problem_h::full(&Sizes::with(across)).map_err(|e| e.to_string())?;
+    let mesh = family::full(&Sizes::with(across)).map_err(|e| e.to_string())?;
     let case = write(&folder, &mesh, false, "")?;
     let mortar = ["--contact", "mortar", "--contact-stiffness", STIFFNESS];
     let more = [

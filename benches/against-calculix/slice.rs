@@ -3,8 +3,9 @@
 use crate::page::{Table, error, number, times};
 use crate::reading::{Basis, half_width, nodal};
 use crate::{Options, ccx, problem_h as plane, subject};
+use brinell::model::mesh::family::problem_h as family;
 use brinell::model::mesh::{Face, Mesh, Surface};
-use brinell::proof::verify::problem_h::{self, HALF_WIDTH, Sizes};
+use brinell::proof::verify::problem_h::{HALF_WIDTH, Sizes};
 use std::path::Path;
 
 const LAYERS: usize = 40;
@@ -21,7 +22,7 @@ const STIFFNESS: &str = "1.475e7";
 
 /// Both programs, and the table.
 pub fn run(options: &Options, folder: &Path) -> Result<String, String> {
-    let layer = problem_h::half(&SIZES).map_err(|e| e.to_string())?;
+    let layer = family::half(&SIZES).map_err(|e| e.to_string())?;
     let mesh = extruded(&layer);
     println!("{} nodes, {} elements", mesh.points.len(), mesh.hexes.len());
     let mut table = Table::new(&[

@@ -14,7 +14,7 @@ pub fn digest(summary: &Summary, missed: &[String]) -> String {
     let verdict = verdict(summary, missed);
     let used = utilisations(summary);
     let lines = [
-        ("VERDICT", Some(verdict.head.to_owned())),
+        ("VERDICT", Some(verdict.head.clone())),
         ("", verdict.rest.first().cloned()),
         ("governs", largest(&used).map(|most| governs(summary, most))),
         ("load", Some(load(summary))),

@@ -88,7 +88,7 @@ pub fn overview(parts: &[Part]) -> Table {
     for part in parts {
         let most = governing(part.summary);
         let verdict = verdict(part.summary, part.missed);
-        let head = verdict.head.to_owned();
+        let head = verdict.head.clone();
         table.row([
             part.name.into(),
             part.acts.into(),

@@ -20,16 +20,16 @@ pub enum Grade {
 pub struct Verdict {
     pub grade: Grade,
     /// The first sentence,
-    pub head: &'static str,
+    pub head: String,
     /// and the others.
     pub rest: Vec<String>,
 }
 
 /// The verdict on a run whose checks miss the limits `missed`, in words.
 pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
-    let bad = |head, why| Verdict {
+    let bad = |head: &str, why| Verdict {
         grade: Grade::Bad,
-        head,
+        head: head.to_owned(),
         rest: vec![why],
     };
     if !summary.answer.converged {
@@ -70,17 +70,40 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
             summary.answer.certificate.len()
         ));
     }
-    let (grade, head) = match (missed.is_empty(), flows) {
-        (false, None) => (Grade::Bad, "Solved; the sizing rules are not met."),
-        (false, Some(_)) => (
+    let fails = fails(summary);
+    let (grade, head) = match (fails, flows) {
+        (Some(fails), None) => (Grade::Bad, format!("Solved; it FAILS {fails}.")),
+        (Some(fails), Some(_)) => (
             Grade::Bad,
-            "Solved; the sizing rules are not met, and steel yields.",
+            format!("Solved; it FAILS {fails}, and steel yields."),
         ),
-        (true, Some(_)) => (Grade::Care, "Solved; steel yields."),
-        (true, None) if unsure > 0 => (Grade::Care, "Solved; not all figures are resolved."),
-        (true, None) => (Grade::Good, "Solved."),
+        (None, Some(_)) => (Grade::Care, "Solved; steel yields.".to_owned()),
+        (None, None) if unsure > 0 => (
+            Grade::Care,
+            "Solved; not all figures are resolved.".to_owned(),
+        ),
+        (None, None) => (Grade::Good, "Solved.".to_owned()),
     };
     Verdict { grade, head, rest }
+}
+
+/// The sizing rules that are missed, each with how much of it is used; `None` where there are none.
+fn fails(summary: &Summary) -> Option<String> {
+    let sizing = summary.sizing.as_ref()?;
+    let lines = sizing.lines.iter().filter(|line| line.met == Some(false));
+    let pressure = lines.filter_map(|line| line.utilisation).reduce(f64::max);
+    let demands = sizing.rule.as_ref().map(|rule| [rule.printed, rule.exact]);
+    let demands = demands.into_iter().flatten().filter(|demand| !demand.met);
+    let used = demands.map(|demand| demand.required_diameter_times_length / demand.provided);
+    let length = used.reduce(f64::max);
+    let named = [
+        ("the pressure limit (2-49), used to", pressure),
+        ("the length rule (2-50), used to", length),
+    ];
+    let said = named.into_iter();
+    let said = said.filter_map(|(what, used)| Some(format!("{what} {}", share(Some(used?)))));
+    let said: Vec<String> = said.collect();
+    (!said.is_empty()).then(|| said.join(", and "))
 }
 
 /// The sizing rules that have a limit here, as the beginning of a sentence; `None` where nothing can yield.

@@ -4,6 +4,7 @@
 mod case_file;
 mod command;
 mod init;
+mod line;
 mod rules;
 mod verify;
 

@@ -1,7 +1,7 @@
 //! The preset `auto`: element sizes from the half-widths of the lines of contact.
 
-use super::geometry::BearingGeometry;
-use super::sizes::{PLATE_TO_ROLLER, Sizes};
+use super::roller_shape::RollerShape;
+use super::sizes::{OwnSizes, PLATE_TO_ROLLER, Sizes};
 use super::strips::Strips;
 
 /// Elements across the half-width of the narrowest line: a tenth more than are asked for, on the
@@ -18,17 +18,15 @@ const MOST_ROWS: f64 = 40.0;
 /// layers below the face the Mises stress, whose peak is 0.8 a deep; what is round of the roller,
 /// and the layers of its wall, decide the stress of the bore and the descent; all others move them
 /// by 0.3 % at most.
-pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
-    let diameter = geometry.diameter;
+pub(super) fn sizes(roller: &RollerShape, own: OwnSizes, strips: &Strips) -> Sizes {
+    let diameter = roller.diameter;
     let fine = strips.narrowest / ELEMENTS_ACROSS;
     let rows = (FINE_REACH * strips.widest / fine - 1e-6).ceil();
-    let half_length = geometry.length / 2.0;
-    let half_plan = geometry.plan[0].max(geometry.plan[1]) / 2.0;
-    let wall = geometry.wall.unwrap_or(geometry.radius() / 2.0);
+    let half_length = roller.length / 2.0;
     let end_size = (diameter / 20.0).min(half_length / 16.0);
     // A few elements on a fillet, where it begins no fewer than at the very end; along a strip
     // nothing changes over less than its width.
-    let (end_size, along_growth) = match geometry.end.radius() {
+    let (end_size, along_growth) = match roller.end.radius() {
         Some(radius) => {
             let least = strips.narrowest / 2.0;
             (end_size.min((radius / 8.0).max(least)), 1.6)
@@ -41,17 +39,17 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
         plate_size: PLATE_TO_ROLLER * fine,
         fine_elements: rows.clamp(1.0, MOST_ROWS),
         fine_layers: 3.0,
-        crossing_size: (diameter / 20.0).min(half_length / 20.0),
+        crossing_size: own.crossing_size,
         end_size,
         growth: 2.5,
         depth_growth: 2.5,
         along_growth,
         around_cap: 0.1 * diameter,
         along_cap: (0.4 * diameter).min(half_length / 6.0),
-        wall_cap: (0.057 * diameter).min(0.4 * wall),
-        plan_cap: (0.43 * diameter).min(half_plan / 4.0),
-        middle_cap: (0.33 * diameter).min(half_plan / 5.0),
-        depth_cap: (0.1 * diameter).min(geometry.thinnest_plate() / 3.0),
+        wall_cap: (0.057 * diameter).min(0.4 * roller.nominal_wall()),
+        plan_cap: own.plan_cap,
+        middle_cap: own.middle_cap,
+        depth_cap: own.depth_cap,
         wall_least: 9.0,
         depth_least: 5.0,
         along_least: 8.0,
@@ -61,7 +59,9 @@ pub(super) fn sizes(geometry: &BearingGeometry, strips: &Strips) -> Sizes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::bearing::geometry::BearingGeometry;
     use crate::case::bearing::layout::Layout;
+    use crate::case::bearing::preset::Preset;
     use crate::case::bearing::sample::initial;
     use crate::case::bearing::strips::{self, FoundLine};
 
@@ -79,7 +79,7 @@ mod tests {
                 ..initial()
             };
             let strips = predicted(&geometry, load);
-            let sizes = sizes(&geometry, &strips);
+            let sizes = geometry.preset_sizes(Preset::Auto, &strips);
             assert!(strips::FEWEST_ACROSS * sizes.plate_size <= strips.narrowest);
             assert!(sizes.fine_elements * sizes.roller_size >= strips::LEAST_REACH * strips.widest);
             assert!(sizes.fine_elements <= 6.0, "no more rows than that takes");
@@ -111,7 +111,7 @@ mod tests {
             vec![line(true, 0.0, 0.15), line(false, 0.0, 0.1)],
         ] {
             let strips = Strips::found(geometry.diameter, &lines).unwrap();
-            let sizes = sizes(&geometry, &strips);
+            let sizes = geometry.preset_sizes(Preset::Auto, &strips);
             let reach = sizes.fine_elements * sizes.roller_size;
             for line in lines {
                 assert!(line.is_served(sizes.plate_size, reach), "{line:?}");

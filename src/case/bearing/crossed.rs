@@ -1,7 +1,6 @@
 //! Two crossed rollers as a [`Layout`].
 
 use super::count;
-use super::end_shape::RollerEnd;
 use super::error::GeometryError;
 use super::geometry::{BearingGeometry, Roller};
 use super::layout::{Layout, RollerPlace};
@@ -9,6 +8,7 @@ use super::parameter::Parameter;
 use super::preset::Preset;
 use super::preset_sizes;
 use super::roller_end::shape_roller_ends;
+use super::roller_shape::RollerShape;
 use super::seat::Seat;
 use super::sizes::Sizes;
 use super::strips::Strips;
@@ -66,20 +66,13 @@ impl Layout for BearingGeometry {
         BearingGeometry::check(self)
     }
 
-    fn diameter(&self) -> f64 {
-        self.diameter
-    }
-
-    fn wall(&self) -> Option<f64> {
-        self.wall
-    }
-
-    fn length(&self) -> f64 {
-        self.length
-    }
-
-    fn end(&self) -> RollerEnd {
-        self.end
+    fn roller(&self) -> RollerShape {
+        RollerShape {
+            diameter: self.diameter,
+            wall: self.wall,
+            length: self.length,
+            end: self.end,
+        }
     }
 
     fn offset(&self) -> f64 {

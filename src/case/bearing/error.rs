@@ -39,21 +39,6 @@ impl GeometryError {
         })
     }
 
-    /// Is that the wall of a roller of this diameter? None is that of a solid one.
-    pub(super) fn check_wall(wall: Option<f64>, diameter: f64) -> Result<(), Self> {
-        let Some(wall) = wall else {
-            return Ok(());
-        };
-        let [least, most] = [0.01 * diameter, 0.49 * diameter];
-        Self::unless(
-            wall >= least && wall <= most,
-            "roller_wall",
-            wall,
-            || format!("must lie between {least} and {most} (0.01 and 0.49 diameters)"),
-            "a roller without a bore is solid",
-        )
-    }
-
     pub(super) fn positive(key: &'static str, value: f64) -> Result<(), Self> {
         let help = "lengths and sizes are positive";
         Self::unless(

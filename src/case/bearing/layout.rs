@@ -7,6 +7,7 @@ use super::end_shape::RollerEnd;
 use super::error::GeometryError;
 use super::parameter::Parameter;
 use super::preset::Preset;
+use super::roller_shape::RollerShape;
 use super::seat::Seat;
 use super::sizes::Sizes;
 use super::strips::Strips;
@@ -36,17 +37,28 @@ pub trait Layout: fmt::Debug {
     /// Names the first dimension that is out of its range, with the range.
     fn check(&self) -> Result<(), GeometryError>;
 
+    /// Of all rollers.
+    fn roller(&self) -> RollerShape;
+
     /// D, of all rollers.
-    fn diameter(&self) -> f64;
+    fn diameter(&self) -> f64 {
+        self.roller().diameter
+    }
 
     /// Wall of hollow rollers; `None` for solid ones.
-    fn wall(&self) -> Option<f64>;
+    fn wall(&self) -> Option<f64> {
+        self.roller().wall
+    }
 
     /// L, of all rollers.
-    fn length(&self) -> f64;
+    fn length(&self) -> f64 {
+        self.roller().length
+    }
 
     /// Of all rollers.
-    fn end(&self) -> RollerEnd;
+    fn end(&self) -> RollerEnd {
+        self.roller().end
+    }
 
     /// By how much rollers are displaced along each other.
     fn offset(&self) -> f64;

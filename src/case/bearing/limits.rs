@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use super::end_shape::RollerEnd;
 use super::error::GeometryError;
 use super::geometry::BearingGeometry;
+use super::layout::Layout;
 
 impl BearingGeometry {
     /// Is this a bearing that can be built and meshed?
@@ -12,15 +12,12 @@ impl BearingGeometry {
     /// # Errors
     /// Names the first dimension that is out of its range, with the range.
     pub fn check(&self) -> Result<(), GeometryError> {
-        GeometryError::positive("roller_diameter", self.diameter)?;
-        GeometryError::positive("roller_length", self.length)?;
+        self.roller().check()?;
         GeometryError::positive("plate_thickness.upper", self.upper_thickness)?;
         GeometryError::positive("plate_thickness.intermediate", self.intermediate_thickness)?;
         GeometryError::positive("plate_thickness.lower", self.lower_thickness)?;
         self.check_slope()?;
-        GeometryError::check_wall(self.wall, self.diameter)?;
-        self.check_offset()?;
-        self.check_end()
+        self.check_offset()
     }
 
     fn check_slope(&self) -> Result<(), GeometryError> {
@@ -63,34 +60,12 @@ impl BearingGeometry {
              (at offset + R sin of the slope)",
         )
     }
-
-    fn check_end(&self) -> Result<(), GeometryError> {
-        let (key, value) = match self.end {
-            RollerEnd::Square => return Ok(()),
-            RollerEnd::Radius(radius) => ("roller_end.radius", radius),
-            RollerEnd::Crown(drop) => ("roller_end.crown", drop),
-            RollerEnd::CrownedRadius { radius, crown } if radius > 0.0 => {
-                // Of both the crown is the smaller, and both must fit.
-                GeometryError::positive("roller_end.crown", crown)?;
-                ("roller_end.radius", radius + crown)
-            }
-            RollerEnd::CrownedRadius { radius, .. } => ("roller_end.radius", radius),
-        };
-        let wall = self.wall.unwrap_or(self.radius());
-        let most = 0.5 * wall.min(self.length / 2.0);
-        GeometryError::unless(
-            value > 0.0 && value <= most,
-            key,
-            value,
-            || format!("must be more than 0 and at most {most} (half the wall)"),
-            "the end of the roller must keep some of its wall",
-        )
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::bearing::end_shape::RollerEnd;
     use crate::case::bearing::sample::initial;
 
     #[test]

@@ -24,6 +24,7 @@ mod preset_sizes;
 mod reader;
 mod request;
 mod roller_end;
+mod roller_shape;
 #[cfg(test)]
 mod sample;
 mod scales;
@@ -47,6 +48,7 @@ pub use preset::{Preset, UnknownPreset};
 pub(super) use reader::UNLOAD_TO;
 pub use request::MeshRequest;
 pub use roller_end::shape_roller_ends;
+pub use roller_shape::RollerShape;
 pub use scales::Scales;
 pub use seat::Seat;
 pub use sizes::{MESH_KEYS, MeshKey, SizeKind, Sizes};

@@ -45,6 +45,19 @@ pub struct Sizes {
     pub along_least: f64,
 }
 
+/// Sizes that go by the plates and by what lies across a roller: each template has its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct OwnSizes {
+    /// As of [`Sizes`].
+    pub crossing_size: f64,
+    /// As of [`Sizes`].
+    pub plan_cap: f64,
+    /// As of [`Sizes`].
+    pub middle_cap: f64,
+    /// As of [`Sizes`].
+    pub depth_cap: f64,
+}
+
 /// What a number of [`Sizes`] measures, which decides how it scales.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SizeKind {

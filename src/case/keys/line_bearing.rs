@@ -1,6 +1,11 @@
 //! Keys of parallel rollers.
 
 use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
+use super::templates::{
+    ALONG_CAP, ALONG_GROWTH, AROUND_CAP, DEPTH_CAP, DEPTH_GROWTH, DEPTH_LEAST, END_SIZE,
+    FINE_ELEMENTS, FINE_LAYERS, GROWTH, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL, ROLLINGS, SCALE,
+    SOLID, STAGES, UNLOAD, UNLOAD_TO, WALL_CAP, WALL_LEAST,
+};
 use super::{Keys, key};
 
 pub const LINE_BEARING: Keys = Keys {
@@ -28,13 +33,8 @@ pub const LINE_BEARING: Keys = Keys {
             "distance between the axes of neighbours",
         ),
         key("roller_diameter", "length", "required", "D, of all rollers"),
-        key(
-            "roller_wall",
-            "length",
-            "required unless `solid`",
-            "wall of hollow rollers",
-        ),
-        key("solid", "true or false", "false", "rollers without a bore"),
+        ROLLER_WALL,
+        SOLID,
         key("roller_length", "length", "required", "L, of all rollers"),
         key(
             "roller_end",
@@ -66,30 +66,10 @@ pub const LINE_BEARING: Keys = Keys {
             "false",
             "make no use of the mirror planes x = 0 and y = 0",
         ),
-        key(
-            "unload",
-            "true or false",
-            "false",
-            "take the load off again in the end, and print the dents that stay",
-        ),
-        key(
-            "unload_to",
-            "share between 0 and 0.05",
-            "0.001",
-            "load that is left after unloading, of the load",
-        ),
-        key(
-            "stages",
-            "list of forces, ascending, less than `load`",
-            "none",
-            "loads at which the descent is read on the way up",
-        ),
-        key(
-            "rollings",
-            "number",
-            "none",
-            "how often a point of the surfaces is rolled over under the full load, for design rules of fatigue",
-        ),
+        UNLOAD,
+        UNLOAD_TO,
+        STAGES,
+        ROLLINGS,
     ],
 };
 
@@ -153,102 +133,27 @@ pub const LINE_BEARING_MESH: Keys = Keys {
             "three elements or more across the half-width of every line of contact, meshed once more \
              where the solution finds another width than an even load makes; D/120 across the lines; half of that",
         ),
-        key(
-            "scale",
-            "share from 0.02 to 5",
-            "1",
-            "every element this many times as large",
-        ),
-        key(
-            "roller_size",
-            "length",
-            "of the preset",
-            "element size across the lines of contact, on the rollers",
-        ),
-        key(
-            "plate_size",
-            "length",
-            "1.06 of `roller_size`",
-            "the same on the plates",
-        ),
-        key(
-            "fine_elements",
-            "whole number",
-            "of the preset",
-            "elements of that size on either side of a line",
-        ),
-        key(
-            "fine_layers",
-            "whole number",
-            "of the preset",
-            "layers of that size below a contact face",
-        ),
-        key(
-            "end_size",
-            "length",
-            "of the preset",
-            "element size along a roller at its ends",
-        ),
-        key(
-            "growth",
-            "share, 1 to 10",
-            "of the preset",
-            "largest ratio of neighbouring elements across the lines",
-        ),
-        key(
-            "depth_growth",
-            "share, 1 to 10",
-            "of the preset",
-            "the same into the depth",
-        ),
-        key(
-            "along_growth",
-            "share, 1 to 10",
-            "of the preset",
-            "the same along the rollers",
-        ),
-        key(
-            "around_cap",
-            "length",
-            "of the preset",
-            "largest element around a roller",
-        ),
-        key(
-            "along_cap",
-            "length",
-            "of the preset",
-            "largest element along a roller",
-        ),
-        key(
-            "wall_cap",
-            "length",
-            "of the preset",
-            "largest element through the wall",
-        ),
+        SCALE,
+        ROLLER_SIZE,
+        PLATE_SIZE,
+        FINE_ELEMENTS,
+        FINE_LAYERS,
+        END_SIZE,
+        GROWTH,
+        DEPTH_GROWTH,
+        ALONG_GROWTH,
+        AROUND_CAP,
+        ALONG_CAP,
+        WALL_CAP,
         key(
             "plan_cap",
             "length",
             "of the preset",
             "largest element in plan, of the plates",
         ),
-        key(
-            "depth_cap",
-            "length",
-            "of the preset",
-            "largest element through the plates",
-        ),
-        key(
-            "wall_least",
-            "whole number",
-            "of the preset",
-            "fewest elements through the wall",
-        ),
-        key(
-            "depth_least",
-            "whole number",
-            "of the preset",
-            "fewest elements through a plate",
-        ),
+        DEPTH_CAP,
+        WALL_LEAST,
+        DEPTH_LEAST,
         key(
             "along_least",
             "whole number",

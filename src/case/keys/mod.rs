@@ -10,6 +10,7 @@ mod pairs;
 mod scene;
 pub mod schema;
 mod template_loads;
+mod templates;
 
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
 pub use common::{ACTION, COMBINATION, COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};

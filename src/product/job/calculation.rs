@@ -1,12 +1,14 @@
 //! What the page says of the calculation beside its answer, from the case.
 
 use super::verified::verified;
-use crate::case::bearing::{BearingGeometry, RollerEnd};
+use crate::case::bearing::{Dimensions, RollerEnd};
 use crate::case::keys::{self, Keys};
-use crate::case::{Case, Kind};
+use crate::case::{Case, Kind, TemplateLoads, Top};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
-use crate::render::report::calculation::{Calculation, InputRow, Origin, Sketch};
+use crate::render::report::calculation::{
+    Calculation, CrossedSketch, InputRow, LineSketch, Origin, Sketch,
+};
 use crate::render::text::significant;
 use toml::{Table, Value};
 
@@ -20,7 +22,7 @@ pub fn calculation(case: &Case, scene: &Scene) -> Calculation {
         scope: scope(case, scene),
         cited: case.reference.is_some().then_some(STUDY),
         sketch: match &case.kind {
-            Kind::Bearing(bearing) => bearing.geometry.crossed().map(sketch),
+            Kind::Bearing(bearing) => Some(sketch(&bearing.geometry)),
             _ => None,
         },
         inputs: inputs(case),
@@ -59,27 +61,84 @@ fn scope(case: &Case, scene: &Scene) -> Vec<String> {
     said
 }
 
-fn sketch(g: &BearingGeometry) -> Sketch {
-    Sketch {
-        diameter: g.diameter,
-        wall: g.wall,
-        length: g.length,
-        slope: g.slope,
-        offset: g.offset,
-        thickness: [
-            g.upper_thickness,
-            g.intermediate_thickness,
-            g.lower_thickness,
-        ],
-        plan: g.plan,
-        ends: match g.end {
-            RollerEnd::Radius(radius) => format!("fillets of radius {}", significant(radius, 4)),
-            RollerEnd::Crown(drop) => {
-                format!("crowned, {} lower at the ends", significant(drop, 4))
-            }
-            _ => "square".to_owned(),
-        },
+fn sketch(geometry: &Dimensions) -> Sketch {
+    match geometry {
+        Dimensions::Crossed(g) => Sketch::Crossed(CrossedSketch {
+            diameter: g.diameter,
+            wall: g.wall,
+            length: g.length,
+            slope: g.slope,
+            offset: g.offset,
+            thickness: [
+                g.upper_thickness,
+                g.intermediate_thickness,
+                g.lower_thickness,
+            ],
+            plan: g.plan,
+            ends: ends(g.end),
+        }),
+        Dimensions::Line(g) => Sketch::Line(LineSketch {
+            diameter: g.diameter,
+            wall: g.wall,
+            length: g.length,
+            places: (1..=g.rollers).map(|number| g.place(number)).collect(),
+            thickness: [g.upper.thickness, g.lower.thickness],
+            plan: [g.upper.plan, g.lower.plan],
+            ends: ends(g.end),
+            curved: g.curve.map(|curve| {
+                format!(
+                    "The face of the {} plate is a cylinder along the roller, {}, of radius {}; drawn flat.",
+                    if curve.upper { "upper" } else { "lower" },
+                    if curve.convex { "convex" } else { "concave" },
+                    significant(curve.radius, 4)
+                )
+            }),
+        }),
     }
+}
+
+fn ends(end: RollerEnd) -> String {
+    let said = |value| significant(value, 4);
+    match end {
+        RollerEnd::Square => "square".to_owned(),
+        RollerEnd::Radius(radius) => format!("fillets of radius {}", said(radius)),
+        RollerEnd::Crown(drop) => format!("crowned, {} lower at the ends", said(drop)),
+        RollerEnd::CrownedRadius { radius, crown } => format!(
+            "crowned, {} lower at the ends, with fillets of radius {}",
+            said(crown),
+            said(radius)
+        ),
+    }
+}
+
+/// What acts on the top beside its vertical load, in words.
+fn beside(loads: &TemplateLoads, units: &UnitLabels) -> Vec<String> {
+    let pair = |pair: [f64; 2], unit: &str| {
+        let [x, y] = pair.map(|value| significant(value, 4));
+        (pair != [0.0; 2]).then(|| format!("{x}, {y} {unit}"))
+    };
+    let tilt = match loads.top {
+        Top::Tilted(angles) => pair(angles.map(|angle| 1e3 * angle), "mrad"),
+        Top::Free | Top::Held => None,
+    };
+    let free = (loads.top == Top::Free).then(|| "free to turn about x and y".to_owned());
+    let moment = format!("{} {}", units.force, units.length);
+    [
+        (
+            "eccentricity of the vertical load along x, y:",
+            pair(loads.eccentricity, &units.length),
+        ),
+        (
+            "horizontal force on the top along x, y:",
+            pair(loads.horizontal, &units.force),
+        ),
+        ("moment on the top about x, y:", pair(loads.moment, &moment)),
+        ("the top is turned about x, y by", tilt),
+        ("the top is", free),
+    ]
+    .into_iter()
+    .filter_map(|(what, value)| Some(format!("{what} {}", value?)))
+    .collect()
 }
 
 /// What acts, in words.
@@ -91,6 +150,14 @@ fn actions(case: &Case, scene: &Scene) -> Vec<String> {
             "vertical load on the top face, {} {}",
             significant(bearing.load, 5),
             units.force
+        ));
+        said.extend(beside(&bearing.loads, &units));
+    }
+    for temperature in &scene.temperatures {
+        let of = significant(temperature.value, 4);
+        said.push(format!(
+            "temperature of {}: {of} K in its middle",
+            temperature.name
         ));
     }
     for step in &scene.steps {

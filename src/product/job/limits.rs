@@ -38,11 +38,10 @@ const LIMITED: [&str; 4] = [
     "the load that stabilisation carries",
 ];
 
-/// The first limit that counts. The bodies of a bearing stand on each other, so that each interface
-/// carries the whole load; in a general scene they may stand side by side, as rollers of a bearing may.
+/// The first limit that counts: what passes from level to level of a general scene may be less than its load.
 fn first(case: &Case) -> usize {
     match &case.kind {
-        Kind::Bearing(bearing) if bearing.seats().iter().all(|seat| seat.sharing == 1) => 0,
-        Kind::Bearing(_) | Kind::General(_) => 1,
+        Kind::Bearing(_) => 0,
+        Kind::General(_) => 1,
     }
 }

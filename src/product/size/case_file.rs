@@ -160,7 +160,7 @@ fn head(proposal: &Proposal, candidate: &Candidate, position: Position) -> Strin
     text
 }
 
-fn end(units: UnitSystem, end: RollerEnd) -> String {
+pub(super) fn end(units: UnitSystem, end: RollerEnd) -> String {
     let length = |value| exactly(units, value, Dimension::LENGTH);
     match end {
         RollerEnd::Square => "\"square\"".to_string(),
@@ -175,7 +175,7 @@ fn end(units: UnitSystem, end: RollerEnd) -> String {
 }
 
 /// `value` in as few digits as read back to the very same number.
-fn exactly(units: UnitSystem, value: f64, dimension: Dimension) -> String {
+pub(super) fn exactly(units: UnitSystem, value: f64, dimension: Dimension) -> String {
     let reads_back = |text: &String| super::request::quantity(text, units, dimension) == Ok(value);
     let unit = units.unit(dimension);
     let shown = units.shown(value, dimension);

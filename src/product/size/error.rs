@@ -33,6 +33,21 @@ pub enum SizeError {
         value: String,
         choices: String,
     },
+    #[error("--capacity is missing: how far the bearing moves, 2 D_r, such as \"3 in\"")]
+    #[diagnostic(
+        code(brinell::size::missing),
+        help("parallel rollers on flat plates have none: --template line")
+    )]
+    Missing,
+    #[error("{option} says nothing of a bearing of --template {template}")]
+    #[diagnostic(
+        code(brinell::size::foreign),
+        help("drop it, or name the other template")
+    )]
+    Foreign {
+        option: &'static str,
+        template: &'static str,
+    },
     #[error("no bearing can be sized for this: {0}")]
     #[diagnostic(
         code(brinell::size::rule),

@@ -2,12 +2,14 @@
 //!
 //! [`Proposal`] goes through practical diameters by the rules of the reference study ([`Candidate`]);
 //! `case_file` writes the chosen one; `verify` solves it at the centre and displaced, and holds
-//! every part and every line of contact against its limit ([`DesignVerdict`]).
+//! every part and every line of contact against its limit ([`DesignVerdict`]). `line` does the same for
+//! parallel rollers.
 
 mod assumption;
 mod candidate;
 mod case_file;
 mod error;
+mod line;
 mod practical;
 mod proposal;
 mod request;
@@ -19,6 +21,10 @@ pub use assumption::SizingAssumption;
 pub use candidate::{Candidate, Lengths, PressureSpread, STOUT};
 pub use case_file::{Position, case_file};
 pub use error::SizeError;
+pub use line::{
+    LineCandidate, LineProposal, LineRequest, LineVerdict, LineVerification, render_line,
+    verify_line, write_line,
+};
 pub use practical::{diameters, rounded_up};
 pub use proposal::Proposal;
 pub use request::{Request, Rule, Setting, quantity, units_of_load};

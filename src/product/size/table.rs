@@ -1,5 +1,6 @@
 //! A proposal on the terminal.
 
+use super::assumption::SizingAssumption;
 use super::proposal::Proposal;
 use super::request::Rule;
 use crate::ground::units::Dimension;
@@ -15,7 +16,7 @@ pub fn render(proposal: &Proposal) -> String {
         lengths(proposal),
         pressures(proposal),
         choice(proposal),
-        assumed(proposal),
+        assumed(&proposal.assumptions),
     ];
     text.join("\n")
 }
@@ -39,7 +40,7 @@ fn marked(proposal: &Proposal, place: usize) -> &'static str {
     }
 }
 
-fn digits(value: f64) -> String {
+pub(super) fn digits(value: f64) -> String {
     // Sizes are practical numbers: no zeros behind them.
     let text = format!("{value:.6e}").parse::<f64>().unwrap_or(value);
     text.to_string()
@@ -152,10 +153,10 @@ fn choice(proposal: &Proposal) -> String {
     text
 }
 
-fn assumed(proposal: &Proposal) -> String {
+pub(super) fn assumed(assumptions: &[SizingAssumption]) -> String {
     const INDENT: usize = 20;
     let mut text = String::from("Assumed (the option changes it)\n");
-    for a in &proposal.assumptions {
+    for a in assumptions {
         let given = if a.given { ", as asked" } else { "" };
         let words = format!("{}{given}: {}", a.value, a.why);
         let mut lines = wrapped(&words, INDENT);

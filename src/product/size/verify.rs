@@ -4,7 +4,7 @@ use super::SizeError;
 use super::candidate::Candidate;
 use super::case_file::{Position, case_file};
 use super::proposal::Proposal;
-use super::verdict::{DesignVerdict, Placed};
+use super::verdict::{DesignVerdict, Limits, Placed};
 use crate::case;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
@@ -58,19 +58,25 @@ pub fn verify(
     observer: &mut dyn Observer,
 ) -> Result<Verification, SizeError> {
     let mut positions = Vec::new();
-    let mut solved: Vec<(&str, Summary, Vec<String>)> = Vec::new();
+    let mut done: Vec<(&str, Summary, Vec<String>)> = Vec::new();
     for position in Position::of(proposal.request.capacity) {
         let case = case::read(&folder.join(format!("{}.toml", position.name())))?;
         observer.message(&format!("{}: {}", position.name(), case.title));
-        let outcome = run(&case, &folder.join(position.name()), observer)?;
+        let outcome = solved(&case, &folder.join(position.name()), observer)?;
         if outcome.interrupted {
             return Ok(Verification::Interrupted);
         }
-        positions.push(Placed::new(proposal, *position, &case, &outcome));
+        let offset = match position {
+            Position::Centre => 0.0,
+            Position::Displaced => proposal.request.roller_displacement(),
+        };
+        let limits = Limits::of(&proposal.request, candidate);
+        let place = (position.name(), offset);
+        positions.push(Placed::new(place, &limits, &case, &outcome));
         let missed = outcome.missed_limits(&case);
-        solved.push((position.name(), outcome.summary, missed));
+        done.push((position.name(), outcome.summary, missed));
     }
-    let parts = solved.iter().map(|(name, summary, missed)| Part {
+    let parts = done.iter().map(|(name, summary, missed)| Part {
         name,
         acts: "the load of the request",
         folder: name,
@@ -92,7 +98,12 @@ pub fn verify(
     Ok(Verification::Done(Box::new(verdict)))
 }
 
-fn run(case: &case::Case, out: &Path, observer: &mut dyn Observer) -> Result<Outcome, JobError> {
+/// Solves a case into the folder `out`, going on where an earlier run was stopped.
+pub(super) fn solved(
+    case: &case::Case,
+    out: &Path,
+    observer: &mut dyn Observer,
+) -> Result<Outcome, JobError> {
     let options = |resume| Options {
         out: Some(out.to_owned()),
         elastic_peaks: true,

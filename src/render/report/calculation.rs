@@ -62,9 +62,36 @@ pub struct VerifiedBy {
     pub outside: usize,
 }
 
-/// Two crossed rollers between three plates, all lengths in the unit of the case.
+/// The dimensions of a bearing, all lengths in the unit of the case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sketch {
+pub enum Sketch {
+    /// Of crossed rollers.
+    Crossed(CrossedSketch),
+    /// Of parallel rollers.
+    Line(LineSketch),
+}
+
+/// Parallel rollers between two plates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineSketch {
+    pub diameter: f64,
+    pub wall: Option<f64>,
+    pub length: f64,
+    /// Where the axes of the rollers lie along x, ascending.
+    pub places: Vec<f64>,
+    /// Upper and lower plate.
+    pub thickness: [f64; 2],
+    /// Upper and lower plate, each along x and y.
+    pub plan: [[f64; 2]; 2],
+    /// Shape of the ends of the rollers, in words.
+    pub ends: String,
+    /// A plate whose face is curved, in a sentence.
+    pub curved: Option<String>,
+}
+
+/// Two crossed rollers between three plates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrossedSketch {
     pub diameter: f64,
     pub wall: Option<f64>,
     pub length: f64,

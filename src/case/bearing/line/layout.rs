@@ -12,6 +12,7 @@ use crate::case::bearing::layout::{Layout, RollerPlace};
 use crate::case::bearing::parameter::Parameter;
 use crate::case::bearing::preset::Preset;
 use crate::case::bearing::roller_end::shape_roller_ends;
+use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::bearing::seat::Seat;
 use crate::case::bearing::sizes::Sizes;
 use crate::case::bearing::strips::Strips;
@@ -87,20 +88,13 @@ impl Layout for LineGeometry {
         LineGeometry::check(self)
     }
 
-    fn diameter(&self) -> f64 {
-        self.diameter
-    }
-
-    fn wall(&self) -> Option<f64> {
-        self.wall
-    }
-
-    fn length(&self) -> f64 {
-        self.length
-    }
-
-    fn end(&self) -> RollerEnd {
-        self.end
+    fn roller(&self) -> RollerShape {
+        RollerShape {
+            diameter: self.diameter,
+            wall: self.wall,
+            length: self.length,
+            end: self.end,
+        }
     }
 
     fn offset(&self) -> f64 {

@@ -1,8 +1,8 @@
 //! The range of every dimension within which parallel rollers can be built and meshed.
 
 use super::geometry::{LineGeometry, LinePlate};
-use crate::case::bearing::end_shape::RollerEnd;
 use crate::case::bearing::error::GeometryError;
+use crate::case::bearing::layout::Layout;
 
 /// The most rollers.
 pub const MOST_ROLLERS: usize = 12;
@@ -25,16 +25,13 @@ impl LineGeometry {
             || format!("must lie between 1 and {MOST_ROLLERS}"),
             "how many rollers lie side by side",
         )?;
-        GeometryError::positive("roller_diameter", self.diameter)?;
-        GeometryError::positive("roller_length", self.length)?;
+        self.roller().check()?;
         GeometryError::positive("plate_thickness.upper", self.upper.thickness)?;
         GeometryError::positive("plate_thickness.lower", self.lower.thickness)?;
         self.check_spacing()?;
-        GeometryError::check_wall(self.wall, self.diameter)?;
         self.check_plate("plate_size.upper", &self.upper)?;
         self.check_plate("plate_size.lower", &self.lower)?;
-        self.check_curve()?;
-        self.check_end()
+        self.check_curve()
     }
 
     fn check_spacing(&self) -> Result<(), GeometryError> {
@@ -106,29 +103,5 @@ impl LineGeometry {
             || format!("makes the face {depth} deep at its edges, and at most {most} is left"),
             "a larger radius, or a plate that is narrower along x or thicker",
         )
-    }
-
-    fn check_end(&self) -> Result<(), GeometryError> {
-        let wall = self.wall.unwrap_or(self.diameter / 2.0);
-        let most = 0.5 * wall.min(self.length / 2.0);
-        let within = |key, value: f64| {
-            GeometryError::unless(
-                value > 0.0 && value <= most,
-                key,
-                value,
-                || format!("must be more than 0 and at most {most} (half the wall)"),
-                "the end of the roller must keep some of its wall",
-            )
-        };
-        match self.end {
-            RollerEnd::Square => Ok(()),
-            RollerEnd::Radius(radius) => within("roller_end.radius", radius),
-            RollerEnd::Crown(crown) => within("roller_end.crown", crown),
-            RollerEnd::CrownedRadius { radius, crown } => {
-                within("roller_end.radius", radius)?;
-                within("roller_end.crown", crown)?;
-                within("roller_end.crown", crown + radius)
-            }
-        }
     }
 }

@@ -37,6 +37,13 @@ fn short_by(check: &LimitCheck) -> f64 {
 /// an elastic part would exceed yield.
 const STRESS_WHERE_YIELDED: f64 = 1.05;
 
+/// By which factor the stress behind the worst missed limit is too high, at least.
+pub fn short_by_at_most(positions: &[Placed]) -> f64 {
+    let checks = positions.iter().flat_map(|p| &p.checks);
+    let missed = checks.filter(|c| c.standing.is_missed());
+    missed.map(short_by).fold(1.0, f64::max)
+}
+
 impl Advice {
     /// Contact stresses go with the root of the load: the margin on it is raised by the square of what
     /// is missed.
@@ -45,8 +52,7 @@ impl Advice {
     /// Where that cannot be sized.
     pub fn new(request: &Request, positions: &[Placed]) -> Result<Self, SizeError> {
         let checks = || positions.iter().flat_map(|p| &p.checks);
-        let missed = checks().filter(|c| c.standing.is_missed());
-        let worst = missed.map(short_by).fold(1.0, f64::max);
+        let worst = short_by_at_most(positions);
         let before = match request.rule.value {
             Rule::Eccentric => request.margin.value,
             // Statics are to be tried before more is asked of them.

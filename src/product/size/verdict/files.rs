@@ -1,7 +1,6 @@
 //! The verdict as files: `verdict.json` and `verdict.md`.
 
 use super::design::DesignVerdict;
-use super::table;
 use crate::ground::file::{FileError, write_atomically};
 use std::path::Path;
 
@@ -16,7 +15,7 @@ impl DesignVerdict {
             writeln!(out)
         })?;
         write_atomically(&folder.join("verdict.md"), |out| {
-            out.write_all(table::page(self).as_bytes())
+            out.write_all(self.page().as_bytes())
         })
     }
 }

@@ -1,31 +1,29 @@
 //! (2-49) on every line of contact, under the largest load per length that it carries.
 
 use super::check::{LimitCheck, LimitKind};
+use super::limits::Limits;
 use super::standing::Standing;
 use crate::answer::LineFigures;
-use crate::product::size::Proposal;
 use crate::render::Summary;
 use crate::render::summary::SizedLine;
 
 /// Nearer to the end of a roller than this share of its radius, a peak is made by the end.
 const AT_THE_END: f64 = 0.02;
 
-pub fn checks(proposal: &Proposal, summary: &Summary) -> Vec<LimitCheck> {
+pub fn checks(limits: &Limits, summary: &Summary) -> Vec<LimitCheck> {
     let lines = summary.sizing.iter().flat_map(|sizing| &sizing.lines);
-    lines.map(|line| check(proposal, summary, line)).collect()
+    lines.map(|line| check(limits, summary, line)).collect()
 }
 
-fn check(proposal: &Proposal, summary: &Summary, line: &SizedLine) -> LimitCheck {
-    let request = &proposal.request;
-    let limit = request.limit.value * request.yield_stress;
+fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
+    let limit = limits.pressure;
     let rows = summary.answer.interfaces.get(&line.interface);
     let rows = rows.and_then(|i| i.lines.iter().find(|l| l.across == line.across));
     // p0 goes with the root of the load per length.
     let error = rows.and_then(missed_between_rows);
     let error = error.map(|share| 0.5 * share * line.hertz_pressure);
-    let radius = proposal.choice().map_or(0.0, |c| 0.5 * c.diameter);
     let mut remarks = Vec::new();
-    let at_edge = line.from_end <= AT_THE_END * radius;
+    let at_edge = line.from_end <= AT_THE_END * limits.radius;
     if at_edge {
         remarks.push("at the very end of the roller, which makes the peak: it belongs to the mesh");
     }

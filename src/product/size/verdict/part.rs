@@ -5,15 +5,13 @@ use super::standing::Standing;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::results::flow::BodyFlow;
 use crate::product::job::Outcome;
-use crate::product::size::Proposal;
 use crate::render::Summary;
 use crate::render::text::{percent, significant};
 
-pub fn checks(proposal: &Proposal, outcome: &Outcome) -> Vec<LimitCheck> {
+pub fn checks(limit: f64, outcome: &Outcome) -> Vec<LimitCheck> {
     let summary = &outcome.summary;
     let bodies = summary.answer.bodies.0.iter();
     let bodies: Vec<(&str, BodyFlow)> = bodies.map(|(name, b)| (name.as_str(), b.flow)).collect();
-    let limit = proposal.request.yield_stress;
     let stress = (bodies.iter()).map(|(body, flow)| mises(summary, body, *flow, limit));
     let strain = bodies
         .iter()

@@ -1,18 +1,17 @@
 //! All checks of one position of the rollers.
 
 use super::check::{LimitCheck, LimitKind};
+use super::limits::Limits;
 use super::standing::Standing;
 use super::{line, part};
 use crate::case::Case;
 use crate::product::job::Outcome;
-use crate::product::size::case_file::Position;
-use crate::product::size::proposal::Proposal;
 use serde::Serialize;
 
 /// All checks of one position.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Placed {
-    /// "centre" or "displaced": also the folder of the results.
+    /// "centre" or "displaced", or "line": also the folder of the results.
     pub position: &'static str,
     /// s.
     pub offset: f64,
@@ -23,11 +22,16 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// Holds the result of `case` against the limits of the proposal.
-    pub fn new(proposal: &Proposal, position: Position, case: &Case, outcome: &Outcome) -> Self {
+    /// Holds the result of `case`, at a position of this name and offset, against limits.
+    pub fn new(
+        (position, offset): (&'static str, f64),
+        limits: &Limits,
+        case: &Case,
+        outcome: &Outcome,
+    ) -> Self {
         let summary = &outcome.summary;
-        let mut checks = line::checks(proposal, summary);
-        checks.extend(part::checks(proposal, outcome));
+        let mut checks = line::checks(limits, summary);
+        checks.extend(part::checks(limits.yield_stress, outcome));
         let missed = outcome.missed_limits(case).into_iter();
         checks.extend(missed.map(|remark| LimitCheck {
             standing: Standing::Missed,
@@ -35,11 +39,8 @@ impl Placed {
             ..LimitCheck::bare(LimitKind::Solution, "overall")
         }));
         Self {
-            position: position.name(),
-            offset: match position {
-                Position::Centre => 0.0,
-                Position::Displaced => proposal.request.roller_displacement(),
-            },
+            position,
+            offset,
             unknowns: summary.counters.dofs,
             seconds: summary.timing.total_s,
             descent: summary.answer.descent,

@@ -4,6 +4,7 @@ use super::check::{LimitCheck, LimitKind};
 use super::design::DesignVerdict;
 use super::position::Placed;
 use super::standing::Standing;
+use crate::ground::units::UnitLabels;
 use crate::product::size::table::wrapped;
 use crate::render::figures::MESH_DIGITS;
 use crate::render::table::text::text as table_text;
@@ -11,49 +12,105 @@ use crate::render::table::{Cell, Number, Table};
 use crate::render::text::{percent, significant};
 use std::fmt::Write;
 
+/// What was found of a design, whatever its template.
+pub struct Checked<'v> {
+    /// Of its figures.
+    pub units: &'v UnitLabels,
+    /// What was solved.
+    pub positions: &'v [Placed],
+    /// What would help, where a limit is missed.
+    pub advice: Option<String>,
+}
+
+/// What a verdict is on.
+pub struct Design<'v> {
+    /// On the bearing.
+    pub load: f64,
+    /// Of its steel.
+    pub yield_stress: f64,
+    /// Its sizes in words.
+    pub about: String,
+    /// The preset.
+    pub mesh: &'v str,
+}
+
+impl DesignVerdict {
+    fn checked(&self) -> Checked<'_> {
+        let advice = self.advice.as_ref();
+        Checked {
+            units: &self.units,
+            positions: &self.positions,
+            advice: advice.map(|advice| format!("{}, which {}", advice.options, advice.why)),
+        }
+    }
+
+    /// As a Markdown file.
+    pub(super) fn page(&self) -> String {
+        let (units, design) = (&self.units, &self.design);
+        let n = |value: f64| significant(value, 4);
+        let about = format!(
+            "displacement {} {}; rollers {} x {} {}, wall {}, plates {}",
+            n(self.capacity),
+            units.length,
+            n(design.diameter),
+            n(design.length),
+            units.length,
+            n(design.wall),
+            n(design.plate)
+        );
+        let design = Design {
+            load: self.load,
+            yield_stress: self.yield_stress,
+            about,
+            mesh: &self.mesh,
+        };
+        page(&self.checked(), &design)
+    }
+}
+
 /// Everything, every line ended.
 pub fn render(verdict: &DesignVerdict) -> String {
+    render_checked(&verdict.checked())
+}
+
+/// The same of a design of any template.
+pub fn render_checked(checked: &Checked) -> String {
     let mut text = String::new();
-    for placed in &verdict.positions {
-        text += &position(verdict, placed);
+    for placed in checked.positions {
+        text += &position(checked.units, placed);
         text.push('\n');
     }
-    text + &conclusion(verdict)
+    text + &conclusion(checked)
 }
 
 /// The same as a Markdown file.
-pub fn page(verdict: &DesignVerdict) -> String {
-    let units = &verdict.units;
-    let design = &verdict.design;
+pub fn page(checked: &Checked, design: &Design) -> String {
+    let (units, positions) = (checked.units, checked.positions);
     let n = |value: f64| significant(value, 4);
+    let checks = positions.iter().flat_map(|placed| &placed.checks);
+    let open = checks.filter(|c| c.standing == Standing::Open).count();
+    let met = positions.iter().all(Placed::met);
     format!(
         "# Verdict: {}\n\n\
-         Load {} {}, steel of {} {}, displacement {} {}; rollers {} x {} {}, wall {}, plates {}; mesh `{}`, \
-         Brinell {}.\n\n```text\n{}```\n",
-        match (verdict.met, verdict.open) {
+         Load {} {}, steel of {} {}, {}; mesh `{}`, Brinell {}.\n\n```text\n{}```\n",
+        match (met, open) {
             (true, 0) => "met".to_string(),
             (true, open) => format!("no limit missed, {open} open"),
             (false, _) =>
-                if verdict.positions.iter().any(Placed::misses) {
+                if positions.iter().any(Placed::misses) {
                     "MISSED".to_string()
                 } else {
                     "none, not resolved".to_string()
                 },
         },
-        n(verdict.load),
+        n(design.load),
         units.force,
-        n(verdict.yield_stress),
+        n(design.yield_stress),
         units.stress,
-        n(verdict.capacity),
-        units.length,
-        n(design.diameter),
-        n(design.length),
-        units.length,
-        n(design.wall),
-        n(design.plate),
-        verdict.mesh,
-        verdict.brinell_version,
-        render(verdict)
+        design.about,
+        design.mesh,
+        env!("CARGO_PKG_VERSION"),
+        render_checked(checked)
     )
 }
 
@@ -69,8 +126,7 @@ fn said(standing: Standing) -> &'static str {
     }
 }
 
-fn what(check: &LimitCheck, verdict: &DesignVerdict) -> String {
-    let units = &verdict.units;
+fn what(check: &LimitCheck, units: &UnitLabels) -> String {
     match (check.kind, check.line_load) {
         (LimitKind::ContactPressure, Some(q)) => {
             format!(
@@ -87,8 +143,7 @@ fn what(check: &LimitCheck, verdict: &DesignVerdict) -> String {
     }
 }
 
-fn position(verdict: &DesignVerdict, placed: &Placed) -> String {
-    let units = &verdict.units;
+fn position(units: &UnitLabels, placed: &Placed) -> String {
     let number = |value: Option<f64>| value.map_or("-".to_string(), |v| significant(v, 4));
     let mut table = Table::new(format!(
         "{}: rollers at s = {} {}, {} unknowns, {:.0} s, descent {} {}",
@@ -118,7 +173,7 @@ fn position(verdict: &DesignVerdict, placed: &Placed) -> String {
         let remark = remark.unwrap_or_default();
         table.row([
             (&check.place).into(),
-            what(check, verdict).into(),
+            what(check, units).into(),
             format!("{}{star}{remark}", number(check.value)).into(),
             Cell::Figure(Number::new(check.error, MESH_DIGITS)),
             Cell::figure(check.limit),
@@ -136,12 +191,10 @@ fn position(verdict: &DesignVerdict, placed: &Placed) -> String {
     text
 }
 
-fn conclusion(verdict: &DesignVerdict) -> String {
+fn conclusion(checked: &Checked) -> String {
     let checks = || {
-        verdict
-            .positions
-            .iter()
-            .flat_map(|p| p.checks.iter().map(move |c| (p, c)))
+        let positions = checked.positions.iter();
+        positions.flat_map(|p| p.checks.iter().map(move |c| (p, c)))
     };
     let named = |(placed, check): (&Placed, &LimitCheck)| {
         let share = check
@@ -208,11 +261,8 @@ fn conclusion(verdict: &DesignVerdict) -> String {
             let _ = writeln!(text, "  {n} {words}");
         }
     }
-    if let Some(advice) = &verdict.advice {
-        text += &wrapped(
-            &format!("what would help: {}, which {}", advice.options, advice.why),
-            2,
-        );
+    if let Some(advice) = &checked.advice {
+        text += &wrapped(&format!("what would help: {advice}"), 2);
     }
     text
 }

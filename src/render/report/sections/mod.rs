@@ -4,6 +4,7 @@ pub mod convergence;
 pub mod depth;
 pub mod input;
 pub mod line_load;
+mod line_sketch;
 pub mod model;
 pub mod pictures;
 pub mod pressure_map;

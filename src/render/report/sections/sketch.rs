@@ -1,7 +1,8 @@
 //! A sketch of the bearing with its dimensions: a view along the upper roller, and one along the lower roller.
 
+use super::line_sketch::line_sketch;
 use crate::render::report::Inputs;
-use crate::render::report::calculation::Sketch;
+use crate::render::report::calculation::{CrossedSketch, Sketch};
 use crate::render::table::html::table;
 use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
@@ -10,10 +11,12 @@ use std::fmt::Write;
 
 /// Nothing where the case is no bearing.
 pub fn sketch(inputs: &Inputs) -> Markup {
-    let Some(sketch) = &inputs.calculation.sketch else {
-        return html! {};
-    };
     let unit = &inputs.summary.units.length;
+    let sketch = match &inputs.calculation.sketch {
+        Some(Sketch::Crossed(sketch)) => sketch,
+        Some(Sketch::Line(sketch)) => return line_sketch(sketch, unit),
+        None => return html! {},
+    };
     html! {
         div class="pair" {
             (figure(&View::of(sketch, true), "Along the upper roller (y): x to the right, z up"))
@@ -24,18 +27,23 @@ pub fn sketch(inputs: &Inputs) -> Markup {
 }
 
 fn figure(view: &View, caption: &str) -> Markup {
-    let [x, y, width, height] = view.frame;
+    frame(&view.drawing, view.frame, caption)
+}
+
+/// A drawing from `[left, bottom, right, top]`.
+pub(super) fn frame(drawing: &Drawing, [x0, z0, x1, z1]: [f64; 4], caption: &str) -> Markup {
+    let view = format!("{x0:.4} {:.4} {:.4} {:.4}", -z1, x1 - x0, z1 - z0);
     html! {
         figure class="sketch" {
             figcaption { (caption) }
-            svg viewBox=(format!("{x:.4} {y:.4} {width:.4} {height:.4}")) role="img" aria-label=(caption) {
-                (PreEscaped(&view.drawing))
+            svg viewBox=(view) role="img" aria-label=(caption) {
+                (PreEscaped(&drawing.text))
             }
         }
     }
 }
 
-fn dimensions(sketch: &Sketch, unit: &str) -> Table {
+fn dimensions(sketch: &CrossedSketch, unit: &str) -> Table {
     let mut table = Table::new("")
         .words("dimension")
         .words("")
@@ -76,20 +84,21 @@ fn dimensions(sketch: &Sketch, unit: &str) -> Table {
 
 /// One view, drawn with z downwards as SVG has it, in a frame of its own.
 struct View {
+    /// Left, bottom, right, top.
     frame: [f64; 4],
-    drawing: String,
+    drawing: Drawing,
 }
 
 /// A body of revolution or a plate, seen from one side.
-struct Drawing {
+pub(super) struct Drawing {
     text: String,
     /// Height of letters, and the unit that lines and gaps are multiples of.
-    letter: f64,
+    pub letter: f64,
 }
 
 impl View {
     /// Along the upper roller, whose circle is then seen, or along the lower one.
-    fn of(sketch: &Sketch, along_upper: bool) -> Self {
+    fn of(sketch: &CrossedSketch, along_upper: bool) -> Self {
         let across = if along_upper { 0 } else { 1 };
         let width = sketch.plan[across];
         let (radius, rise) = (0.5 * sketch.diameter, sketch.slope.tan());
@@ -98,10 +107,7 @@ impl View {
         let axis = 0.5 * t2 + radius / sketch.slope.cos() + sketch.offset.abs() * rise;
         let bottom_of_upper = axis + radius;
         let half = 0.5 * width;
-        let mut d = Drawing {
-            text: String::new(),
-            letter: 0.045 * (2.0 * bottom_of_upper + t1 + t3).max(width),
-        };
+        let mut d = Drawing::new(0.045 * (2.0 * bottom_of_upper + t1 + t3).max(width));
         let (own, other) = if along_upper {
             (1.0, -1.0)
         } else {
@@ -175,26 +181,33 @@ impl View {
         }
         d.label((0.62 * half, own * (0.5 * t2 + 0.2 * half * rise)), "θ");
         let margin = 2.0 * d.letter;
-        let (high, deep) = (top + margin, -foot + margin);
         Self {
             frame: [
                 left - margin,
-                -high,
-                right - left + 2.5 * margin,
-                high + deep,
+                foot - margin,
+                right + 1.5 * margin,
+                top + margin,
             ],
-            drawing: d.text,
+            drawing: d,
         }
     }
 }
 
 impl Drawing {
+    /// With letters of this height.
+    pub fn new(letter: f64) -> Self {
+        Self {
+            text: String::new(),
+            letter,
+        }
+    }
+
     fn add(&mut self, element: std::fmt::Arguments) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(element);
     }
 
-    fn rectangle(&mut self, [x0, z0, x1, z1]: [f64; 4]) {
+    pub fn rectangle(&mut self, [x0, z0, x1, z1]: [f64; 4]) {
         self.polygon(&[(x0, z0), (x1, z0), (x1, z1), (x0, z1)]);
     }
 
@@ -210,7 +223,7 @@ impl Drawing {
         ));
     }
 
-    fn circle(&mut self, (x, z): (f64, f64), radius: f64) {
+    pub fn circle(&mut self, (x, z): (f64, f64), radius: f64) {
         let line = 0.06 * self.letter;
         self.add(format_args!(
             "<circle cx=\"{x:.4}\" cy=\"{:.4}\" r=\"{radius:.4}\" fill=\"#fff\" stroke=\"#1c2126\" stroke-width=\"{line:.4}\"/>",
@@ -232,7 +245,7 @@ impl Drawing {
     }
 
     /// A line with short strokes at both ends, and its name beside it.
-    fn dimension(&mut self, from: (f64, f64), to: (f64, f64), name: &str) {
+    pub fn dimension(&mut self, from: (f64, f64), to: (f64, f64), name: &str) {
         self.stroke(from, to, "");
         let tick = 0.35 * self.letter;
         let upright = from.0 == to.0;

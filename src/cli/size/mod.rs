@@ -1,19 +1,24 @@
 //! `brinell size`: from load, steel and displacement to a bearing, and a verdict on it.
 
-use super::console::{Console, LEGEND};
-use super::failure::failure;
-use super::output::say;
-use super::status::{CommandResult, ExitStatus};
-use super::threads::set_threads;
 use crate::case::bearing::{Preset, RollerEnd};
+use crate::cli::status::CommandResult;
 use crate::ground::units::{Dimension, UnitSystem};
-use crate::product::converge::ConvergeError;
-use crate::product::size::{
-    DesignVerdict, Proposal, Request, Rule, Setting, SizeError, Verification, quantity,
-    render_verdict, table, units_of_load, verify, write,
-};
+use crate::product::size::{SizeError, quantity, units_of_load};
 use clap::{Args, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+
+mod crossed;
+mod line;
+
+/// What kind of bearing is sized.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum TemplateName {
+    /// Two crossed rollers in V valleys.
+    #[default]
+    Crossed,
+    /// Parallel rollers between two flat plates.
+    Line,
+}
 
 /// What determines the length of the rollers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -35,7 +40,11 @@ the load, unless --units says otherwise.
 
 writes bearing/centre.toml and bearing/displaced.toml, solves both into bearing/centre and \
 bearing/displaced, and writes bearing/verdict.json and verdict.md. Stopped, it goes on where it was \
-when it is given again. Exit status: 0 all limits met, 1 one missed, 2 bad input, 3 not converged, \
+when it is given again.
+
+    brinell size --template line --load \"450 kN\" --yield \"460 MPa\" --verify --out roller
+
+sizes parallel rollers and writes roller/line.toml. Exit status: 0 all limits met, 1 one missed, 2 bad input, 3 not converged, \
 130 interrupted.")]
 pub struct SizeArgs {
     /// Vertical load P on the bearing, factored, such as "210 kip".
@@ -44,9 +53,18 @@ pub struct SizeArgs {
     /// Yield stress of rollers and plates, such as "175 ksi".
     #[arg(long = "yield", allow_hyphen_values = true)]
     pub yield_stress: String,
-    /// Displacement capacity 2 D_r of the bearing, such as "3 in"; a roller travels half as far.
+    /// Crossed rollers in valleys, or parallel ones between flat plates.
+    #[arg(long, value_enum, default_value_t)]
+    pub template: TemplateName,
+    /// Displacement capacity 2 D_r of a bearing of crossed rollers, such as "3 in"; a roller travels half as far.
     #[arg(long, allow_hyphen_values = true)]
-    pub capacity: String,
+    pub capacity: Option<String>,
+    /// How many parallel rollers, 1 to 12 [default: as few as will do of a given diameter, else 1].
+    #[arg(long)]
+    pub rollers: Option<usize>,
+    /// Distance between the axes of parallel rollers [default: 1.4 diameters].
+    #[arg(long, allow_hyphen_values = true)]
+    pub spacing: Option<String>,
     /// Solve the recommended bearing at s = 0 and s = D_r, and hold every part and every line of
     /// contact against its limit.
     #[arg(long)]
@@ -61,13 +79,13 @@ pub struct SizeArgs {
     /// Diameter D, instead of a series.
     #[arg(long, allow_hyphen_values = true)]
     pub diameter: Option<String>,
-    /// Final length L', instead of what the rule asks for.
+    /// Length of the rollers, L' of crossed ones, instead of what the rule asks for.
     #[arg(long, allow_hyphen_values = true)]
     pub length: Option<String>,
-    /// Wall over diameter [default: 0.25].
+    /// Wall over diameter [default: 0.25; parallel rollers are solid].
     #[arg(long, allow_negative_numbers = true)]
     pub wall: Option<f64>,
-    /// Thickness of the plates [default: 4/3 of the wall].
+    /// Thickness of the plates [default: 4/3 of the wall; 0.3 D with parallel rollers].
     #[arg(long, allow_hyphen_values = true)]
     pub plate: Option<String>,
     /// Slope of the V [default: 4 deg].
@@ -97,10 +115,10 @@ pub struct SizeArgs {
     /// What determines the length of the rollers [default: eccentric].
     #[arg(long, value_enum)]
     pub rule: Option<RuleName>,
-    /// Ask the rule for so many times the load [default: 1.4 with eccentric, else 1].
+    /// Ask the rule for so many times the load [default: 1.4 with eccentric, else 1; 1.1 with parallel rollers].
     #[arg(long, allow_negative_numbers = true)]
     pub margin: Option<f64>,
-    /// Mesh preset of the cases: auto, report-like, h025 or h0125 [default: h0125].
+    /// Mesh preset of the cases: auto, report-like, h025 or h0125 [default: h0125; auto with parallel rollers].
     #[arg(long)]
     pub mesh: Option<String>,
     /// Units of the answer and of the case files, such as mm-N-MPa.
@@ -116,56 +134,10 @@ pub struct SizeArgs {
 
 /// Carries out the command.
 pub fn run(args: &SizeArgs) -> CommandResult {
-    let bad = |error: SizeError| (ExitStatus::BadInput, error.into());
-    let mut request = args.request().map_err(bad)?;
-    set_threads(args.threads);
-    let mut console = Console::new(args.quiet);
-    for design in 1.. {
-        let proposal = Proposal::new(&request).map_err(bad)?;
-        say(&table::render(&proposal));
-        let Some(choice) = proposal.choice() else {
-            return Ok(ExitStatus::Failed);
-        };
-        let folder = args.folder(design);
-        let written = write(&proposal, choice, &folder).map_err(|error| bad(error.into()))?;
-        say(&format!("written: {}", names(&written)));
-        if !args.verify {
-            return Ok(ExitStatus::Done);
-        }
-        if !args.quiet && design == 1 {
-            say(&format!("\n{LEGEND}\n"));
-        }
-        let verdict = match verify(&proposal, choice, &folder, &mut console) {
-            Ok(Verification::Done(verdict)) => verdict,
-            Ok(Verification::Interrupted) => {
-                console.finish();
-                return Ok(ExitStatus::Interrupted);
-            }
-            Err(SizeError::Job(error)) => return Err(failure(&console, ConvergeError::Job(error))),
-            Err(error) => return Err(bad(error)),
-        };
-        console.finish();
-        told(&verdict, &folder);
-        if verdict.met {
-            return Ok(ExitStatus::Done);
-        }
-        match verdict.advice {
-            Some(advice) if design < args.tries && advice.diameter.is_some() => {
-                request = advice.request;
-            }
-            _ => break,
-        }
+    match args.template {
+        TemplateName::Crossed => crossed::run(args),
+        TemplateName::Line => line::run(args),
     }
-    Ok(ExitStatus::Failed)
-}
-
-fn told(verdict: &DesignVerdict, folder: &Path) {
-    say(&format!("\n{}", render_verdict(verdict)));
-    let names = ["verdict.json", "verdict.md"].map(|name| folder.join(name));
-    let fields = verdict.positions.iter();
-    let fields = fields.map(|p| folder.join(p.position).join(format!("{}.pvd", p.position)));
-    let all: Vec<PathBuf> = names.into_iter().chain(fields).collect();
-    say(&format!("written: {}", self::names(&all)));
 }
 
 fn names(paths: &[PathBuf]) -> String {
@@ -181,62 +153,16 @@ impl SizeArgs {
         }
     }
 
-    /// The request that these arguments put.
-    ///
-    /// # Errors
-    /// [`SizeError`] names the option.
-    pub fn request(&self) -> Result<Request, SizeError> {
-        let units = self.units()?;
-        let read = |option: &'static str, text: &str, dimension| {
-            let number = quantity(text, units, dimension);
-            number.map_err(|error| SizeError::Quantity { option, error })
-        };
-        let maybe = |option, text: &Option<String>, dimension| {
-            let text = text.as_deref();
-            text.map(|text| read(option, text, dimension)).transpose()
-        };
-        let own = Request::new(
-            units,
-            read("--load", &self.load, Dimension::FORCE)?,
-            read("--yield", &self.yield_stress, Dimension::STRESS)?,
-            read("--capacity", &self.capacity, Dimension::LENGTH)?,
-        );
-        let modulus = Setting::or(
-            maybe("--modulus", &self.modulus, Dimension::STRESS)?,
-            own.modulus.value,
-        );
-        let tangent = maybe(
-            "--tangent-modulus",
-            &self.tangent_modulus,
-            Dimension::STRESS,
-        )?;
-        let slope = maybe("--slope", &self.slope, Dimension::ANGLE)?;
-        let lever = maybe("--rolling-lever", &self.rolling_lever, Dimension::LENGTH)?;
-        let rule = Setting::or(self.rule.map(RuleName::rule), own.rule.value);
-        let margin = match rule.value {
-            Rule::Eccentric => own.margin.value,
-            Rule::Printed | Rule::Exact => 1.0,
-        };
-        let request = Request {
-            modulus,
-            poissons_ratio: Setting::or(self.poisson, own.poissons_ratio.value),
-            tangent_modulus: Setting::or(tangent, modulus.value / 100.0),
-            slope: Setting::or(slope, own.slope.value),
-            friction: Setting::or(self.friction, own.friction.value),
-            rolling_lever: Setting::or(lever, own.rolling_lever.value),
-            diameter: maybe("--diameter", &self.diameter, Dimension::LENGTH)?,
-            length: maybe("--length", &self.length, Dimension::LENGTH)?,
-            wall: Setting::or(self.wall, own.wall.value),
-            plate: maybe("--plate", &self.plate, Dimension::LENGTH)?,
-            end: Setting::or(self.end(units)?, own.end.value),
-            limit: Setting::or(self.limit, own.limit.value),
-            margin: Setting::or(self.margin, margin),
-            preset: Setting::or(self.preset()?, own.preset.value),
-            rule,
-            ..own
-        };
-        request.check()?;
-        Ok(request)
+    /// Refuses options that are given though they say nothing of `template`.
+    fn refuse<const N: usize>(
+        &self,
+        template: &'static str,
+        options: [(&'static str, bool); N],
+    ) -> Result<(), SizeError> {
+        match options.into_iter().find(|(_, given)| *given) {
+            Some((option, _)) => Err(SizeError::Foreign { option, template }),
+            None => Ok(()),
+        }
     }
 
     fn units(&self) -> Result<UnitSystem, SizeError> {
@@ -289,12 +215,24 @@ impl SizeArgs {
     }
 }
 
-impl RuleName {
-    fn rule(self) -> Rule {
-        match self {
-            Self::Printed => Rule::Printed,
-            Self::Exact => Rule::Exact,
-            Self::Eccentric => Rule::Eccentric,
-        }
-    }
+/// The number of a quantity.
+fn read_one(
+    units: UnitSystem,
+    option: &'static str,
+    text: &str,
+    dimension: Dimension,
+) -> Result<f64, SizeError> {
+    quantity(text, units, dimension).map_err(|error| SizeError::Quantity { option, error })
+}
+
+/// The number of a quantity, where it is given.
+fn read(
+    units: UnitSystem,
+    option: &'static str,
+    text: &Option<String>,
+    dimension: Dimension,
+) -> Result<Option<f64>, SizeError> {
+    let text = text.as_deref();
+    text.map(|text| read_one(units, option, text, dimension))
+        .transpose()
 }

@@ -1,0 +1,70 @@
+//! What a roller of a bearing is made to, of whatever template.
+
+use super::end_shape::RollerEnd;
+use super::error::GeometryError;
+
+/// The dimensions of all rollers of a bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollerShape {
+    /// D.
+    pub diameter: f64,
+    /// Wall of hollow rollers; `None` for solid ones.
+    pub wall: Option<f64>,
+    /// L.
+    pub length: f64,
+    /// Its ends.
+    pub end: RollerEnd,
+}
+
+impl RollerShape {
+    /// The wall, or of a solid roller the half of its radius, to go by with element sizes.
+    pub(super) fn nominal_wall(&self) -> f64 {
+        self.wall.unwrap_or(self.diameter / 4.0)
+    }
+
+    /// Can it be made?
+    pub(super) fn check(&self) -> Result<(), GeometryError> {
+        GeometryError::positive("roller_diameter", self.diameter)?;
+        GeometryError::positive("roller_length", self.length)?;
+        self.check_wall()?;
+        self.check_end()
+    }
+
+    fn check_wall(&self) -> Result<(), GeometryError> {
+        let Some(wall) = self.wall else {
+            return Ok(());
+        };
+        let [least, most] = [0.01, 0.49].map(|share| share * self.diameter);
+        GeometryError::unless(
+            wall >= least && wall <= most,
+            "roller_wall",
+            wall,
+            || format!("must lie between {least} and {most} (0.01 and 0.49 diameters)"),
+            "a roller without a bore is solid",
+        )
+    }
+
+    fn check_end(&self) -> Result<(), GeometryError> {
+        let wall = self.wall.unwrap_or(self.diameter / 2.0);
+        let most = 0.5 * wall.min(self.length / 2.0);
+        let within = |key, value: f64| {
+            GeometryError::unless(
+                value > 0.0 && value <= most,
+                key,
+                value,
+                || format!("must be more than 0 and at most {most} (half the wall)"),
+                "the end of the roller must keep some of its wall",
+            )
+        };
+        match self.end {
+            RollerEnd::Square => Ok(()),
+            RollerEnd::Radius(radius) => within("roller_end.radius", radius),
+            RollerEnd::Crown(crown) => within("roller_end.crown", crown),
+            RollerEnd::CrownedRadius { radius, crown } => {
+                within("roller_end.radius", radius)?;
+                within("roller_end.crown", crown)?;
+                within("roller_end.crown", crown + radius)
+            }
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! `brinell size` of two crossed rollers.
 
-use super::{RuleName, SizeArgs, names, read, read_one};
+use super::args::{RuleName, SizeArgs, names, read, read_one};
 use crate::cli::console::{Console, LEGEND};
 use crate::cli::failure::failure;
 use crate::cli::output::say;
@@ -65,7 +65,7 @@ fn told(verdict: &DesignVerdict, folder: &Path) {
     let fields = verdict.positions.iter();
     let fields = fields.map(|p| folder.join(p.position).join(format!("{}.pvd", p.position)));
     let all: Vec<PathBuf> = names.into_iter().chain(fields).collect();
-    say(&format!("written: {}", super::names(&all)));
+    say(&format!("written: {}", super::args::names(&all)));
 }
 
 impl SizeArgs {

@@ -1,6 +1,6 @@
 //! `brinell size --template line`: parallel rollers.
 
-use super::{SizeArgs, names, read, read_one};
+use super::args::{SizeArgs, names, read, read_one};
 use crate::cli::console::{Console, LEGEND};
 use crate::cli::failure::failure;
 use crate::cli::output::say;

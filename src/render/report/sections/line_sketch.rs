@@ -1,6 +1,6 @@
 //! A sketch of parallel rollers between two plates with their dimensions: a view along the rollers, and one across.
 
-use super::sketch::{Drawing, frame};
+use super::drawing::{Drawing, frame};
 use crate::render::report::calculation::LineSketch;
 use crate::render::table::html::table;
 use crate::render::table::{Cell, Table};

@@ -2,6 +2,7 @@
 
 pub mod convergence;
 pub mod depth;
+mod drawing;
 pub mod input;
 pub mod line_load;
 mod line_sketch;

@@ -71,10 +71,8 @@ pub fn figure_with_peers(study: &Study, peers: &Peers) -> Figure {
             let point = |row: &super::peers::PeerRow| {
                 Some((row.cpu_s, percent(row.error_percent.of(name)?)))
             };
-            lines.push(Line {
-                style: elements.len() + k,
-                points: peer.rows.iter().filter_map(point).collect(),
-            });
+            let points = peer.rows.iter().filter_map(point);
+            lines.push(Line::dotted(elements.len() + k, points.collect()));
         }
         panels.push(Panel {
             title: format!("{name}, error in %"),
@@ -117,13 +115,11 @@ fn own_line(
 ) -> Option<Line> {
     let levels = study.levels_of(curve.element);
     let points = levels.iter().zip(&curve.errors);
-    Some(Line {
-        style: elements.iter().position(|e| *e == curve.element)?,
-        points: points
-            .filter_map(|(level, error)| Some((at(level), percent((*error)?))))
-            .filter(|(x, _)| *x > 0.0)
-            .collect(),
-    })
+    let style = elements.iter().position(|e| *e == curve.element)?;
+    let shown = points
+        .filter_map(|(level, error)| Some((at(level), percent((*error)?))))
+        .filter(|(x, _)| *x > 0.0);
+    Some(Line::dotted(style, shown.collect()))
 }
 
 #[cfg(test)]

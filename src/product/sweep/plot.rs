@@ -160,10 +160,7 @@ impl RowGroups {
             let same = |line: &&mut Line| self.joined && line.style == *style;
             match lines.iter_mut().find(same) {
                 Some(line) => line.points.push((*x, y)),
-                None => lines.push(Line {
-                    style: *style,
-                    points: vec![(*x, y)],
-                }),
+                None => lines.push(Line::dotted(*style, vec![(*x, y)])),
             }
         }
         for line in &mut lines {

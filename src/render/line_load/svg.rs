@@ -33,10 +33,7 @@ fn panel(lines: &[WholeLine], units: &UnitLabels) -> Panel {
         "x" => "y",
         _ => "x",
     };
-    let curve = |(style, line): (usize, &WholeLine)| Line {
-        style,
-        points: line.rows.clone(),
-    };
+    let curve = |(style, line): (usize, &WholeLine)| Line::dotted(style, line.rows.clone());
     let (length, places) = (&units.length, places.join(" and "));
     Panel {
         title: format!("{interface}, at {across} = {places} {length}"),

@@ -1,9 +1,24 @@
 //! Ranges of axes and the words at their ticks.
 
+use super::data::{Panel, Scale};
 use std::ops::Range;
 
+/// What the axes of a panel reach over, along and upwards.
+pub fn ranges(panel: &Panel) -> [Range<f64>; 2] {
+    let points = || panel.lines.iter().flat_map(|line| &line.points);
+    let (along, up) = (points().map(|p| p.0), points().map(|p| p.1));
+    match panel.scale {
+        Scale::Decades => [decades(along), decades(up)],
+        Scale::DecadesUp => [between(along), decades(up)],
+        Scale::Linear => [
+            between(along),
+            from_zero(up.chain(panel.dashed.iter().copied())),
+        ],
+    }
+}
+
 /// Smallest and largest of the finite values.
-pub fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     values
         .filter(|v| v.is_finite())
         .fold(None, |extent, v| match extent {
@@ -13,7 +28,7 @@ pub fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 /// The decades that hold all of the positive values.
-pub fn decades(values: impl Iterator<Item = f64>) -> Range<f64> {
+fn decades(values: impl Iterator<Item = f64>) -> Range<f64> {
     let Some((low, high)) = extent(values.filter(|v| *v > 0.0)) else {
         return 0.1..10.0;
     };
@@ -40,7 +55,7 @@ pub fn between(values: impl Iterator<Item = f64>) -> Range<f64> {
 const ABOVE: f64 = 0.08;
 
 /// From zero, or below where values are, to a little above the largest.
-pub fn from_zero(values: impl Iterator<Item = f64>) -> Range<f64> {
+fn from_zero(values: impl Iterator<Item = f64>) -> Range<f64> {
     let (low, high) = extent(values).unwrap_or((0.0, 0.0));
     let (low, high) = (low.min(0.0), high.max(0.0));
     if high > low {

@@ -4,7 +4,29 @@
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     pub style: usize,
+    /// Are the points shown, or only the line through them?
+    pub dots: bool,
     pub points: Vec<(f64, f64)>,
+}
+
+impl Line {
+    /// A line whose points are shown.
+    pub fn dotted(style: usize, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            style,
+            dots: true,
+            points,
+        }
+    }
+
+    /// A curve: its points are as many as it takes.
+    pub fn smooth(style: usize, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            style,
+            dots: false,
+            points,
+        }
+    }
 }
 
 /// How the axes of a panel are divided.
@@ -14,6 +36,8 @@ pub enum Scale {
     Decades,
     /// Both are linear, and the upright one starts at zero where nothing is negative.
     Linear,
+    /// Linear along, logarithmic upwards.
+    DecadesUp,
 }
 
 /// One diagram.
@@ -28,7 +52,7 @@ pub struct Panel {
     pub dashed: Vec<f64>,
 }
 
-/// Diagrams in two columns, with one legend.
+/// Diagrams in two columns, with one legend. A figure with a single panel is a diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     pub panels: Vec<Panel>,
@@ -36,4 +60,15 @@ pub struct Figure {
     pub legend: Vec<String>,
     /// What dashed levels are.
     pub dashed: String,
+}
+
+impl Figure {
+    /// One diagram without dashed levels.
+    pub fn single(panel: Panel, legend: Vec<String>) -> Self {
+        Self {
+            panels: vec![panel],
+            legend,
+            dashed: String::new(),
+        }
+    }
 }

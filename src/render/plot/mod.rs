@@ -1,10 +1,13 @@
-//! Plots as SVG: panels in two columns with one legend. What is drawn is made elsewhere.
+//! Plots: what is drawn as data, and two backends, files and the page. What is drawn is made elsewhere.
 
 pub mod axis;
 mod data;
-mod draw;
+mod file;
+pub mod frame;
+mod page;
 
 pub use data::{Figure, Line, Panel, Scale};
+pub use page::charts;
 
 use crate::ground::file::write_atomically;
 use crate::render::OutputError;
@@ -30,6 +33,6 @@ pub fn write(figure: &Figure, path: &Path) -> Result<(), OutputError> {
 /// What the drawing library says where it refuses.
 pub fn svg(figure: &Figure) -> Result<String, String> {
     let mut text = String::new();
-    draw::draw(figure, &mut text).map_err(|error| error.to_string())?;
+    file::draw(figure, &mut text).map_err(|error| error.to_string())?;
     Ok(text)
 }

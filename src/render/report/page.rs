@@ -82,12 +82,12 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
         section(
             "strips",
             "Across the lines of contact and below them",
-            html! { (strip::charts(inputs)) (depth::charts(inputs)) },
+            html! { (strip::pressures(inputs)) (depth::stresses(inputs)) },
         ),
         section(
             "line-load",
             "Load along the lines of contact",
-            line_load::charts(summary),
+            line_load::loads(summary),
         ),
         section("compared", "Compared", table(&compared(summary))),
         section(

@@ -1,7 +1,5 @@
-//! Drawings of the page: axes, curves, painted fields. They stand in print as on the screen.
+//! Fields painted over two axes, on the page. They stand in print as on the screen.
 
-pub mod axes;
-pub mod chart;
 pub mod colours;
 pub mod painting;
 pub mod raster;

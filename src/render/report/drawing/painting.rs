@@ -1,10 +1,10 @@
 //! A field painted over two axes, with outlines and the scale of its colours.
 
-use super::axes::{Axis, Place};
 use super::colours;
 use super::raster::Raster;
 use crate::answer::pictures::Patch;
 use crate::render::OutputError;
+use crate::render::plot::frame::{Axis, Place};
 use maud::{Markup, html};
 use std::fmt::Write;
 

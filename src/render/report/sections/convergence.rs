@@ -1,8 +1,7 @@
 //! The history of the solution: what every iteration told.
 
+use crate::render::plot::{Figure, Line, Panel, Scale, charts};
 use crate::render::report::Inputs;
-use crate::render::report::drawing::axes::Axis;
-use crate::render::report::drawing::chart::{Chart, Mark, Series, decades, from_zero};
 use crate::render::report::history::Iterate;
 use crate::render::table::html::table;
 use crate::render::table::{Cell, Table};
@@ -18,75 +17,64 @@ pub fn convergence(inputs: &Inputs) -> Markup {
             "Iterations of this run one after the other; with every increment the residual starts high again. The \
              second solution without plasticity is not among them."
         }
-        div class="pair" { (residuals(history).draw()) (contact(history).draw()) }
+        (charts([&residuals(history), &contact(history)]))
         details { summary { (history.len()) " iterations, as they were printed" } (table(&rows(history))) }
     }
 }
 
-fn series(
+/// What every iteration says of one thing.
+type Reading = (&'static str, fn(&Iterate) -> f64);
+
+fn figure(
     history: &[Iterate],
-    (name, colour): (&str, usize),
-    read: impl Fn(&Iterate) -> f64,
-) -> Series {
-    let points = (1..).zip(history).map(|(k, i)| (f64::from(k), read(i)));
-    Series {
-        name: name.to_string(),
-        mark: Mark::LineAndDots,
-        colour,
-        points: points.collect(),
-    }
+    title: &str,
+    up: &str,
+    scale: Scale,
+    readings: &[Reading],
+) -> Figure {
+    let line = |(style, (_, read)): (usize, &Reading)| {
+        let points = (1..).zip(history).map(|(k, i)| (f64::from(k), read(i)));
+        // On a logarithmic axis, what is far below any tolerance is as good as zero.
+        let shown = |p: &(f64, f64)| scale == Scale::Linear || p.1 >= FLOOR;
+        Line::dotted(style, points.filter(shown).collect())
+    };
+    let panel = Panel {
+        title: title.to_string(),
+        axes: ["iteration".to_string(), up.to_string()],
+        scale,
+        lines: readings.iter().enumerate().map(line).collect(),
+        dashed: Vec::new(),
+    };
+    let names = readings.iter().map(|(name, _)| (*name).to_string());
+    Figure::single(panel, names.collect())
 }
 
-fn along(history: &[Iterate]) -> Axis {
-    Axis::linear("iteration", 0.0..history.len() as f64 + 1.0)
-}
+const FLOOR: f64 = 1e-16;
 
-fn residuals(history: &[Iterate]) -> Chart {
-    let series = vec![
-        series(history, ("residual force over applied force", 0), |i| {
-            i.residual
+fn residuals(history: &[Iterate]) -> Figure {
+    let readings: [Reading; 3] = [
+        ("residual force over applied force", |i| i.residual),
+        ("contact violation over largest displacement", |i| {
+            i.violation
         }),
-        series(
-            history,
-            ("contact violation over largest displacement", 1),
-            |i| i.violation,
-        ),
-        series(
-            history,
-            ("work of the correction over that of the load", 2),
-            |i| i.energy.abs(),
-        ),
-    ];
-    // What is far below any tolerance is as good as zero.
-    const FLOOR: f64 = 1e-16;
-    let shown = series
-        .iter()
-        .flat_map(|s| s.points.iter().map(|p| p.1.max(FLOOR)));
-    let range = decades(shown);
-    Chart {
-        title: "Residual, gap and energy".to_string(),
-        axes: [along(history), Axis::decades("relative", range)],
-        series,
-    }
-}
-
-fn contact(history: &[Iterate]) -> Chart {
-    let count = |n: usize| n as f64;
-    let series = vec![
-        series(history, ("pressing", 0), |i| count(i.active)),
-        series(history, ("sticking", 2), |i| count(i.sticking)),
-        series(history, ("slipping", 1), |i| count(i.slipping)),
-        series(history, ("changed", 5), |i| count(i.changed)),
-        series(history, ("integration points that flow", 3), |i| {
-            count(i.flowing)
+        ("work of the correction over that of the load", |i| {
+            i.energy.abs()
         }),
     ];
-    let largest = from_zero(series.iter().flat_map(|s| s.points.iter().map(|p| p.1)));
-    Chart {
-        title: "Contact nodes, and plastic flow".to_string(),
-        axes: [along(history), Axis::linear("number", largest)],
-        series,
-    }
+    let title = "Residual, gap and energy";
+    figure(history, title, "relative", Scale::DecadesUp, &readings)
+}
+
+fn contact(history: &[Iterate]) -> Figure {
+    let readings: [Reading; 5] = [
+        ("pressing", |i| i.active as f64),
+        ("slipping", |i| i.slipping as f64),
+        ("sticking", |i| i.sticking as f64),
+        ("integration points that flow", |i| i.flowing as f64),
+        ("changed", |i| i.changed as f64),
+    ];
+    let title = "Contact nodes, and plastic flow";
+    figure(history, title, "number", Scale::Linear, &readings)
 }
 
 fn rows(history: &[Iterate]) -> Table {

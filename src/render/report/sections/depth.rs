@@ -2,13 +2,12 @@
 
 use super::strip::name;
 use crate::answer::pictures::Strip;
+use crate::render::plot::{Figure, Line, Panel, Scale, charts};
 use crate::render::report::Inputs;
-use crate::render::report::drawing::axes::Axis;
-use crate::render::report::drawing::chart::{Chart, Mark, Series, from_zero};
 use maud::{Markup, html};
 
 /// A diagram a line.
-pub fn charts(inputs: &Inputs) -> Markup {
+pub fn stresses(inputs: &Inputs) -> Markup {
     let strips = &inputs.pictures.strips;
     if strips.is_empty() {
         return Markup::default();
@@ -20,42 +19,33 @@ pub fn charts(inputs: &Inputs) -> Markup {
              an elastic half space in plane strain under Hertz's pressure, without friction. Where steel has \
              yielded the computed stress is capped by it."
         }
-        div class="pair" { @for strip in strips { (chart(inputs, strip).draw()) } }
+        (charts(&strips.iter().map(|strip| figure(inputs, strip)).collect::<Vec<_>>()))
     }
 }
 
-fn chart(inputs: &Inputs, strip: &Strip) -> Chart {
+fn figure(inputs: &Inputs, strip: &Strip) -> Figure {
     let units = &inputs.summary.units;
-    let mut series = Vec::new();
-    for (below, colour) in strip.below.iter().zip([0, 2]) {
-        let Some((body, points)) = below else {
-            continue;
-        };
-        series.push(Series {
-            name: body.clone(),
-            mark: Mark::LineAndDots,
-            colour,
-            points: points.clone(),
-        });
+    let (mut lines, mut legend) = (Vec::new(), Vec::new());
+    for (body, points) in strip.below.iter().flatten() {
+        lines.push(Line::dotted(legend.len(), points.clone()));
+        legend.push(body.clone());
     }
     for (ratio, points) in &strip.closed_form {
-        series.push(Series {
-            name: match strip.closed_form.len() {
-                1 => "closed form, elastic".to_string(),
-                _ => format!("closed form, elastic, ν = {ratio}"),
-            },
-            mark: Mark::Line,
-            colour: 1,
-            points: points.clone(),
+        lines.push(Line::smooth(legend.len(), points.clone()));
+        legend.push(match strip.closed_form.len() {
+            1 => "closed form, elastic".to_string(),
+            _ => format!("closed form, elastic, ν = {ratio}"),
         });
     }
-    let largest = from_zero(series.iter().flat_map(|s| s.points.iter().map(|p| p.1)));
-    Chart {
+    let panel = Panel {
         title: name(strip, &units.length),
         axes: [
-            Axis::linear(format!("depth, {}", units.length), 0.0..strip.reach),
-            Axis::linear(format!("Mises stress, {}", units.stress), largest),
+            format!("depth, {}", units.length),
+            format!("Mises stress, {}", units.stress),
         ],
-        series,
-    }
+        scale: Scale::Linear,
+        lines,
+        dashed: Vec::new(),
+    };
+    Figure::single(panel, legend)
 }

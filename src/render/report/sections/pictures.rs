@@ -3,9 +3,9 @@
 use crate::answer::pictures::{Patch, View};
 use crate::ground::geometry::AXES;
 use crate::render::OutputError;
+use crate::render::plot::axis::between;
+use crate::render::plot::frame::Axis;
 use crate::render::report::Inputs;
-use crate::render::report::drawing::axes::Axis;
-use crate::render::report::drawing::chart::extent;
 use crate::render::report::drawing::painting::{Label, Painting};
 use crate::render::text::significant;
 use maud::{Markup, html};
@@ -55,7 +55,7 @@ fn stack(inputs: &Inputs, view: &View) -> Painting {
     let slices = &view.bodies;
     let corners = |k: usize| {
         let patches = slices.iter().flat_map(|(_, s)| &s.patches);
-        extent(patches.flat_map(|p| &p.corners).map(|c| c[k]))
+        between(patches.flat_map(|p| &p.corners).map(|c| c[k]))
     };
     let margin = |range: std::ops::Range<f64>| {
         let little = 0.03 * (range.end - range.start);
@@ -64,7 +64,7 @@ fn stack(inputs: &Inputs, view: &View) -> Painting {
     let labels = slices.iter().map(|(name, slice)| {
         let middle = [0, 1].map(|k| {
             let corners = slice.patches.iter().flat_map(|p| &p.corners);
-            let ends = extent(corners.map(|c| c[k]));
+            let ends = between(corners.map(|c| c[k]));
             0.5 * (ends.start + ends.end)
         });
         Label {

@@ -3,9 +3,9 @@
 use crate::answer::pictures::PressureMap;
 use crate::ground::geometry::AXES;
 use crate::render::OutputError;
+use crate::render::plot::axis::between;
+use crate::render::plot::frame::Axis;
 use crate::render::report::Inputs;
-use crate::render::report::drawing::axes::Axis;
-use crate::render::report::drawing::chart::extent;
 use crate::render::report::drawing::painting::Painting;
 use crate::render::text::significant;
 use maud::{Markup, html};
@@ -33,7 +33,7 @@ fn painting(inputs: &Inputs, map: &PressureMap) -> Painting {
     let (drawn, patches) = (map.drawn, &map.patches);
     let pressed = || patches.iter().filter(|p| p.values.iter().any(|v| *v > 0.0));
     let range = |k: usize| {
-        let range = extent(pressed().flat_map(|p| &p.corners).map(|c| c[k]));
+        let range = between(pressed().flat_map(|p| &p.corners).map(|c| c[k]));
         let little = 0.04 * (range.end - range.start);
         range.start - little..range.end + little
     };

@@ -2,9 +2,8 @@
 
 use crate::answer::pictures::Strip;
 use crate::ground::geometry::AXES;
+use crate::render::plot::{Figure, Line, Panel, Scale, charts};
 use crate::render::report::Inputs;
-use crate::render::report::drawing::axes::Axis;
-use crate::render::report::drawing::chart::{Chart, Mark, Series, extent, from_zero};
 use crate::render::text::significant;
 use maud::{Markup, html};
 
@@ -20,7 +19,7 @@ pub fn name(strip: &Strip, length: &str) -> String {
 }
 
 /// A diagram a line.
-pub fn charts(inputs: &Inputs) -> Markup {
+pub fn pressures(inputs: &Inputs) -> Markup {
     let strips = &inputs.pictures.strips;
     if strips.is_empty() {
         return Markup::default();
@@ -31,54 +30,43 @@ pub fn charts(inputs: &Inputs) -> Markup {
             "Across each line where it carries most, along the surface from the centre of pressure. Hertz: an \
              elastic half space under the same load per length there."
         }
-        div class="pair" { @for strip in strips { (chart(inputs, strip).draw()) } }
+        (charts(&strips.iter().map(|strip| figure(inputs, strip)).collect::<Vec<_>>()))
     }
 }
 
-fn chart(inputs: &Inputs, strip: &Strip) -> Chart {
+fn figure(inputs: &Inputs, strip: &Strip) -> Figure {
     let units = &inputs.summary.units;
     let computed = strip.profile.points.clone();
     let largest = computed.iter().map(|p| p.1).fold(0.0, f64::max);
     let load = significant(strip.profile.line_load, 4);
-    let mut series = vec![Series {
-        name: format!(
-            "computed, nodes: p max {} {}, half-width {} {}",
-            significant(largest, 4),
-            units.stress,
-            significant(strip.half_width, 3),
-            units.length
-        ),
-        mark: Mark::LineAndDots,
-        colour: 0,
-        points: computed,
-    }];
+    let mut legend = vec![format!(
+        "computed, nodes: p max {} {}, half-width {} {}",
+        significant(largest, 4),
+        units.stress,
+        significant(strip.half_width, 3),
+        units.length
+    )];
+    let mut lines = vec![Line::dotted(0, computed)];
     if let Some(hertz) = &strip.hertz {
-        series.push(Series {
-            name: format!(
-                "Hertz for {load} {}: p0 {} {}, a {} {}",
-                units.line_load(),
-                significant(hertz.peak_pressure, 4),
-                units.stress,
-                significant(hertz.half_width, 3),
-                units.length
-            ),
-            mark: Mark::Line,
-            colour: 1,
-            points: strip.ellipse.clone(),
-        });
+        legend.push(format!(
+            "Hertz for {load} {}: p0 {} {}, a {} {}",
+            units.line_load(),
+            significant(hertz.peak_pressure, 4),
+            units.stress,
+            significant(hertz.half_width, 3),
+            units.length
+        ));
+        lines.push(Line::smooth(1, strip.ellipse.clone()));
     }
-    let all = || series.iter().flat_map(|s| s.points.iter());
-    let x = Axis::linear(
-        format!("distance from the centre, {}", units.length),
-        extent(all().map(|p| p.0)),
-    );
-    let y = Axis::linear(
-        format!("pressure, {}", units.stress),
-        from_zero(all().map(|p| p.1)),
-    );
-    Chart {
+    let panel = Panel {
         title: name(strip, &units.length),
-        axes: [x, y],
-        series,
-    }
+        axes: [
+            format!("distance from the centre, {}", units.length),
+            format!("pressure, {}", units.stress),
+        ],
+        scale: Scale::Linear,
+        lines,
+        dashed: Vec::new(),
+    };
+    Figure::single(panel, legend)
 }

@@ -1,4 +1,4 @@
-//! The axes of a drawing: ticks at round numbers, and where a value comes to stand.
+//! The axes of a drawing on the page: ticks at round numbers, and where a value comes to stand.
 
 use maud::{Markup, html};
 use std::ops::Range;

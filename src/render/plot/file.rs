@@ -1,6 +1,6 @@
-//! Drawing of figures.
+//! Figures as files of their own: panels in two columns, one legend below.
 
-use super::axis::{between, decades, from_zero, plain, power};
+use super::axis::{plain, power, ranges};
 use super::data::{Figure, Panel, Scale};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
@@ -50,29 +50,31 @@ fn colour(style: usize) -> RGBColor {
 }
 
 fn diagram(panel: &Panel, place: &Area) -> Outcome {
-    let points = || panel.lines.iter().flat_map(|l| l.points.iter());
-    let (along, up) = (|| points().map(|p| p.0), || points().map(|p| p.1));
     let mut builder = ChartBuilder::on(place);
     builder
         .caption(&panel.title, ("sans-serif", 16))
         .margin(12)
         .x_label_area_size(38)
         .y_label_area_size(if panel.axes[1].is_empty() { 52 } else { 66 });
+    let [x, y] = ranges(panel);
+    let (at_x, at_y) = (|v: &f64| plain(*v, &x), |v: &f64| plain(*v, &y));
     match panel.scale {
         Scale::Decades => {
-            let (x, y) = (decades(along()), decades(up()));
             let (x_log, y_log) = (x.clone().log_scale(), y.clone().log_scale());
             let mut chart = builder.build_cartesian_2d(x_log, y_log)?;
             mesh(&mut chart, panel, [&power, &power])?;
-            lines(&mut chart, panel, [x, y])
+            lines(&mut chart, panel, [&x, &y])
+        }
+        Scale::DecadesUp => {
+            let y_log = y.clone().log_scale();
+            let mut chart = builder.build_cartesian_2d(x.clone(), y_log)?;
+            mesh(&mut chart, panel, [&at_x, &power])?;
+            lines(&mut chart, panel, [&x, &y])
         }
         Scale::Linear => {
-            let x = between(along());
-            let y = from_zero(up().chain(panel.dashed.iter().copied()));
             let mut chart = builder.build_cartesian_2d(x.clone(), y.clone())?;
-            let (at_x, at_y) = (|v: &f64| plain(*v, &x), |v: &f64| plain(*v, &y));
             mesh(&mut chart, panel, [&at_x, &at_y])?;
-            lines(&mut chart, panel, [x, y])
+            lines(&mut chart, panel, [&x, &y])
         }
     }
 }
@@ -97,7 +99,7 @@ where
     Ok(())
 }
 
-fn lines<X, Y>(chart: &mut Chart<X, Y>, panel: &Panel, range: [Range<f64>; 2]) -> Outcome
+fn lines<X, Y>(chart: &mut Chart<X, Y>, panel: &Panel, range: [&Range<f64>; 2]) -> Outcome
 where
     X: Ranged<ValueType = f64>,
     Y: Ranged<ValueType = f64>,
@@ -114,10 +116,8 @@ where
         let style = colour.stroke_width(STROKES[usize::from(hidden)]);
         chart.draw_series(LineSeries::new(line.points.clone(), style))?;
         let size = if linear { 3 } else { 4 };
-        let dots = line
-            .points
-            .iter()
-            .map(|p| Circle::new(*p, size, colour.filled()));
+        let shown = line.points.iter().filter(|_| line.dots);
+        let dots = shown.map(|p| Circle::new(*p, size, colour.filled()));
         chart.draw_series(dots)?;
     }
     Ok(())

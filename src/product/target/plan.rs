@@ -1,7 +1,7 @@
 //! The next mesh of a bearing, from the bars of the last one: which figure misses, by how much, and what moves it.
 
 use super::goal::{Goal, Target};
-use super::level::{Figure, Level};
+use super::level::Level;
 use crate::case::bearing::Scales;
 
 /// Bars should come out this much below the target: they are foreseen, not known.
@@ -13,6 +13,8 @@ const ROUND_SHARE: f64 = 0.55;
 const BY_ROUND: f64 = 0.45;
 /// No size shrinks by more than this from one mesh to the next: so far orders are believed.
 const LEAST: f64 = 0.3;
+/// Where a figure has no bar, nothing says which sizes decide it: all shrink to this.
+const WITHOUT_BAR: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Sizes that are to change by less than this stay.
 const SAME: f64 = 0.97;
 
@@ -24,10 +26,18 @@ const SAME: f64 = 0.97;
 pub(super) fn next(level: &Level, target: &Target, counts: impl Fn(Goal) -> bool) -> Scales {
     let mut scales = Scales::default();
     for figure in level.figures.iter().filter(|f| counts(f.goal)) {
-        let Some(excess) = excess(figure, target).filter(|excess| *excess > 1.0) else {
-            continue;
+        let own = match figure.estimate {
+            _ if figure.meets(target, true) => continue,
+            Some(bar) => of_figure(
+                figure.goal,
+                (MARGIN * bar.abs() / figure.allowed(target)).max(1.0),
+            ),
+            None => Scales {
+                contact: WITHOUT_BAR,
+                round: WITHOUT_BAR,
+                along: WITHOUT_BAR,
+            },
         };
-        let own = of_figure(figure.goal, excess);
         scales.contact = scales.contact.min(own.contact);
         scales.round = scales.round.min(own.round);
         scales.along = scales.along.min(own.along);
@@ -40,20 +50,7 @@ pub(super) fn next(level: &Level, target: &Target, counts: impl Fn(Goal) -> bool
     }
 }
 
-/// By how many times the bar of a figure is too wide, with a margin; one that is missing counts as by four.
-fn excess(figure: &Figure, target: &Target) -> Option<f64> {
-    const UNKNOWN: f64 = 4.0;
-    if figure.meets(target, true) {
-        return None;
-    }
-    let wanted = figure.allowed(target);
-    Some(
-        figure
-            .estimate
-            .map_or(UNKNOWN, |bar| MARGIN * bar.abs() / wanted),
-    )
-}
-
+/// The sizes that decide a figure, where its bar is `excess` times too wide.
 fn of_figure(goal: Goal, excess: f64) -> Scales {
     let (first, second) = (1.0 / excess, excess.sqrt().recip());
     let same = Scales::default();

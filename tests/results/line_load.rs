@@ -130,7 +130,7 @@ fn a_figure_of_nothing_or_of_no_numbers_is_drawn() {
         title: "<&>".into(),
         axes: ["y, in".into(), "q".into()],
         scale: Scale::Linear,
-        lines: vec![Line { style: 9, points }],
+        lines: vec![Line::dotted(9, points)],
         dashed: vec![f64::NAN, -1.0],
     };
     let panels = [vec![], vec![(0.0, 0.0)], vec![(f64::NAN, f64::INFINITY)]];

@@ -1,47 +1,14 @@
 //! Solids and contact on blocks: patch tests and the uniaxial curve.
 
+use super::kit::{held, scene};
 use brinell::model::material::Steel;
 use brinell::model::mesh::Mesh;
 use brinell::model::mesh::block::{Block, uniform};
 use brinell::model::scene::{
-    ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support, Traction,
-    TractionValue,
+    ContactPair, Partner, PlaneMotion, RigidPlane, Side, Step, Support, Traction, TractionValue,
 };
 use brinell::model::state::State;
 use brinell::solver::solve::{Silent, Solution, solve};
-
-fn scene(mesh: Mesh, steel: Steel) -> Scene {
-    Scene {
-        name: "block".into(),
-        materials: vec![steel; mesh.bodies.len()],
-        mesh,
-        contacts: Vec::new(),
-        supports: Vec::new(),
-        rigid_planes: Vec::new(),
-        tractions: Vec::new(),
-        steps: vec![Step {
-            name: "load".into(),
-            factor: 1.0,
-            factors: Vec::new(),
-        }],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
-        controls: Controls::default(),
-    }
-}
-
-fn held(surface: &str, axis: usize) -> Support {
-    let mut components = [None; 3];
-    components[axis] = Some(0.0);
-    Support {
-        name: surface.into(),
-        surface: surface.into(),
-        components,
-        ..Support::default()
-    }
-}
 
 fn report_steel() -> Steel {
     Steel {

@@ -8,6 +8,7 @@ mod dents;
 mod divided;
 mod half_turn;
 mod invariance;
+mod kit;
 mod left_out;
 mod misaligned;
 mod reaction;

@@ -1,9 +1,10 @@
 //! The force of a plane whose motion is prescribed.
 
+use super::kit::{held, scene};
 use brinell::answer::results::load::applied;
 use brinell::model::material::Steel;
 use brinell::model::mesh::block::{Block, uniform};
-use brinell::model::scene::{Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Support};
+use brinell::model::scene::{Controls, ElementKind, PlaneMotion, RigidPlane, Scene};
 use brinell::solver::solve::{Silent, solve};
 
 /// A bar of 2 × 3 × 1 pressed along z by `squeeze`, free to widen.
@@ -16,26 +17,13 @@ fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 
     )
     .build()
     .unwrap();
-    let held = |surface: &str, axis: usize| {
-        let mut components = [None; 3];
-        components[axis] = Some(0.0);
-        Support {
-            name: surface.into(),
-            surface: surface.into(),
-            components,
-            ..Support::default()
-        }
+    let steel = Steel {
+        youngs_modulus: 1000.0,
+        poissons_ratio: 0.3,
+        yield_stress: 1.0,
+        hardening_modulus: hardening,
     };
     let mut scene = Scene {
-        name: "bar".into(),
-        materials: vec![Steel {
-            youngs_modulus: 1000.0,
-            poissons_ratio: 0.3,
-            yield_stress: 1.0,
-            hardening_modulus: hardening,
-        }],
-        mesh,
-        contacts: Vec::new(),
         supports: vec![held("x_min", 0), held("y_min", 1), held("z_min", 2)],
         rigid_planes: vec![RigidPlane {
             name: "press".into(),
@@ -47,20 +35,11 @@ fn pressed(element: ElementKind, squeeze: f64, hardening: f64) -> (Scene, [f64; 
             ],
             ..RigidPlane::default()
         }],
-        tractions: Vec::new(),
-        steps: vec![Step {
-            name: "press".into(),
-            factor: 1.0,
-            factors: Vec::new(),
-        }],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
         controls: Controls {
             element,
             ..Controls::default()
         },
+        ..scene(mesh, steel)
     };
     let solution = solve(&mut scene, &mut Silent).unwrap();
     let load = applied(&scene, &solution.last);

@@ -1,10 +1,11 @@
 //! Thermal strain: free, held, unlike in two bodies, and beyond yield.
 
+use super::kit::{held, scene};
 use brinell::model::material::Steel;
 use brinell::model::mesh::block::{Block, uniform};
 use brinell::model::mesh::{Body, Face, Mesh, Surface};
 use brinell::model::scene::{
-    Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Support, Temperature,
+    Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Temperature,
 };
 use brinell::model::state::State;
 use brinell::solver::solve::{Silent, solve};
@@ -12,41 +13,14 @@ use brinell::solver::solve::{Silent, solve};
 const YOUNG: f64 = 210e3;
 const EXPANSION: f64 = 12e-6;
 
-fn held(surface: &str, axis: usize) -> Support {
-    let mut components = [None; 3];
-    components[axis] = Some(0.0);
-    Support {
-        name: surface.into(),
-        surface: surface.into(),
-        components,
-        ..Support::default()
-    }
-}
-
-fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
-    let step = Step {
-        name: "heat".into(),
-        factor: 1.0,
-        factors: Vec::new(),
-    };
+fn heated(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
     Scene {
-        name: "heated".into(),
-        materials: vec![steel; mesh.bodies.len()],
-        mesh,
-        contacts: Vec::new(),
-        supports: Vec::new(),
-        rigid_planes: Vec::new(),
-        tractions: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        steps: vec![step],
-        mirrors: Vec::new(),
-        half_turn: Vec::new(),
         controls: Controls {
             element,
             residual: 1e-12,
             ..Controls::default()
         },
+        ..scene(mesh, steel)
     }
 }
 
@@ -95,7 +69,7 @@ fn a_free_plate_under_a_linear_gradient_bends_without_stress() {
         yield_stress: 355.0,
         ..Steel::elastic(YOUNG, 0.3)
     };
-    let mut plate = scene(mesh.build().unwrap(), steel, ElementKind::Enhanced);
+    let mut plate = heated(mesh.build().unwrap(), steel, ElementKind::Enhanced);
     plate.mirrors = vec![0, 1];
     plate.supports = vec![held("x_min", 0), held("y_min", 1)];
     pin(&mut plate, [0.0, 0.0, 0.0]);
@@ -124,7 +98,7 @@ fn a_free_plate_under_a_linear_gradient_bends_without_stress() {
 fn bar(steel: Steel, element: ElementKind, warmer: f64) -> Scene {
     let list = |end: f64, n| uniform(0.0, end, n);
     let mesh = Block::new("bar", list(2.0, 2), list(3.0, 2), list(10.0, 3));
-    let mut bar = scene(mesh.build().unwrap(), steel, element);
+    let mut bar = heated(mesh.build().unwrap(), steel, element);
     bar.supports = vec![held("x_min", 0), held("y_min", 1), held("z_min", 2)];
     bar.rigid_planes = vec![RigidPlane {
         name: "stop".into(),
@@ -213,7 +187,7 @@ fn a_strip_of_two_layers_curls_as_timoshenko_says() {
                 elements,
             })
             .into();
-        let mut strip = scene(mesh, Steel::elastic(YOUNG, 0.0), ElementKind::Enhanced);
+        let mut strip = heated(mesh, Steel::elastic(YOUNG, 0.0), ElementKind::Enhanced);
         strip.materials[1] = Steel::elastic(0.5 * YOUNG, 0.0);
         strip.supports = vec![held("x_min", 0), held("y_min", 1)];
         strip.mirrors = vec![0];

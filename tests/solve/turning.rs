@@ -1,12 +1,13 @@
 //! Rigid planes that turn: by given angles, or under moments.
 
+use super::kit::scene;
 use brinell::answer::results::balance::centre_of_force;
 use brinell::model::material::Steel;
 use brinell::model::mesh::Mesh;
 use brinell::model::mesh::block::{Block, uniform};
 use brinell::model::scene::{
     ContactPair, Controls, ElementKind, Partner, PlaneMotion, PlaneTurn, RigidPlane, Scene, Side,
-    SolverKind, Step, Support,
+    SolverKind, Support,
 };
 use brinell::model::state::State;
 use brinell::solver::solve::{Silent, solve};
@@ -25,29 +26,15 @@ fn held(surface: &str, components: [Option<f64>; 3]) -> Support {
     }
 }
 
-fn scene(mesh: Mesh, steel: Steel, top: RigidPlane) -> Scene {
+fn turned(mesh: Mesh, steel: Steel, top: RigidPlane) -> Scene {
     Scene {
-        name: "turning".into(),
-        materials: vec![steel; mesh.bodies.len()],
-        mesh,
-        contacts: Vec::new(),
-        supports: Vec::new(),
         rigid_planes: vec![top],
-        tractions: Vec::new(),
-        steps: vec![Step {
-            name: "load".into(),
-            factor: 1.0,
-            factors: Vec::new(),
-        }],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
         controls: Controls {
             element: ElementKind::Enhanced,
             residual: 1e-11,
             ..Controls::default()
         },
+        ..scene(mesh, steel)
     }
 }
 
@@ -70,7 +57,7 @@ fn bar(top: RigidPlane) -> Scene {
         uniform(-1.5, 1.5, 3),
         uniform(0.0, HEIGHT, 4),
     );
-    let mut scene = scene(mesh.build().unwrap(), Steel::elastic(YOUNG, 0.0), top);
+    let mut scene = turned(mesh.build().unwrap(), Steel::elastic(YOUNG, 0.0), top);
     scene.supports = vec![held("z_min", [Some(0.0); 3])];
     scene
 }
@@ -174,7 +161,7 @@ fn a_turn_about_the_mirrored_axis_keeps_the_half() {
         uniform(0.0, HEIGHT, 4),
     );
     let top = plane("z_max", PlaneMotion::Driven(-2.0), turn(0.5));
-    let mut half = scene(mesh.build().unwrap(), Steel::elastic(YOUNG, 0.0), top);
+    let mut half = turned(mesh.build().unwrap(), Steel::elastic(YOUNG, 0.0), top);
     half.supports = vec![
         held("z_min", [Some(0.0); 3]),
         held("x_min", [Some(0.0), None, None]),
@@ -211,7 +198,7 @@ fn stack(about: [f64; 2], turn: [PlaneTurn; 3], steel: Steel) -> Scene {
         about: Some([about[0], about[1], 2.0]),
         ..plane("upper_z_max", PlaneMotion::Free, turn)
     };
-    let mut scene = scene(Mesh::join([lower, upper]).unwrap(), steel, top);
+    let mut scene = turned(Mesh::join([lower, upper]).unwrap(), steel, top);
     scene.controls.element = ElementKind::Bbar;
     scene.supports = vec![held("lower_z_min", [Some(0.0); 3])];
     scene.contacts = vec![ContactPair {

@@ -17,15 +17,20 @@ pub struct Scales {
 
 impl Default for Scales {
     fn default() -> Self {
-        Self {
-            contact: 1.0,
-            round: 1.0,
-            along: 1.0,
-        }
+        Self::all(1.0)
     }
 }
 
 impl Scales {
+    /// All groups alike.
+    pub fn all(scale: f64) -> Self {
+        Self {
+            contact: scale,
+            round: scale,
+            along: scale,
+        }
+    }
+
     /// Both, one after the other.
     pub fn and(&self, other: &Self) -> Self {
         Self {

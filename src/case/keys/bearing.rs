@@ -3,8 +3,8 @@
 use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
 use super::templates::{
     ALONG_CAP, ALONG_GROWTH, AROUND_CAP, DEPTH_CAP, DEPTH_GROWTH, DEPTH_LEAST, END_SIZE,
-    FINE_ELEMENTS, FINE_LAYERS, GROWTH, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL, ROLLINGS, SCALE,
-    SOLID, STAGES, UNLOAD, UNLOAD_TO, WALL_CAP, WALL_LEAST,
+    FINE_ELEMENTS, FINE_LAYERS, GROWTH, LOWER_THICKNESS, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL,
+    ROLLINGS, SCALE, SOLID, STAGES, UNLOAD, UNLOAD_TO, UPPER_THICKNESS, WALL_CAP, WALL_LEAST,
 };
 use super::{Keys, key};
 
@@ -93,14 +93,14 @@ pub const PLATE_THICKNESS: Keys = Keys {
     heading: "bearing.plate_thickness",
     about: "Where the plates differ.",
     keys: &[
-        key("upper", "length", "required", "of the upper plate"),
+        UPPER_THICKNESS,
         key(
             "intermediate",
             "length",
             "required",
             "of the intermediate plate, where its valleys cross",
         ),
-        key("lower", "length", "required", "of the lower plate"),
+        LOWER_THICKNESS,
     ],
 };
 

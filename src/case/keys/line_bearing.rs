@@ -3,8 +3,8 @@
 use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
 use super::templates::{
     ALONG_CAP, ALONG_GROWTH, AROUND_CAP, DEPTH_CAP, DEPTH_GROWTH, DEPTH_LEAST, END_SIZE,
-    FINE_ELEMENTS, FINE_LAYERS, GROWTH, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL, ROLLINGS, SCALE,
-    SOLID, STAGES, UNLOAD, UNLOAD_TO, WALL_CAP, WALL_LEAST,
+    FINE_ELEMENTS, FINE_LAYERS, GROWTH, LOWER_THICKNESS, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL,
+    ROLLINGS, SCALE, SOLID, STAGES, UNLOAD, UNLOAD_TO, UPPER_THICKNESS, WALL_CAP, WALL_LEAST,
 };
 use super::{Keys, key};
 
@@ -76,10 +76,7 @@ pub const LINE_BEARING: Keys = Keys {
 pub const LINE_PLATE_THICKNESS: Keys = Keys {
     heading: "line_bearing.plate_thickness",
     about: "Where the plates differ.",
-    keys: &[
-        key("upper", "length", "required", "of the upper plate"),
-        key("lower", "length", "required", "of the lower plate"),
-    ],
+    keys: &[UPPER_THICKNESS, LOWER_THICKNESS],
 };
 
 pub const LINE_PLATE_SIZE: Keys = Keys {

@@ -53,6 +53,10 @@ pub(super) const ROLLER_SIZE: Key = key(
     "element size across the lines of contact, on the rollers",
 );
 
+pub(super) const UPPER_THICKNESS: Key = key("upper", "length", "required", "of the upper plate");
+
+pub(super) const LOWER_THICKNESS: Key = key("lower", "length", "required", "of the lower plate");
+
 pub(super) const PLATE_SIZE: Key = key(
     "plate_size",
     "length",

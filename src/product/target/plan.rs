@@ -32,11 +32,7 @@ pub(super) fn next(level: &Level, target: &Target, counts: impl Fn(Goal) -> bool
                 figure.goal,
                 (MARGIN * bar.abs() / figure.allowed(target)).max(1.0),
             ),
-            None => Scales {
-                contact: WITHOUT_BAR,
-                round: WITHOUT_BAR,
-                along: WITHOUT_BAR,
-            },
+            None => Scales::all(WITHOUT_BAR),
         };
         scales.contact = scales.contact.min(own.contact);
         scales.round = scales.round.min(own.round);
@@ -72,11 +68,7 @@ fn of_figure(goal: Goal, excess: f64) -> Scales {
             round: (1.0 - (1.0 - first) / ROUND_SHARE).sqrt(),
             ..same
         },
-        Goal::Descent => Scales {
-            contact: second,
-            round: second,
-            along: second,
-        },
+        Goal::Descent => Scales::all(second),
         Goal::Mises
         | Goal::ElasticMises
         | Goal::PlasticStrain

@@ -77,11 +77,11 @@ pub(super) fn claims(
             .for_each(|claim| claim.note = Some(YIELDED));
         claims.extend(peaks);
         let names = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
-        let elastic = elastic.and_then(|bodies| bodies.get(index));
-        let mut elastic = elastic.map_or_else(Vec::new, |elastic| mises(elastic, names));
-        if !of_finer.is_empty() {
-            elastic = as_elastic(of_finer, &body.name);
-        }
+        let elastic = match of_finer {
+            [] => (elastic.and_then(|bodies| bodies.get(index)))
+                .map_or_else(Vec::new, |elastic| mises(elastic, names)),
+            claims => as_elastic(claims, &body.name),
+        };
         claims.push(plastic_strain(body, elastic.first()));
         claims.extend(elastic);
     }

@@ -3,7 +3,7 @@
 use super::ConvergeError;
 use crate::case::{Case, Kind, MeshOrigin};
 use crate::model::mesh::{Mesh, msh};
-use crate::product::job::find_mesh;
+use crate::product::job::{JobError, find_mesh};
 use crate::solver::solve::Observer;
 use std::path::{Path, PathBuf};
 
@@ -106,12 +106,7 @@ impl Series {
             Self::Template { contact, .. } => {
                 case.scale_mesh(self.size(level, 0), contact.powi(-(level as i32)))?;
                 let kept = out.join(format!("level-{level}"));
-                std::fs::create_dir_all(&kept).map_err(|error| {
-                    crate::ground::file::FileError::Write {
-                        path: kept.clone(),
-                        source: error,
-                    }
-                })?;
+                std::fs::create_dir_all(&kept).map_err(|error| JobError::folder(&kept, error))?;
                 find(&case, Some(&kept))?
             }
             Self::Split => {

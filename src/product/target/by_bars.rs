@@ -14,7 +14,7 @@ use crate::case::bearing::Scales;
 use crate::case::{Case, Kind};
 use crate::product::converge::ConvergeError;
 use crate::product::converge::cost::Meter;
-use crate::product::job::{self, Options, Outcome, Twin};
+use crate::product::job::{self, JobError, Options, Outcome, Twin};
 use crate::solver::solve::Observer;
 use std::time::Instant;
 
@@ -170,12 +170,7 @@ impl Way<'_> {
             return Ok(job::run_beside(case, own, twin, self.observer)?);
         }
         if let Some(out) = &own.out {
-            std::fs::create_dir_all(out).map_err(|source| {
-                crate::ground::file::FileError::Write {
-                    path: out.clone(),
-                    source,
-                }
-            })?;
+            std::fs::create_dir_all(out).map_err(|error| JobError::folder(out, error))?;
         }
         let mut say = |line: &str| self.observer.message(line);
         let mesh = job::find_mesh(case, own.out.as_deref(), &mut say)?;

@@ -25,8 +25,8 @@ use std::f64::consts::SQRT_2;
 use std::time::Instant;
 
 /// Solves `case` level by level. A bearing that is meshed by its lines of contact has the next mesh that its bars ask for.
-/// Other meshes of a bearing are halved at the contact, and all their elements smaller by √2 from one to the next. Other cases as in
-/// [`Series`].
+/// Other meshes of a bearing are halved at the contact, and all their elements smaller by √2 from one to the next. Other
+/// cases as in [`Series`].
 ///
 /// Each is solved in a folder `level-<n>` of its own below that of `options`;
 /// `told` hears of every level. The outcome is that of the last one.

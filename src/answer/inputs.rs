@@ -27,6 +27,8 @@ pub struct AnswerInputs<'a> {
     pub steps: &'a [State],
     /// Peaks of the elastic solution at the same load, in the order of the bodies.
     pub elastic: Option<&'a [BodyPeaks]>,
+    /// Those of it in increments twice as large.
+    pub elastic_doubled: Option<&'a [BodyPeaks]>,
     /// The claims of that solution, where it is of another mesh; empty where it is of this one.
     pub elastic_claims: &'a [Figure],
     /// The states at the ends of the steps of the solution in increments twice as large.
@@ -53,6 +55,7 @@ impl<'a> AnswerInputs<'a> {
             stays: None,
             steps: &[],
             elastic: None,
+            elastic_doubled: None,
             elastic_claims: &[],
             doubled: &[],
             converged: true,

@@ -217,6 +217,7 @@ fn doubled(solved: &AnswerInputs) -> Option<Vec<Figure>> {
         unloaded,
         stays: stays.as_deref(),
         steps: &[],
+        elastic: solved.elastic_doubled,
         doubled: &[],
         ..*solved
     };

@@ -49,16 +49,20 @@ impl Solved {
         let solution = solve(&mut scene, observer)?;
         let ending = ending(&scene, &solution.states, &solution.last);
         let recovered = recover(&scene, ending.reported);
-        let elastic = solution.elastic.as_ref();
-        let elastic = elastic.filter(|state| state.step == ending.reported.step);
-        let elastic = elastic.map(|state| {
-            let edges = LoadedEdges::find(&scene, state);
-            peaks(&scene, state, &recover(&scene, state), &edges)
-        });
+        let peaks_of = |state: &Option<State>| {
+            let state = state.as_ref()?;
+            (state.step == ending.reported.step).then(|| {
+                let edges = LoadedEdges::find(&scene, state);
+                peaks(&scene, state, &recover(&scene, state), &edges)
+            })
+        };
+        let elastic = peaks_of(&solution.elastic);
+        let elastic_doubled = peaks_of(&solution.elastic_doubled);
         let answer = Answer::gather(&AnswerInputs {
             unloaded: ending.unloaded,
             steps: &solution.states,
             elastic: elastic.as_deref(),
+            elastic_doubled: elastic_doubled.as_deref(),
             doubled: &solution.doubled,
             converged: solution.complete,
             ..AnswerInputs::new(&scene, ending.reported, &recovered)

@@ -88,13 +88,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     }
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
-    // Plastic flow and friction are integrated along the path.
-    let remembers = increments::remembers(scene, peaks);
     for claim in &mut claims {
-        claim.error.increment = match remembers {
-            true => increments::error(claim, evidence.doubled),
-            false => Some(0.0),
-        };
+        claim.error.increment = increments::error(claim, evidence);
         if claim.is_resolved() && claim.error.increment.is_none() {
             claim.note.get_or_insert(increments::UNKNOWN);
         }

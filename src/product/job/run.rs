@@ -191,7 +191,7 @@ fn solve_on(
         phases: phases(&solution.counters.timers),
     };
     let second = Second {
-        elastic: elastic.as_deref(),
+        elastic: elastic.as_ref(),
         twin,
         stays: stays.as_deref(),
     };

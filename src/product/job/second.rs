@@ -28,7 +28,7 @@ pub fn elastic_peaks(
     scene: &Scene,
     solution: &Solution,
     observer: &mut dyn Observer,
-) -> Option<Vec<BodyPeaks>> {
+) -> Option<ElasticPeaks> {
     let yielded = reported(scene, solution)
         .peeq
         .iter()
@@ -39,7 +39,11 @@ pub fn elastic_peaks(
     }
     let step = reported(scene, solution).step;
     if let Some(state) = solution.elastic.as_ref().filter(|e| e.step == step) {
-        return Some(peaks_of(scene, state));
+        return Some(ElasticPeaks::of(
+            scene,
+            state,
+            solution.elastic_doubled.as_ref(),
+        ));
     }
     observer
         .message("something yielded: solving once more without plasticity, for the elastic peaks");
@@ -56,7 +60,28 @@ pub fn elastic_peaks(
     if !solution.complete {
         return None;
     }
-    Some(peaks_of(&elastic, &solution.last))
+    Some(ElasticPeaks::of(
+        &elastic,
+        &solution.last,
+        solution.doubled.last(),
+    ))
+}
+
+/// Peaks of an elastic solution, in the order of the bodies.
+#[derive(Debug, Clone)]
+pub struct ElasticPeaks {
+    pub own: Vec<BodyPeaks>,
+    /// In increments twice as large, where that was solved.
+    pub doubled: Option<Vec<BodyPeaks>>,
+}
+
+impl ElasticPeaks {
+    fn of(scene: &Scene, state: &State, doubled: Option<&State>) -> Self {
+        Self {
+            own: peaks_of(scene, state),
+            doubled: doubled.map(|state| peaks_of(scene, state)),
+        }
+    }
 }
 
 fn peaks_of(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
@@ -67,7 +92,7 @@ fn peaks_of(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
 /// The elastic solution of a case on a mesh of its own.
 #[derive(Debug, Clone)]
 pub struct Twin {
-    pub(super) peaks: Vec<BodyPeaks>,
+    pub(super) peaks: ElasticPeaks,
     pub(super) claims: Vec<Figure>,
     pub(super) told: ElasticTwin,
 }
@@ -76,7 +101,7 @@ impl Twin {
     /// Of an elastic case that is solved, with the name of the folder of its files.
     pub fn of(outcome: &Outcome, folder: String) -> Self {
         Self {
-            peaks: peaks_of(&outcome.scene, outcome.state()),
+            peaks: ElasticPeaks::of(&outcome.scene, outcome.state(), None),
             claims: outcome.summary.answer.certificate.clone(),
             told: ElasticTwin {
                 folder,

@@ -3,10 +3,9 @@
 use super::error::JobError;
 use super::options::Options;
 use super::outcome::{reported, unloaded};
-use super::second::Twin;
+use super::second::{ElasticPeaks, Twin};
 use super::{compare, hand_checks, left_out, rules, sizing, strips};
 use crate::answer::results::bore::Bore;
-use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::{Answer, AnswerInputs, Named};
 use crate::case::bearing::RollerPlace;
@@ -24,7 +23,7 @@ use crate::solver::solve::{self, Phase, Solution, Timers};
 /// What was solved beside the case itself: peaks without plasticity, and what stays without load.
 #[derive(Debug, Clone, Copy)]
 pub struct Second<'a> {
-    pub elastic: Option<&'a [BodyPeaks]>,
+    pub elastic: Option<&'a ElasticPeaks>,
     /// Where those peaks are of another mesh.
     pub twin: Option<&'a Twin>,
     pub stays: Option<&'a [[f64; 3]]>,
@@ -47,7 +46,8 @@ pub fn summarise(
         unloaded: unloaded(scene, solution),
         stays: second.stays,
         steps: &solution.states,
-        elastic: second.elastic,
+        elastic: second.elastic.map(|peaks| peaks.own.as_slice()),
+        elastic_doubled: second.elastic.and_then(|peaks| peaks.doubled.as_deref()),
         elastic_claims: second.twin.map_or(&[], |twin| &twin.claims),
         doubled: &solution.doubled,
         converged: solution.complete,

@@ -39,8 +39,9 @@ impl Observer for Unfolding<'_, '_> {
 impl Solution {
     /// That of the whole, where this is that of the half.
     pub(in crate::solver::solve) fn unfolded(mut self, half_turn: &HalfTurn) -> Self {
-        let states = self.states.iter_mut().chain(&mut self.elastic);
-        for state in states.chain(&mut self.doubled) {
+        let states = self.states.iter_mut().chain(&mut self.doubled);
+        let elastic = self.elastic.iter_mut().chain(&mut self.elastic_doubled);
+        for state in states.chain(elastic) {
             *state = half_turn.unfold(state);
         }
         if !self.last.displacement.is_empty() {

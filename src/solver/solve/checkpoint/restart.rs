@@ -32,6 +32,8 @@ pub struct Restart {
 pub(in crate::solver::solve) struct Beside {
     /// The end of a step if no steel had yielded.
     pub elastic: Option<Kept>,
+    /// The same in increments twice as large.
+    pub elastic_doubled: Option<Kept>,
     pub plan: Option<IncrementPlan>,
     /// The ends of steps in increments twice as large.
     pub doubled: Vec<Kept>,
@@ -53,7 +55,10 @@ impl Restart {
     /// # Errors
     /// [`Stranger`] says what does not fit.
     pub fn check(&self, scene: &Scene) -> Result<(), Stranger> {
-        let beside = self.beside.doubled.iter().chain(&self.beside.elastic);
+        let beside = self.beside.doubled.iter();
+        let beside = beside
+            .chain(&self.beside.elastic)
+            .chain(&self.beside.elastic_doubled);
         for kept in self.finished.iter().chain([&self.last]).chain(beside) {
             kept.check(scene)?;
         }

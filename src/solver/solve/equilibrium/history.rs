@@ -59,6 +59,11 @@ impl History {
         for answer in &evaluation.plastic {
             self.plastic[answer.index] = Some(answer.points.clone());
         }
+        self.slide(point, evaluation);
+    }
+
+    /// The same of contact alone.
+    pub fn slide(&mut self, point: &mut Point, evaluation: &Evaluation) {
         let rows = evaluation.contact.iter().zip(&evaluation.relative);
         for (index, (answer, d)) in rows.enumerate() {
             if answer.status == Status::Slip {

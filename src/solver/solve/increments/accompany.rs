@@ -11,12 +11,12 @@ use std::mem::take;
 impl Run<'_, '_> {
     /// Takes note of an accepted increment.
     pub(super) fn accompany(&mut self) {
-        let virgin = self.history.is_virgin();
+        let alike = self.history.is_virgin() && !self.model.rubs();
         let Some(companion) = &mut self.companion else {
             return;
         };
-        if virgin {
-            // Both are the same as long as nothing has yielded.
+        if alike {
+            // Both are the same as long as nothing has yielded or rubbed.
             *companion = Companion::at(&self.point, &self.history);
         } else {
             companion.passed.push(self.point.clone());
@@ -29,9 +29,12 @@ impl Run<'_, '_> {
             return true;
         };
         let passed = take(&mut companion.passed);
-        // Every second one; the last in any case.
+        let tells = passed.len() > 1 || !self.beside.doubled.is_empty();
+        // Every second one; the last in any case. Where their number is odd the first of these takes three.
         let odd = passed.len() % 2;
-        let ends = passed.into_iter().enumerate().filter(|(i, _)| i % 2 != odd);
+        let last = passed.len().wrapping_sub(1);
+        let ends = passed.into_iter().enumerate();
+        let ends = ends.filter(|(i, _)| *i == last || (*i > 0 && i % 2 != odd));
         let mut evaluation = None;
         for (_, mut trial) in ends {
             let before = self.counters.iterations;
@@ -63,7 +66,8 @@ impl Run<'_, '_> {
                 }
             }
         }
-        if let Some(evaluation) = evaluation {
+        // One increment alone is no larger than that of the first solution.
+        if let Some(evaluation) = evaluation.filter(|_| tells) {
             let (model, history) = (&self.model, &companion.history);
             let with = (&evaluation, self.sights.as_slice());
             let state = recovered_state(model, history, &companion.point, with);

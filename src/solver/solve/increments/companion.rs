@@ -1,6 +1,6 @@
-//! A second solution in increments twice as large, from where something first yields.
+//! A second solution in increments twice as large, from where something first rubs or yields.
 //!
-//! Plastic flow, and friction with it, are integrated along the path, and an increment is off by the
+//! Plastic flow and friction are integrated along the path, and an increment is off by the
 //! square of its size: all of them by a sum that halves when they do. So what the two solutions
 //! differ by is what the increments of the first are worth (Richardson's estimate). The companion has a history and an
 //! active set of its own. It starts every increment from what the first solution found there, so

@@ -15,7 +15,9 @@ pub struct Solution {
     /// The end of a step if no steel had yielded, where that was found on the way: displacements,
     /// stresses and contact, no accumulated slip.
     pub elastic: Option<State>,
-    /// The ends of steps in increments twice as large, where something has yielded.
+    /// The same end in increments twice as large, where bodies rub.
+    pub elastic_doubled: Option<State>,
+    /// The ends of steps in increments twice as large, where something has rubbed or yielded.
     pub doubled: Vec<State>,
     /// How often the expensive parts ran, and the sizes of the model.
     pub counters: Counters,

@@ -110,6 +110,7 @@ fn solve_touching(
         states: run.states,
         last: run.last,
         elastic: run.beside.elastic.map(|kept| kept.restore(&run.model)),
+        elastic_doubled: (run.beside.elastic_doubled).map(|kept| kept.restore(&run.model)),
         doubled: (run
             .beside
             .doubled

@@ -1,6 +1,5 @@
 //! What the size of the increments does to figures: plastic flow and friction are integrated along the path.
 
-use super::Evidence;
 use super::figure::{Figure, Quantity, figure};
 
 /// The error of the increments, over the difference that doubling them makes. It would be one where the error
@@ -11,27 +10,34 @@ pub const DOUBLING: f64 = 1.5;
 pub(super) const UNKNOWN: &str =
     "the bar is without what the increments did: there is no second solution to tell";
 
-/// What the size of the increments does to a figure, from the same figure in increments twice as large: nothing where
-/// nothing yields or rubs; `None` where there is no such figure.
-///
-/// Friction remembers even where loads only grow together: p_max of six displaced and centred bearings moved by 1e-5 to
-/// 3e-3, their peak Mises stress by up to 1e-2, when increments became six to twelve times smaller.
-pub(super) fn error(claim: &Figure, evidence: &Evidence) -> Option<f64> {
-    let flows = evidence.peaks.iter().any(|body| body.peeq_max > 0.0);
-    let rubs = evidence.scene.contacts.iter().any(|c| c.friction > 0.0);
-    let remembers = match claim.what {
-        Quantity::ElasticPeakMises | Quantity::ElasticMisesAway => {
-            // Of another mesh: it knows its own error.
-            if !evidence.elastic_claims.is_empty() {
-                return claim.error.increment;
-            }
-            rubs
+/// What an answer remembers of its path.
+pub(super) struct Memory<'a> {
+    pub flows: bool,
+    pub rubs: bool,
+    /// Is the elastic solution of another mesh? Then its claims know their own errors.
+    pub elastic_elsewhere: bool,
+    /// The claims of the solution in increments twice as large.
+    pub doubled: Option<&'a [Figure]>,
+}
+
+impl Memory<'_> {
+    /// What the size of the increments does to a figure, from the same figure in increments twice as large: nothing
+    /// where nothing yields or rubs; `None` where there is no such figure.
+    ///
+    /// Friction remembers even where loads only grow together: p_max of six displaced and centred bearings moved by
+    /// 1e-5 to 3e-3, their peak Mises stress by up to 1e-2, when increments became six to twelve times smaller.
+    pub(super) fn error(&self, claim: &Figure) -> Option<f64> {
+        let elastic = matches!(
+            claim.what,
+            Quantity::ElasticPeakMises | Quantity::ElasticMisesAway
+        );
+        if elastic && self.elastic_elsewhere {
+            return claim.error.increment;
         }
-        _ => flows || rubs,
-    };
-    if !remembers {
-        return Some(0.0);
+        if !self.rubs && (elastic || !self.flows) {
+            return Some(0.0);
+        }
+        let other = figure(self.doubled?, claim.what, &claim.place)?;
+        Some(DOUBLING * (claim.value - other.value).abs())
     }
-    let other = figure(evidence.doubled?, claim.what, &claim.place)?;
-    Some(DOUBLING * (claim.value - other.value).abs())
 }

@@ -21,6 +21,7 @@ use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{ContactPair, PlaneMotion, Scene};
 use crate::model::state::State;
+use increments::Memory;
 use mises::Strip;
 use pressure::Contact;
 use std::f64::consts::PI;
@@ -88,8 +89,14 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     }
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
+    let memory = Memory {
+        flows: peaks.iter().any(|body| body.peeq_max > 0.0),
+        rubs: scene.contacts.iter().any(|c| c.friction > 0.0),
+        elastic_elsewhere: !evidence.elastic_claims.is_empty(),
+        doubled: evidence.doubled,
+    };
     for claim in &mut claims {
-        claim.error.increment = increments::error(claim, evidence);
+        claim.error.increment = memory.error(claim);
         if claim.is_resolved() && claim.error.increment.is_none() {
             claim.note.get_or_insert(increments::UNKNOWN);
         }

@@ -81,7 +81,7 @@ pub struct ExportArgs {
     #[arg(long, value_name = "LENGTH")]
     pub closing: Option<f64>,
     /// First increment of the load steps, as a share of the step [default: that of the case].
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", value_parser = super::share::share)]
     pub increment: Option<f64>,
     /// Linear solver [default: left to the program].
     #[arg(long, value_enum)]

@@ -17,6 +17,7 @@ mod preset;
 pub mod reference;
 pub mod report;
 pub mod run;
+mod share;
 mod signals;
 pub mod size;
 mod status;

@@ -1,5 +1,6 @@
 //! What `brinell hertz` takes.
 
+use crate::cli::share::share;
 use crate::ground::units::UnitSystem;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -45,7 +46,7 @@ pub struct HertzArgs {
     #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
     pub youngs_modulus: Option<String>,
     /// Poisson's ratio of the roller [default: of the steel, else 0.3].
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true, value_parser = share)]
     pub poissons_ratio: Option<f64>,
     /// Steel of the plate by name [default: as the roller].
     #[arg(long, value_name = "GRADE")]
@@ -63,7 +64,7 @@ pub struct HertzArgs {
     #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
     pub plate_youngs_modulus: Option<String>,
     /// Poisson's ratio of the plate [default: as the roller].
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true, value_parser = share)]
     pub plate_poissons_ratio: Option<f64>,
     /// Thickness of the plate, to check that it is thick enough, and for the strength of its steel.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
@@ -92,12 +93,13 @@ pub struct HertzArgs {
     /// Slope of each side of a V groove, such as "4 deg".
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub groove_angle: Option<String>,
-    /// Coefficient of friction.
+    /// Coefficient of friction, such as 0.15 or "15 %".
     #[arg(
         long,
         value_name = "RATIO",
         default_value_t = 0.0,
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = share
     )]
     pub friction: f64,
     /// Print JSON instead of a table.

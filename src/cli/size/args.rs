@@ -1,6 +1,7 @@
 //! The arguments of `brinell size`, of all templates.
 
 use crate::case::bearing::{Preset, RollerEnd};
+use crate::cli::share::share;
 use crate::ground::units::{Dimension, UnitSystem};
 use crate::product::size::{SizeError, quantity, units_of_load};
 use clap::{Args, ValueEnum};
@@ -78,8 +79,8 @@ pub struct SizeArgs {
     /// Length of the rollers, L' of crossed ones, instead of what the rule asks for.
     #[arg(long, allow_hyphen_values = true)]
     pub length: Option<String>,
-    /// Wall over diameter [default: 0.25; parallel rollers are solid].
-    #[arg(long, allow_negative_numbers = true)]
+    /// Wall over diameter, such as 0.25 or "25 %" [default: 0.25; parallel rollers are solid].
+    #[arg(long, allow_negative_numbers = true, value_parser = share)]
     pub wall: Option<f64>,
     /// Thickness of the plates [default: 4/3 of the wall; 0.3 D with parallel rollers].
     #[arg(long, allow_hyphen_values = true)]
@@ -87,8 +88,8 @@ pub struct SizeArgs {
     /// Slope of the V [default: 4 deg].
     #[arg(long, allow_hyphen_values = true)]
     pub slope: Option<String>,
-    /// Coefficient of friction [default: 0.1].
-    #[arg(long, allow_negative_numbers = true)]
+    /// Coefficient of friction, such as 0.1 or "10 %" [default: 0.1].
+    #[arg(long, allow_negative_numbers = true, value_parser = share)]
     pub friction: Option<f64>,
     /// Lever δ of rolling friction, (2-3) [default: 0.002 in].
     #[arg(long, allow_hyphen_values = true)]
@@ -100,19 +101,19 @@ pub struct SizeArgs {
     #[arg(long, allow_hyphen_values = true)]
     pub modulus: Option<String>,
     /// Poisson's ratio [default: 0.3].
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_negative_numbers = true, value_parser = share)]
     pub poisson: Option<f64>,
     /// Slope of the stress-strain line beyond yield [default: a hundredth of the modulus].
     #[arg(long, allow_hyphen_values = true)]
     pub tangent_modulus: Option<String>,
     /// Allowed contact pressure over the yield stress [default: 1.65, (2-49)].
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_negative_numbers = true, value_parser = share)]
     pub limit: Option<f64>,
     /// What determines the length of the rollers [default: eccentric].
     #[arg(long, value_enum)]
     pub rule: Option<RuleName>,
     /// Ask the rule for so many times the load [default: 1.4 with eccentric, else 1; 1.1 with parallel rollers].
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_negative_numbers = true, value_parser = share)]
     pub margin: Option<f64>,
     /// Mesh preset of the cases: auto, report-like, h025 or h0125 [default: h0125; auto with parallel rollers].
     #[arg(long)]

@@ -71,5 +71,6 @@ fn reference(length: f64, offset: f64) -> BearingGeometry {
         lower_thickness: 1.0,
         plan: [length, length],
         end: RollerEnd::Square,
+        skew: [0.0; 2],
     }
 }

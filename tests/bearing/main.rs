@@ -3,4 +3,5 @@
 mod line;
 mod remesh;
 mod shipped_meshes;
+mod skew;
 mod template;

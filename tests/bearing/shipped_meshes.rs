@@ -24,6 +24,7 @@ fn shipped_meshes_carry_the_fingerprints_of_their_bearings() {
                     lower_thickness: 1.0,
                     plan: [length, length],
                     end: RollerEnd::Square,
+                    skew: [0.0; 2],
                 };
                 let request = MeshRequest {
                     preset,

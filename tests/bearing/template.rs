@@ -20,6 +20,7 @@ fn initial() -> BearingGeometry {
         lower_thickness: 1.0,
         plan: [8.0, 8.0],
         end: RollerEnd::Square,
+        skew: [0.0; 2],
     }
 }
 

@@ -55,6 +55,7 @@ fn bore() -> Bore {
         body: "roller".to_string(),
         surface: "roller_u-".to_string(),
         axis: 1,
+        lean: 0.0,
     }
 }
 

@@ -48,6 +48,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
             body: "block".to_string(),
             surface: "none".to_string(),
             axis: 1,
+            lean: 0.0,
         }],
         stabilisation_share: Some(0.02),
         ..AnswerInputs::new(scene, state, &recovered)

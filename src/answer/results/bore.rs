@@ -24,6 +24,8 @@ pub struct Bore {
     pub surface: String,
     /// The axis (0, 1, 2) that the roller lies along.
     pub axis: usize,
+    /// How far its axis goes aside, along the horizontal axis across, over the way along it.
+    pub lean: f64,
 }
 
 /// What the bore says; `None` where it cannot be said.
@@ -70,7 +72,7 @@ pub fn bore_stress(
             stress.nodal_at = Some(mesh.points[*node as usize]);
         }
     }
-    if let Some(peak) = under_load(scene, state, surface, body, bore.axis) {
+    if let Some(peak) = under_load(scene, state, surface, body, (bore.axis, bore.lean)) {
         stress.mises = Some(peak.value);
         stress.mises_at = Some(mesh.points[peak.node as usize]);
         let radius = peak.circle.radius(scene, peak.node);
@@ -96,20 +98,33 @@ struct Circle {
     /// The two axes across the bore.
     plane: [usize; 2],
     centre: [f64; 2],
+    along: [f64; 3],
+    axis: usize,
 }
 
 impl Circle {
-    fn of(scene: &Scene, nodes: &[u32], axis: usize) -> Option<Self> {
+    fn of(scene: &Scene, nodes: &[u32], axis: usize, along: [f64; 3]) -> Option<Self> {
         let plane = [[1, 2], [2, 0], [0, 1]].get(axis).copied()?;
-        let flat = |n: &u32| plane.map(|i| scene.mesh.points[*n as usize][i]);
+        let flat = |n: &u32| {
+            let at = scene.mesh.points[*n as usize];
+            plane.map(|i| at[i] - along[i] * at[axis])
+        };
         let centre = circle_centre(&nodes.iter().map(flat).collect::<Vec<_>>())?;
-        Some(Self { plane, centre })
+        Some(Self {
+            plane,
+            centre,
+            along,
+            axis,
+        })
     }
 
     /// From the axis to a node.
     fn arm(&self, scene: &Scene, node: u32) -> [f64; 2] {
         let at = scene.mesh.points[node as usize];
-        [0, 1].map(|i| at[self.plane[i]] - self.centre[i])
+        [0, 1].map(|i| {
+            let k = self.plane[i];
+            at[k] - self.along[k] * at[self.axis] - self.centre[i]
+        })
     }
 
     fn radius(&self, scene: &Scene, node: u32) -> f64 {
@@ -148,14 +163,15 @@ fn under_load(
     state: &State,
     surface: &Surface,
     body: usize,
-    axis: usize,
+    (axis, lean): (usize, f64),
 ) -> Option<SurfacePeak> {
     let nodes = surface.nodes();
-    let circle = Circle::of(scene, &nodes, axis)?;
+    let along = direction_of(axis, lean);
+    let circle = Circle::of(scene, &nodes, axis, along)?;
     let angles = angles_from_load(scene, &nodes, &circle);
     let nearest = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let reach = (nearest + 1e-6).max(UNDER_LOAD.to_radians());
-    let strains = surface_strains(scene, state, surface, axis);
+    let strains = surface_strains(scene, state, surface, along);
     let steel = scene.materials.get(body)?;
     let mises = |s: &SurfaceStrain| s.mises(steel.youngs_modulus, steel.poissons_ratio);
     let mut best: Option<(f64, u32)> = None;
@@ -178,6 +194,18 @@ fn under_load(
         depth: depth(scene, surface, node)?,
         circle,
     })
+}
+
+/// Along a roller, one along its axis.
+fn direction_of(axis: usize, lean: f64) -> [f64; 3] {
+    let mut along = [0.0; 3];
+    if let Some(across) = 1_usize.checked_sub(axis) {
+        along[across] = lean;
+    }
+    if let Some(one) = along.get_mut(axis) {
+        *one = 1.0;
+    }
+    along
 }
 
 /// Depth of the elements below a node of a surface.
@@ -248,7 +276,7 @@ fn surface_strains(
     scene: &Scene,
     state: &State,
     surface: &Surface,
-    axis: usize,
+    along: [f64; 3],
 ) -> BTreeMap<u32, SurfaceStrain> {
     let mut strains: BTreeMap<u32, SurfaceStrain> = BTreeMap::new();
     for face in &surface.faces {
@@ -259,7 +287,7 @@ fn surface_strains(
             .iter()
             .any(|p| *p > 0.0);
         for (i, node) in face.nodes.iter().enumerate() {
-            let [tangential, axial, shear] = corner_strain(&corners, &moved, i, axis);
+            let [tangential, axial, shear] = corner_strain(&corners, &moved, i, along);
             let sum = strains.entry(*node).or_default();
             sum.tangential += tangential;
             sum.axial += axial;
@@ -286,7 +314,7 @@ fn corner_strain(
     corners: &[[f64; 3]; 4],
     moved: &[[f64; 3]; 4],
     i: usize,
-    axis: usize,
+    along: [f64; 3],
 ) -> [f64; 3] {
     let tangents = derivatives(corner(i), corners);
     let changes = derivatives(corner(i), moved);
@@ -298,8 +326,6 @@ fn corner_strain(
     };
     let unit = |v: [f64; 3]| v.map(|x| x / norm(v));
     let normal = unit(normal);
-    let mut along = [0.0; 3];
-    along[axis] = 1.0;
     let inward = dot(along, normal);
     let axial = unit(sub(along, normal.map(|n| n * inward)));
     let frame = [cross(axial, normal), axial];

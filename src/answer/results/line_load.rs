@@ -84,7 +84,7 @@ fn longest_axis(scene: &Scene, pair: usize, carrier: &Surface) -> usize {
     usize::from(length(slender, 1) > length(slender, 0))
 }
 
-/// The axis along which one of the surfaces of a pair is a cylinder.
+/// The axis along which, or nearly, one of the surfaces of a pair is a cylinder: rollers may be a tenth of a radian askew.
 fn roller_axis(scene: &Scene, pair: usize) -> Option<usize> {
     let contact = &scene.contacts[pair];
     [&contact.upper, &contact.lower]
@@ -96,7 +96,7 @@ fn roller_axis(scene: &Scene, pair: usize) -> Option<usize> {
             let Shape::Cylinder { axis, .. } = fit(&scene.mesh, scene.mesh.surface(name)?) else {
                 return None;
             };
-            (0..3).find(|i| axis[*i].abs() > 1.0 - 1e-6)
+            (0..3).find(|i| axis[*i].abs() > 0.99)
         })
 }
 

@@ -80,7 +80,7 @@ impl BearingCase {
                 (geometry.check()).map_err(|error| misfit("line_bearing", error))?;
                 size_steels(&mut steels, &geometry, &mut said)?;
                 geometry.alike = are_alike(&geometry, &steels)?;
-                let full = reader.line_full(&geometry, breaks)?;
+                let full = reader.line_full(&geometry, breaks.or(askew(&geometry)))?;
                 (Dimensions::Line(geometry), full)
             }
             false => {
@@ -88,7 +88,7 @@ impl BearingCase {
                 (geometry.check()).map_err(|error| misfit("bearing", error))?;
                 check_grip(&friction, &geometry)?;
                 size_steels(&mut steels, &geometry, &mut said)?;
-                let full = reader.full(&geometry, breaks)?;
+                let full = reader.full(&geometry, breaks.or(askew(&geometry)))?;
                 (Dimensions::Crossed(geometry), full)
             }
         };
@@ -152,6 +152,11 @@ impl BearingCase {
         let mut seats = self.seats().into_iter();
         seats.find(|seat| seat.interface == interface)
     }
+}
+
+/// What breaks the symmetry of rollers that do not lie straight.
+fn askew(geometry: &dyn Layout) -> Option<&'static str> {
+    geometry.is_askew().then_some("a roller askew")
 }
 
 /// The widths of the lines of contact as statics predicts them; `None` where it cannot.

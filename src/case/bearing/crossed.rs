@@ -11,6 +11,7 @@ use super::roller_end::shape_roller_ends;
 use super::roller_shape::RollerShape;
 use super::seat::Seat;
 use super::sizes::Sizes;
+use super::skew::turn_rollers;
 use super::strips::Strips;
 use super::template::{CROSSED, Template};
 use crate::analytic::DomainError;
@@ -19,7 +20,7 @@ use crate::model::mesh::Mesh;
 
 impl BearingGeometry {
     fn is_whole(&self, full: bool) -> bool {
-        full || !self.is_centred()
+        full || !self.is_centred() || self.skew != [0.0; 2]
     }
 
     fn seat(&self, interface: &BearingInterface) -> Seat {
@@ -113,6 +114,7 @@ impl Layout for BearingGeometry {
             body: roller.body().to_owned(),
             axis: roller.axis(),
             centre: self.roller_centre(roller),
+            skew: self.skew[1 - roller.axis()],
         };
         Roller::BOTH.map(place).into()
     }
@@ -168,5 +170,6 @@ impl Layout for BearingGeometry {
 
     fn shape(&self, mesh: &mut Mesh, full: bool) {
         shape_roller_ends(mesh, self, full);
+        turn_rollers(mesh, self, full);
     }
 }

@@ -30,6 +30,8 @@ pub struct BearingGeometry {
     pub plan: [f64; 2],
     /// Of both rollers.
     pub end: RollerEnd,
+    /// By how much each is turned about the vertical, in radians: the upper one and the lower one.
+    pub skew: [f64; 2],
 }
 
 /// Which roller.

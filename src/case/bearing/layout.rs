@@ -24,6 +24,8 @@ pub struct RollerPlace {
     pub axis: usize,
     /// The middle of its axis.
     pub centre: [f64; 3],
+    /// By how much it is turned about the vertical, in radians; positive by the right hand about z.
+    pub skew: f64,
 }
 
 /// The dimensions of a bearing of some template.
@@ -77,6 +79,18 @@ pub trait Layout: fmt::Debug {
 
     /// The rollers that are modelled.
     fn rollers(&self, full: bool) -> Vec<RollerPlace>;
+
+    /// Is a roller askew?
+    fn is_askew(&self) -> bool {
+        self.stray() > 0.0
+    }
+
+    /// How far rollers that are askew stray, at their ends, from the lines along which they would touch.
+    fn stray(&self) -> f64 {
+        let rollers = self.rollers(true).into_iter();
+        let lean = rollers.map(|roller| roller.lean().abs());
+        0.5 * self.length() * lean.fold(0.0, f64::max)
+    }
 
     /// The interfaces that are modelled, from the top down.
     fn seats(&self, full: bool) -> Vec<Seat>;

@@ -30,6 +30,7 @@ mod sample;
 mod scales;
 mod seat;
 mod sizes;
+mod skew;
 mod strips;
 mod template;
 

@@ -3,6 +3,7 @@
 
 use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
+use super::skew;
 use crate::case::assumption::Assumption;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
@@ -56,6 +57,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         let wall = self.wall()?;
         let length = self.length("roller_length")?;
         let slope = self.quantity("slope", Dimension::ANGLE)?.value;
+        let skew = self.skew(2)?;
         let [upper_thickness, intermediate_thickness, lower_thickness] = self.thicknesses()?;
         Ok(BearingGeometry {
             diameter,
@@ -68,11 +70,17 @@ impl<'a, 'b> BearingReader<'a, 'b> {
             lower_thickness,
             plan: self.plate_size(length)?,
             end: self.end()?,
+            skew: [skew[0], skew[1]],
         })
     }
 
     pub(super) fn length(&self, key: &str) -> Result<f64, CaseError> {
         Ok(self.quantity(key, Dimension::LENGTH)?.value)
+    }
+
+    /// Of each of so many rollers.
+    pub(super) fn skew(&self, rollers: usize) -> Result<Vec<f64>, CaseError> {
+        skew::read(&self.table, rollers)
     }
 
     pub(super) fn flag(&self, key: &str) -> Result<Option<Located<bool>>, CaseError> {

@@ -54,6 +54,8 @@ impl MeshRequest {
     fn unscaled(&self, geometry: &dyn Layout) -> Sizes {
         let strips = (self.strips).unwrap_or_else(|| Strips::nominal(geometry.diameter()));
         let mut sizes = geometry.preset_sizes(self.preset, &strips);
+        // Fine elements lie along the plates, and the lines of rollers askew do not.
+        sizes.fine_elements += (geometry.stray() / sizes.roller_size).ceil();
         for (key, value) in &self.overrides {
             if let Some(number) = sizes.get_mut(key) {
                 *number = *value;
@@ -100,7 +102,7 @@ impl MeshRequest {
     ) -> Vec<&'l FoundLine> {
         let sizes = self.unscaled(geometry);
         let size = sizes.roller_size;
-        let fine = sizes.fine_elements * size;
+        let fine = sizes.fine_elements * size - geometry.stray();
         let unserved = |line: &&FoundLine| !line.is_served(size, fine);
         lines.iter().filter(unserved).collect()
     }

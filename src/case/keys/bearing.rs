@@ -1,6 +1,6 @@
 //! Keys of a bearing.
 
-use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
+use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, SKEW, TOP};
 use super::templates::{
     ALONG_CAP, ALONG_GROWTH, AROUND_CAP, DEPTH_CAP, DEPTH_GROWTH, DEPTH_LEAST, END_SIZE,
     FINE_ELEMENTS, FINE_LAYERS, GROWTH, LOWER_THICKNESS, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL,
@@ -23,6 +23,7 @@ pub const BEARING: Keys = Keys {
         HORIZONTAL,
         MOMENT,
         TOP,
+        SKEW,
         key(
             "friction",
             "share, 0 or more",

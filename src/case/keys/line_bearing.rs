@@ -1,6 +1,6 @@
 //! Keys of parallel rollers.
 
-use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, TOP};
+use super::template_loads::{ECCENTRICITY, HORIZONTAL, MOMENT, SKEW, TOP};
 use super::templates::{
     ALONG_CAP, ALONG_GROWTH, AROUND_CAP, DEPTH_CAP, DEPTH_GROWTH, DEPTH_LEAST, END_SIZE,
     FINE_ELEMENTS, FINE_LAYERS, GROWTH, LOWER_THICKNESS, PLATE_SIZE, ROLLER_SIZE, ROLLER_WALL,
@@ -19,6 +19,7 @@ pub const LINE_BEARING: Keys = Keys {
         HORIZONTAL,
         MOMENT,
         TOP,
+        SKEW,
         key(
             "friction",
             "share, 0 or more",

@@ -31,6 +31,14 @@ pub(super) const TOP: Key = key(
      rollers, about the lower face of the upper plate of crossed ones",
 );
 
+pub(super) const SKEW: Key = key(
+    "skew",
+    "angle, or a list of one for each roller",
+    "0",
+    "rollers askew: turned about the vertical through their middles, by the right hand about +z; up to 0.1 rad; the upper \
+     and the lower of crossed rollers; lengths are measured along the plates",
+);
+
 pub const TILTED_TOP: Keys = Keys {
     heading: "bearing.top, line_bearing.top",
     about: "A top that is turned by given small angles: `top = { tilt = [\"2 mrad\", \"0 mrad\"] }`.",

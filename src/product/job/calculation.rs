@@ -1,9 +1,9 @@
 //! What the page says of the calculation beside its answer, from the case.
 
 use super::verified::verified;
-use crate::case::bearing::{Dimensions, RollerEnd};
+use crate::case::bearing::{Dimensions, RollerEnd, RollerPlace};
 use crate::case::keys::{self, Keys};
-use crate::case::{Case, Kind, TemplateLoads, Top};
+use crate::case::{BearingCase, Case, Kind, TemplateLoads, Top};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::render::report::calculation::{
@@ -141,6 +141,17 @@ fn beside(loads: &TemplateLoads, units: &UnitLabels) -> Vec<String> {
     .collect()
 }
 
+/// Rollers that do not lie straight, in words.
+fn askew(bearing: &BearingCase) -> Vec<String> {
+    let turned = bearing.geometry.rollers(true).into_iter();
+    let turned = turned.filter(|roller| roller.skew != 0.0);
+    let said = |roller: RollerPlace| {
+        let by = significant(1e3 * roller.skew, 4);
+        format!("{} is askew: turned about z by {by} mrad", roller.body)
+    };
+    turned.map(said).collect()
+}
+
 /// What acts, in words.
 fn actions(case: &Case, scene: &Scene) -> Vec<String> {
     let units = UnitLabels::of(case.units);
@@ -152,6 +163,7 @@ fn actions(case: &Case, scene: &Scene) -> Vec<String> {
             units.force
         ));
         said.extend(beside(&bearing.loads, &units));
+        said.extend(askew(bearing));
     }
     for temperature in &scene.temperatures {
         let of = significant(temperature.value, 4);

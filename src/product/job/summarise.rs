@@ -130,8 +130,9 @@ fn bores(case: &Case) -> Vec<Bore> {
             let rollers = bearing.geometry.rollers(bearing.mesh.full).into_iter();
             let bore = |roller: RollerPlace| Bore {
                 surface: format!("{}_bore", roller.body),
-                body: roller.body,
                 axis: roller.axis,
+                lean: roller.lean(),
+                body: roller.body,
             };
             rollers.map(bore).collect()
         }

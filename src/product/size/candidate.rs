@@ -122,6 +122,7 @@ impl Candidate {
             lower_thickness: plate,
             plan: [0.0; 2],
             end: request.end.value,
+            skew: [0.0; 2],
         };
         let printed = contact.lengths(PRINTED)?;
         let exact = contact.lengths(exact())?;

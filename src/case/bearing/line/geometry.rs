@@ -20,6 +20,8 @@ pub struct LineGeometry {
     pub length: f64,
     /// Of all rollers.
     pub end: RollerEnd,
+    /// By how much each is turned about the vertical, in radians; missing ones lie straight.
+    pub skew: Vec<f64>,
     /// The plate above.
     pub upper: LinePlate,
     /// The plate below.

@@ -15,6 +15,7 @@ use crate::case::bearing::roller_end::shape_roller_ends;
 use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::bearing::seat::Seat;
 use crate::case::bearing::sizes::Sizes;
+use crate::case::bearing::skew::turn_rollers;
 use crate::case::bearing::strips::Strips;
 use crate::case::bearing::template::{LINE, Template};
 use crate::model::mesh::Mesh;
@@ -25,8 +26,12 @@ use std::f64::consts::PI;
 const AT_ENDS: f64 = 1.3;
 
 impl LineGeometry {
+    fn is_whole(&self, full: bool) -> bool {
+        full || self.skew.iter().any(|skew| *skew != 0.0)
+    }
+
     fn mirrors_x(&self, full: bool) -> bool {
-        self.alike && !full
+        self.alike && !self.is_whole(full)
     }
 
     /// Numbers of the rollers that are modelled.
@@ -116,7 +121,7 @@ impl Layout for LineGeometry {
     }
 
     fn mirrors(&self, full: bool) -> Vec<usize> {
-        match (full, self.alike) {
+        match (self.is_whole(full), self.alike) {
             (true, _) => Vec::new(),
             (false, true) => vec![0, 1],
             (false, false) => vec![1],
@@ -137,6 +142,7 @@ impl Layout for LineGeometry {
             body: self.body(number),
             axis: 1,
             centre: [self.place(number), 0.0, 0.0],
+            skew: self.skew.get(number - 1).copied().unwrap_or_default(),
         };
         self.modelled(full).map(place).collect()
     }
@@ -186,7 +192,7 @@ impl Layout for LineGeometry {
             Parameter::length("LowerX", self.lower.plan[0]),
             Parameter::length("LowerY", self.lower.plan[1]),
             Parameter::number("MirrorX", flag(self.mirrors_x(full))),
-            Parameter::number("MirrorY", flag(!full)),
+            Parameter::number("MirrorY", flag(!self.is_whole(full))),
         ]
     }
 
@@ -250,6 +256,7 @@ impl Layout for LineGeometry {
 
     fn shape(&self, mesh: &mut Mesh, full: bool) {
         shape_roller_ends(mesh, self, full);
+        turn_rollers(mesh, self, full);
         curve_plate(mesh, self);
     }
 }

@@ -39,6 +39,7 @@ impl BearingReader<'_, '_> {
             wall,
             length,
             end: self.end()?,
+            skew: self.skew(rollers)?,
             upper: LinePlate {
                 thickness: upper,
                 plan: upper_plan,

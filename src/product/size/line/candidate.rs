@@ -75,6 +75,7 @@ impl LineCandidate {
             wall: request.wall.map(|share| share * diameter),
             length,
             end: request.end.value,
+            skew: Vec::new(),
             upper: own,
             lower: own,
             curve: None,

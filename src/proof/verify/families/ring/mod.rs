@@ -143,6 +143,7 @@ impl SolvedRing {
             body: "ring".into(),
             surface: "x_min".into(),
             axis: 2,
+            lean: 0.0,
         };
         let recovered = recover(&self.run.scene, self.run.state());
         let stress = bore_stress(&self.run.scene, self.run.state(), &recovered, &bore)

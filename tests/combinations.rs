@@ -182,13 +182,12 @@ fn each_is_solved_and_the_governing_one_is_named() {
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
     for part in &solved {
         assert!(page.contains(&format!("{}/report.html", part.folder)));
-        assert!(
-            folder
-                .path()
-                .join(&part.folder)
-                .join("report.html")
-                .is_file()
-        );
+        let own = folder.path().join(&part.folder).join("report.html");
+        let own = std::fs::read_to_string(own).unwrap();
+        // Both pages tell of the same input.
+        assert!(own.contains("FNV-1a"));
+        assert_eq!(part.case_hash.len(), 16);
+        assert!(page.contains(&part.case_hash) && own.contains(&part.case_hash));
     }
     assert!(page.contains("ultimate: traffic governs"));
 }

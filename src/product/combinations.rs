@@ -8,6 +8,7 @@ use crate::case::combinations::Combination;
 use crate::ground::file::{FileError, write_atomically};
 use crate::render::Summary;
 use crate::render::joint::{self, Part};
+use crate::render::text::case_hash;
 use crate::solver::solve::Observer;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -21,6 +22,8 @@ pub struct Solved {
     pub name: String,
     /// Actions and factors, in words.
     pub acts: String,
+    /// The hash of its case file.
+    pub case_hash: String,
     /// Its folder, in that of all.
     pub folder: String,
     pub summary: Summary,
@@ -53,6 +56,7 @@ pub fn solve(
         solved.push(Solved {
             name: combination.name.clone(),
             acts,
+            case_hash: case_hash(combination.case.source.text()),
             folder,
             missed: outcome.missed_limits(&combination.case),
             summary: outcome.summary,
@@ -87,6 +91,7 @@ pub fn parts(solved: &[Solved]) -> Vec<Part<'_>> {
         Part {
             name: &one.name,
             acts: &one.acts,
+            case_hash: &one.case_hash,
             folder: &one.folder,
             summary: &one.summary,
             missed: &one.missed,

@@ -19,6 +19,8 @@ pub struct Part<'a> {
     pub name: &'a str,
     /// What acts, such as the actions with their factors.
     pub acts: &'a str,
+    /// The hash of its case file.
+    pub case_hash: &'a str,
     /// Its folder, beside the page.
     pub folder: &'a str,
     pub summary: &'a Summary,
@@ -189,6 +191,7 @@ fn one(part: &Part) -> Markup {
         h2 { (part.name) }
         p { (part.acts) ": " (load) " " (units.force) ". All of it: "
             a href=(format!("{}/report.html", part.folder)) { (part.folder) "/report.html" } }
+        p class="note" { "case file, FNV-1a: " code { (part.case_hash) } }
         (tables(&sections::rules(summary)))
         (table(&sections::certificate(summary)))
         (table(&sections::hand_checks(summary)))

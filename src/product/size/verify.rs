@@ -10,6 +10,7 @@ use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::render::joint::{self, Part};
+use crate::render::text::case_hash;
 use crate::render::{Summary, report};
 use crate::solver::solve::Observer;
 use std::path::{Path, PathBuf};
@@ -58,7 +59,7 @@ pub fn verify(
     observer: &mut dyn Observer,
 ) -> Result<Verification, SizeError> {
     let mut positions = Vec::new();
-    let mut done: Vec<(&str, Summary, Vec<String>)> = Vec::new();
+    let mut done: Vec<(&str, String, Summary, Vec<String>)> = Vec::new();
     for position in Position::of(proposal.request.capacity) {
         let case = case::read(&folder.join(format!("{}.toml", position.name())))?;
         observer.message(&format!("{}: {}", position.name(), case.title));
@@ -74,10 +75,12 @@ pub fn verify(
         let place = (position.name(), offset);
         positions.push(Placed::new(place, &limits, &case, &outcome));
         let missed = outcome.missed_limits(&case);
-        done.push((position.name(), outcome.summary, missed));
+        let hash = case_hash(case.source.text());
+        done.push((position.name(), hash, outcome.summary, missed));
     }
-    let parts = done.iter().map(|(name, summary, missed)| Part {
+    let parts = done.iter().map(|(name, hash, summary, missed)| Part {
         name,
+        case_hash: hash,
         acts: "the load of the request",
         folder: name,
         summary,

@@ -49,6 +49,17 @@ impl Run<'_, '_> {
             self.point.cautious = true;
             return Ok(true);
         }
+        if smallest && begins && floats && !std::mem::replace(&mut self.tried_whole, true) {
+            // Next to no load closes a node or two of a mesh, on which bodies rock. More load closes more of them.
+            self.size = 1.0;
+            (self.held_back, self.point.cautious) = (false, false);
+            self.solver.forget();
+            self.come_to_rest(self.size)?;
+            self.observer.message(
+                "a small share of the load closes too few nodes to hold the bodies: the step is tried as a whole",
+            );
+            return Ok(true);
+        }
         if smallest {
             return Err(diagnose(&self.model, stopped, at));
         }

@@ -43,6 +43,8 @@ pub struct Run<'a, 'o> {
     pub size: f64,
     /// Has it been cut back?
     pub cut: bool,
+    /// Was the first step tried as a whole, after all that is smaller had failed?
+    pub tried_whole: bool,
     /// The ends of the finished steps.
     pub states: Vec<State>,
     /// The last accepted state; empty before the first.
@@ -86,6 +88,7 @@ impl<'a, 'o> Run<'a, 'o> {
             held_back: false,
             size: 0.0,
             cut: false,
+            tried_whole: false,
             states: Vec::new(),
             last: State::default(),
             finished: Vec::new(),

@@ -5,9 +5,8 @@ use super::body::BodyFigures;
 use super::certify::{Figure, Quantity};
 use super::inputs::AnswerInputs;
 use super::interface::InterfaceFigures;
-use super::results::edges::LoadedEdges;
 use super::results::ending::ending;
-use super::results::peaks::peaks;
+use super::results::peaks::peaks_in;
 use super::results::recovery::{Recovered, recover};
 use super::results::strip::{Strip, half_width};
 use crate::model::scene::{Partner, Scene};
@@ -51,10 +50,7 @@ impl Solved {
         let recovered = recover(&scene, ending.reported);
         let peaks_of = |state: &Option<State>| {
             let state = state.as_ref()?;
-            (state.step == ending.reported.step).then(|| {
-                let edges = LoadedEdges::find(&scene, state);
-                peaks(&scene, state, &recover(&scene, state), &edges)
-            })
+            (state.step == ending.reported.step).then(|| peaks_in(&scene, state))
         };
         let elastic = peaks_of(&solution.elastic);
         let elastic_doubled = peaks_of(&solution.elastic_doubled);

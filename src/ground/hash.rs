@@ -20,6 +20,11 @@ impl Fnv {
         hash.value()
     }
 
+    /// That of `text` in sixteen hexadecimal digits.
+    pub fn hex(text: &str) -> String {
+        format!("{:016x}", Self::of(text.as_bytes()))
+    }
+
     pub fn value(&self) -> u64 {
         self.0
     }
@@ -51,5 +56,6 @@ mod tests {
         assert_eq!(Fnv::of(b""), 0xcbf2_9ce4_8422_2325);
         assert_eq!(Fnv::of(b"a"), 0xaf63_dc4c_8601_ec8c);
         assert_eq!(Fnv::of(b"foobar"), 0x8594_4171_f739_67e8);
+        assert_eq!(Fnv::hex("foobar"), "85944171f73967e8");
     }
 }

@@ -6,9 +6,9 @@
 use super::job::{self, JobError, Options};
 use crate::case::combinations::Combination;
 use crate::ground::file::{FileError, write_atomically};
+use crate::ground::hash::Fnv;
 use crate::render::Summary;
 use crate::render::joint::{self, Part};
-use crate::render::text::case_hash;
 use crate::solver::solve::Observer;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -56,7 +56,7 @@ pub fn solve(
         solved.push(Solved {
             name: combination.name.clone(),
             acts,
-            case_hash: case_hash(combination.case.source.text()),
+            case_hash: Fnv::hex(combination.case.source.text()),
             folder,
             missed: outcome.missed_limits(&combination.case),
             summary: outcome.summary,

@@ -1,6 +1,5 @@
 //! Numbers, places and lists in plain text.
 
-use crate::ground::hash::Fnv;
 use crate::ground::units::Quantity;
 use std::borrow::Cow;
 
@@ -87,11 +86,6 @@ pub fn unescape(text: &str) -> String {
         .replace("&gt;", ">")
         .replace("&lt;", "<")
         .replace("&amp;", "&")
-}
-
-/// The hash of the text of a case file, 64 bits in hexadecimal: a changed input is another calculation.
-pub fn case_hash(text: &str) -> String {
-    format!("{:016x}", Fnv::of(text.as_bytes()))
 }
 
 #[cfg(test)]

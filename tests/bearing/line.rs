@@ -8,7 +8,7 @@ use miette::Diagnostic;
 use std::f64::consts::PI;
 use std::time::Instant;
 
-const BASE: &str = r#"title = "rollers"
+pub(super) const BASE: &str = r#"title = "rollers"
 units = "mm-N-MPa"
 
 [line_bearing]
@@ -32,11 +32,11 @@ fn with(changes: &[(&str, &str)]) -> String {
     })
 }
 
-fn read(text: &str) -> Result<Case, CaseError> {
+pub(super) fn read(text: &str) -> Result<Case, CaseError> {
     parse("cases/test.toml", text)
 }
 
-fn solved(case: &Case) -> Outcome {
+pub(super) fn solved(case: &Case) -> Outcome {
     let options = Options {
         out: None,
         ..Options::default()

@@ -1,32 +1,14 @@
 //! Rollers askew.
 
-use brinell::case::parse;
+use super::line::{BASE, read, solved};
 use brinell::model::scene::Scene;
-use brinell::product::job::{self, Options, Outcome};
-use brinell::solver::solve::{Silent, close_gaps};
+use brinell::product::job::{self, Outcome};
+use brinell::solver::solve::close_gaps;
 
 const SKEW: f64 = 0.02;
 
 fn parallel(more: &str) -> String {
-    format!(
-        r#"title = "askew"
-units = "mm-N-MPa"
-
-[line_bearing]
-load = "100 kN"
-friction = 0.1
-solid = true
-roller_diameter = "100 mm"
-roller_length = "120 mm"
-plate_thickness = "40 mm"
-{more}
-
-[steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-elastic = true
-"#
-    )
+    BASE.replace("\n[steel]", &format!("{more}\n\n[steel]"))
 }
 
 fn crossed(skew: &str) -> String {
@@ -54,30 +36,17 @@ elastic = true
 }
 
 fn scene(text: &str) -> Scene {
-    let case = parse("cases/test.toml", text).unwrap();
+    let case = read(text).unwrap();
     let mesh = job::find_mesh(&case, None, &mut |_| {}).unwrap();
     case.scene(mesh).unwrap()
-}
-
-fn solved(text: &str) -> Outcome {
-    let options = Options {
-        out: None,
-        ..Options::default()
-    };
-    job::run(
-        &parse("cases/test.toml", text).unwrap(),
-        &options,
-        &mut Silent,
-    )
-    .unwrap()
 }
 
 /// Between flat plates a strip is the same in any direction of the plan: p0 stays, to the order of the angle squared, and
 /// the pressure follows the axis that was turned by the right hand.
 #[test]
 fn a_roller_askew_presses_as_a_straight_one_along_its_own_axis() {
-    let straight = solved(&parallel(""));
-    let askew = solved(&parallel("skew = \"20 mrad\""));
+    let straight = solved(&read(&parallel("")).unwrap());
+    let askew = solved(&read(&parallel("skew = \"20 mrad\"")).unwrap());
     assert_eq!(straight.scene.mirrors, [0, 1]);
     assert!(askew.scene.mirrors.is_empty());
     for name in ["upper_plate-roller", "roller-lower_plate"] {
@@ -148,7 +117,7 @@ fn what_is_no_skew_is_refused() {
         ("[\"1 mrad\"]", "one angle for each of 2 rollers"),
         ("\"2 mm\"", "an angle"),
     ] {
-        let error = parse("cases/test.toml", &crossed(skew)).expect_err(skew);
+        let error = read(&crossed(skew)).expect_err(skew);
         let text = format!("{error:?} {error}");
         assert!(text.contains(said), "{text}");
     }

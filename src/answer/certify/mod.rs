@@ -91,7 +91,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims.extend(flowing);
     let memory = Memory {
         flows: peaks.iter().any(|body| body.peeq_max > 0.0),
-        rubs: scene.contacts.iter().any(|c| c.friction > 0.0),
+        rubs: scene.rubs(),
         elastic_elsewhere: !evidence.elastic_claims.is_empty(),
         doubled: evidence.doubled,
     };

@@ -3,7 +3,7 @@
 use super::edges::LoadedEdges;
 use super::hex::{GaussRule, centre};
 use super::load::{cutting, times};
-use super::recovery::Recovered;
+use super::recovery::{Recovered, recover};
 use super::tensor::mises;
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
@@ -72,6 +72,12 @@ pub struct BodyPeaks {
     pub yielded_volume: f64,
     /// Volume of the whole body.
     pub volume: f64,
+}
+
+/// The peaks of every body in `state`, where its fields are not at hand.
+pub fn peaks_in(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
+    let edges = LoadedEdges::find(scene, state);
+    peaks(scene, state, &recover(scene, state), &edges)
 }
 
 /// The index of the largest value; of equal values the first. Passes over what is not a number.

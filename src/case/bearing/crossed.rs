@@ -20,7 +20,7 @@ use crate::model::mesh::Mesh;
 
 impl BearingGeometry {
     fn is_whole(&self, full: bool) -> bool {
-        full || !self.is_centred() || self.skew != [0.0; 2]
+        full || !self.is_centred() || self.is_askew()
     }
 
     fn seat(&self, interface: &BearingInterface) -> Seat {

@@ -31,7 +31,7 @@ pub fn fingerprint(geometry: &dyn Layout, request: &MeshRequest) -> String {
         // Adding zero turns -0 into 0. Writing to a string cannot fail.
         let _ = writeln!(text, "{} {:.11e}", parameter.name, value + 0.0);
     }
-    format!("{:016x}", Fnv::of(text.as_bytes()))
+    Fnv::hex(&text)
 }
 
 /// Copies the mesh file `raw_msh` into `out`, with the fingerprint in a `$Comments` section at its end: compressed where

@@ -66,6 +66,11 @@ impl Scene {
         carrier.surface(&self.mesh)
     }
 
+    /// Do bodies rub, wherever they touch?
+    pub fn rubs(&self) -> bool {
+        self.contacts.iter().any(|pair| pair.friction > 0.0)
+    }
+
     /// Axes whose mirror plane the point `at` of the mesh lies on.
     pub fn mirrors_through(&self, at: &[f64; 3]) -> impl Iterator<Item = usize> {
         planes_through(&self.mirrors, at)

@@ -148,10 +148,9 @@ fn frictionless(scene: &Scene, counters: &Counters) -> Option<LeftOut> {
 
 /// Where nothing depends on the path a step is one increment.
 fn path(scene: &Scene) -> Option<LeftOut> {
-    let rubs = scene.contacts.iter().any(|pair| pair.friction > 0.0);
     let yields = scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic());
     let least = (1.0 / scene.controls.first_increment).ceil() as usize;
-    (!rubs && !yields).then(|| {
+    (!scene.rubs() && !yields).then(|| {
         LeftOut::new("nothing depends on the path: one increment a step").saving_about(
             scene.steps.len().saturating_mul(least.saturating_sub(1)),
             "increments",

@@ -2,9 +2,7 @@
 
 use super::outcome::{Outcome, reported, unloaded};
 use crate::answer::certify::Figure;
-use crate::answer::results::edges::LoadedEdges;
-use crate::answer::results::peaks::{BodyPeaks, peaks};
-use crate::answer::results::recovery::recover;
+use crate::answer::results::peaks::{BodyPeaks, peaks_in};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::render::summary::ElasticTwin;
@@ -78,15 +76,10 @@ pub struct ElasticPeaks {
 impl ElasticPeaks {
     fn of(scene: &Scene, state: &State, doubled: Option<&State>) -> Self {
         Self {
-            own: peaks_of(scene, state),
-            doubled: doubled.map(|state| peaks_of(scene, state)),
+            own: peaks_in(scene, state),
+            doubled: doubled.map(|state| peaks_in(scene, state)),
         }
     }
-}
-
-fn peaks_of(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
-    let edges = LoadedEdges::find(scene, state);
-    peaks(scene, state, &recover(scene, state), &edges)
 }
 
 /// The elastic solution of a case on a mesh of its own.

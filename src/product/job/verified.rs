@@ -23,7 +23,7 @@ fn claims(family: &str) -> (usize, usize) {
 /// The families that are about what `scene` uses.
 pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
     let yields = scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic());
-    let friction = scene.contacts.iter().any(|pair| pair.friction > 0.0);
+    let friction = scene.rubs();
     let is_round = |side: &Partner, sphere: bool| {
         let surface = side.surface(&scene.mesh);
         surface.is_some_and(|surface| match fit(&scene.mesh, surface) {

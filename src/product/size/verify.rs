@@ -8,9 +8,9 @@ use super::verdict::{DesignVerdict, Limits, Placed};
 use crate::case;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
+use crate::ground::hash::Fnv;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::render::joint::{self, Part};
-use crate::render::text::case_hash;
 use crate::render::{Summary, report};
 use crate::solver::solve::Observer;
 use std::path::{Path, PathBuf};
@@ -75,7 +75,7 @@ pub fn verify(
         let place = (position.name(), offset);
         positions.push(Placed::new(place, &limits, &case, &outcome));
         let missed = outcome.missed_limits(&case);
-        let hash = case_hash(case.source.text());
+        let hash = Fnv::hex(case.source.text());
         done.push((position.name(), hash, outcome.summary, missed));
     }
     let parts = done.iter().map(|(name, hash, summary, missed)| Part {

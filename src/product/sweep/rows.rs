@@ -62,7 +62,7 @@ impl Sweep {
             SweepRow {
                 number: at + 1,
                 name: name(at + 1, parameters, &varying),
-                fingerprint: format!("{:016x}", Fnv::of(format!("{text}{mesh:x}").as_bytes())),
+                fingerprint: Fnv::hex(&format!("{text}{mesh:x}")),
                 parameters: parameters.clone(),
                 text,
             }

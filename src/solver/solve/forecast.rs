@@ -135,8 +135,7 @@ fn size(scene: &Scene, tied: Arc<Tied>, rows: &[ContactRow]) -> Result<(usize, S
 /// About how many Newton iterations the steps take: a few where nothing depends on the path, eight an
 /// increment of the first size where something does.
 fn iterations(scene: &Scene, yields: bool) -> f64 {
-    let rubs = scene.contacts.iter().any(|pair| pair.friction > 0.0);
-    let a_step = if yields || rubs {
+    let a_step = if yields || scene.rubs() {
         ITERATIONS_PER_INCREMENT / scene.controls.first_increment
     } else {
         ITERATIONS_PER_PATH_FREE_STEP

@@ -27,7 +27,7 @@ const AT_ENDS: f64 = 1.3;
 
 impl LineGeometry {
     fn is_whole(&self, full: bool) -> bool {
-        full || self.skew.iter().any(|skew| *skew != 0.0)
+        full || self.is_askew()
     }
 
     fn mirrors_x(&self, full: bool) -> bool {

@@ -15,8 +15,6 @@ struct Fineness {
     /// Elements around and through the walls of rollers, in diameters: they decide about the descent
     /// and the stress of the bore.
     far: f64,
-    /// Element sizes of the two meshes, relative to that; finer last.
-    sizes: [f64; 2],
 }
 
 const CENTRED: Fineness = Fineness {
@@ -24,7 +22,6 @@ const CENTRED: Fineness = Fineness {
     layers: 4.0,
     growth: 1.8,
     far: 0.045,
-    sizes: [1.12, 0.8],
 };
 
 const DISPLACED: Fineness = Fineness {
@@ -32,11 +29,12 @@ const DISPLACED: Fineness = Fineness {
     layers: 3.0,
     growth: 2.2,
     far: 0.06,
-    sizes: [1.12, 0.8],
 };
 
-/// Flow takes ten increments and more, so that its meshes have to be coarser.
-const COARSER_FOR_FLOW: f64 = 1.75;
+/// Element sizes of the two meshes, relative to that; finer last. Flow takes ten increments and more, so that
+/// its meshes have to be coarser.
+const ELASTIC_SIZES: [f64; 2] = [1.12, 0.8];
+const PLASTIC_SIZES: [f64; 2] = [1.96, 1.4];
 
 /// How many of the widest half-widths the fine zone reaches to either side.
 const FINE_ZONE: f64 = 1.4;
@@ -47,43 +45,26 @@ const FINE_ZONE: f64 = 1.4;
 /// # Errors
 /// Where the case is no bearing, or a mesh cannot be made so fine.
 pub fn cases(case: &Case, coarse: &SolvedBearing) -> Result<[(f64, Case); 2], CaseError> {
-    let flow = if case.controls.plasticity {
-        COARSER_FOR_FLOW
-    } else {
-        1.0
+    let [coarser, finer] = match case.controls.plasticity {
+        true => PLASTIC_SIZES,
+        false => ELASTIC_SIZES,
     };
-    let fineness = fineness(case)?;
-    let case = |size: f64| {
-        let scale = flow * size;
-        Ok::<_, CaseError>((scale, scaled(case, coarse, fineness, scale)?))
-    };
-    let [coarser, finer] = fineness.sizes;
+    let case = |scale| Ok::<_, CaseError>((scale, scaled(case, coarse, scale)?));
     Ok([case(coarser)?, case(finer)?])
 }
 
-fn wrong(text: impl Into<String>) -> CaseError {
-    CaseError::new(ErrorKind::Value, text)
-}
-
-fn fineness(case: &Case) -> Result<&'static Fineness, CaseError> {
-    match &case.kind {
-        Kind::Bearing(bearing) if bearing.is_whole() => Ok(&DISPLACED),
-        Kind::Bearing(_) => Ok(&CENTRED),
-        _ => Err(wrong("fine meshes are those of bearings")),
-    }
-}
-
-fn scaled(
-    case: &Case,
-    coarse: &SolvedBearing,
-    fineness: &Fineness,
-    scale: f64,
-) -> Result<Case, CaseError> {
+fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseError> {
     let mut case = case.clone();
+    let wrong = |text: String| CaseError::new(ErrorKind::Value, text);
     let Kind::Bearing(bearing) = &mut case.kind else {
-        return Err(wrong("fine meshes are those of bearings"));
+        return Err(wrong("fine meshes are those of bearings".into()));
     };
     let geometry = &bearing.geometry;
+    let fineness = if bearing.is_whole() {
+        DISPLACED
+    } else {
+        CENTRED
+    };
     let rollers = geometry.rollers(bearing.mesh.full);
     let roller = rollers.first().map_or("", |roller| roller.body.as_str());
     let steel = bearing.steels.of(roller)?;
@@ -95,7 +76,7 @@ fn scaled(
         (least.min(a), most.max(a))
     });
     if !(wide > 0.0) {
-        return Err(wrong("nothing is in contact"));
+        return Err(wrong("nothing is in contact".into()));
     }
     let size = narrow / fineness.across;
     let far = fineness.far * geometry.diameter();

@@ -45,10 +45,6 @@ pub fn path(set: Set) -> PathBuf {
     Path::new(FOLDER).join(format!("{set}.json"))
 }
 
-fn hash(bearing: &Bearing) -> String {
-    format!("{:016x}", Fnv::of(bearing.text.as_bytes()))
-}
-
 impl References {
     /// Those of `set`; none where there is no file, or it is of another format.
     ///
@@ -91,7 +87,7 @@ impl References {
 
     /// What is stored of `bearing`.
     pub fn of(&self, bearing: &Bearing) -> Option<&Stored> {
-        let same = |s: &&Stored| s.bearing == bearing.name && s.case == hash(bearing);
+        let same = |s: &&Stored| s.bearing == bearing.name && s.case == Fnv::hex(&bearing.text);
         self.0.iter().find(same)
     }
 
@@ -99,12 +95,12 @@ impl References {
     fn entry(&mut self, bearing: &Bearing) -> &mut Stored {
         let fresh = || Stored {
             bearing: bearing.name.clone(),
-            case: hash(bearing),
+            case: Fnv::hex(&bearing.text),
             ..Stored::default()
         };
         match self.0.iter().position(|s| s.bearing == bearing.name) {
             Some(at) => {
-                if self.0[at].case != hash(bearing) {
+                if self.0[at].case != Fnv::hex(&bearing.text) {
                     self.0[at] = fresh();
                 }
                 &mut self.0[at]

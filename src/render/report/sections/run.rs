@@ -1,12 +1,12 @@
 //! Assumptions, what was left out, the model, the time it took, and the versions.
 
 use crate::ground::geometry::AXES;
+use crate::ground::hash::Fnv;
 use crate::render::report::Inputs;
 use crate::render::report::html::list;
 use crate::render::summary::Summary;
 use crate::render::table::html::table;
 use crate::render::table::{Cell, Table};
-use crate::render::text::case_hash;
 use crate::render::text::significant;
 use maud::{Markup, html};
 
@@ -88,7 +88,7 @@ fn settings(inputs: &Inputs) -> Markup {
                 .clone()
                 .unwrap_or_else(|| "none".into()),
         ],
-        ["case file, FNV-1a".into(), case_hash(inputs.case.1)],
+        ["case file, FNV-1a".into(), Fnv::hex(inputs.case.1)],
         [
             "tolerance of forces".into(),
             format!("{:e} of the applied", controls.residual),

@@ -1,7 +1,7 @@
 //! The title block: whose calculation it is, and of which inputs.
 
+use crate::ground::hash::Fnv;
 use crate::render::report::Inputs;
-use crate::render::text::case_hash;
 use maud::{Markup, html};
 
 /// Nothing where the case has no title block. What it leaves out is blank, to be filled in by hand.
@@ -15,7 +15,8 @@ pub fn title_block(inputs: &Inputs) -> Markup {
             @for (name, text) in entries {
                 div { dt { (name) } dd { (text.as_deref().unwrap_or_default()) } }
             }
-            div { dt { "case file, FNV-1a" } dd { (case_hash(inputs.case.1)) } }
+            // A changed input is another calculation.
+            div { dt { "case file, FNV-1a" } dd { (Fnv::hex(inputs.case.1)) } }
             div { dt { "program" } dd { "Brinell " (inputs.summary.brinell_version) } }
         } }
     }

@@ -73,10 +73,7 @@ impl History {
                 self.slip_origin[index][i] += d[1 + i];
             }
         }
-        for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
-            node.multiplier = answer.traction;
-            node.origin = [0.0; 2];
-        }
+        start_from(point, evaluation);
     }
 
     /// All elements that have flowed.
@@ -99,6 +96,14 @@ impl History {
             }
         }
         self.settled = Settled::new(model, settled);
+    }
+}
+
+/// Makes a point in balance one that the next increment starts from, or its first guess.
+pub fn start_from(point: &mut Point, evaluation: &Evaluation) {
+    for (node, answer) in point.nodes.iter_mut().zip(&evaluation.contact) {
+        node.multiplier = answer.traction;
+        node.origin = [0.0; 2];
     }
 }
 

@@ -11,7 +11,7 @@ use std::mem::take;
 impl Run<'_, '_> {
     /// Takes note of an accepted increment.
     pub(super) fn accompany(&mut self) {
-        let alike = self.history.is_virgin() && !self.model.rubs();
+        let alike = self.history.is_virgin() && !self.model.scene.rubs();
         let Some(companion) = &mut self.companion else {
             return;
         };

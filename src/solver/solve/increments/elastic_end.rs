@@ -9,6 +9,7 @@ use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
 use crate::solver::solve::checkpoint::kept::Kept;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::equilibrium::history::{History, start_from};
 use crate::solver::solve::increments::flow_plan::{Growth, flow_ends};
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::balance::balance_increment;
@@ -79,7 +80,7 @@ impl Run<'_, '_> {
                 let state = recovered_state(model, &self.history, &end, with);
                 self.beside.elastic = Some(Kept::new(&state, Vec::new()));
                 self.beside.elastic_doubled = None;
-                if self.model.rubs() {
+                if self.model.scene.rubs() {
                     self.end_elastically_by_way_of(trial, (&end, evaluation));
                 }
                 self.end = Some(end);
@@ -112,34 +113,30 @@ impl Run<'_, '_> {
     /// on the way. That of one increment, `end`, tells what the two are worth. Where they do not converge `end`
     /// stands alone.
     fn end_elastically_by_way_of(&mut self, trial: &Point, (end, at_end): (&Point, &Evaluation)) {
-        let mut history = self.history.clone();
-        let mut point = trial.clone();
-        let mut guess = end.clone();
-        self.history.clone().slide(&mut guess, at_end);
-        for (first, to) in [(true, trial.time), (false, 1.0)] {
-            if !first {
-                point = guess.clone();
-            }
-            point.time = to;
-            let balanced = balance_increment(
+        let mut balance = |history: &History, point: &mut Point| {
+            balance_increment(
                 &self.model,
-                &history,
-                (&mut point, None),
+                history,
+                (point, None),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,
-            );
-            let Ok(evaluation) = balanced else {
-                return;
-            };
-            if first {
-                history.slide(&mut point, &evaluation);
-            } else {
-                let with = (&evaluation, self.sights.as_slice());
-                let state = recovered_state(&self.model, &history, &point, with);
-                let of_one = self.beside.elastic.replace(Kept::new(&state, Vec::new()));
-                self.beside.elastic_doubled = of_one;
-            }
-        }
+            )
+        };
+        let mut history = self.history.clone();
+        let mut way = trial.clone();
+        let Ok(on_the_way) = balance(&history, &mut way) else {
+            return;
+        };
+        history.slide(&mut way, &on_the_way);
+        let mut point = end.clone();
+        start_from(&mut point, at_end);
+        let Ok(evaluation) = balance(&history, &mut point) else {
+            return;
+        };
+        let with = (&evaluation, self.sights.as_slice());
+        let state = recovered_state(&self.model, &history, &point, with);
+        let of_two = Kept::new(&state, Vec::new());
+        self.beside.elastic_doubled = self.beside.elastic.replace(of_two);
     }
 }

@@ -10,7 +10,7 @@ impl Run<'_, '_> {
     pub(super) fn first_increment(&self) -> f64 {
         let scene = self.model.scene;
         let yields = (0..scene.mesh.hexes.len() as u32).any(|e| can_yield(scene, e));
-        let path_matters = yields || self.model.rubs();
+        let path_matters = yields || self.model.scene.rubs();
         if path_matters {
             scene.controls.first_increment
         } else {

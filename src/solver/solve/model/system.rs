@@ -49,11 +49,6 @@ impl Model<'_> {
         is_soft(self.is_divided(), self.all.len())
     }
 
-    /// Do bodies rub?
-    pub fn rubs(&self) -> bool {
-        self.scene.contacts.iter().any(|c| c.friction > 0.0)
-    }
-
     /// Is it too large for one factor?
     pub fn is_divided(&self) -> bool {
         matches!(self.preconditioner, Preconditioner::Schwarz(_))

@@ -3,11 +3,9 @@
 use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
 use super::plane::{PlaneFigures, planes};
-use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::interface::{StatusCounts, interfaces};
 use crate::answer::results::load;
-use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
-use crate::answer::results::recovery::recover;
+use crate::answer::results::peaks::{BodyPeaks, Peak, peaks_in};
 use crate::model::state::State;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -76,10 +74,7 @@ fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) ->
     let scene = solved.scene;
     let bodies = match reported {
         Some(peaks) => Cow::from(peaks),
-        None => {
-            let edges = LoadedEdges::find(scene, state);
-            Cow::from(peaks(scene, state, &recover(scene, state), &edges))
-        }
+        None => Cow::from(peaks_in(scene, state)),
     };
     let largest = |peak: &dyn Fn(usize) -> Option<Peak>| {
         let values = (0..bodies.len()).filter_map(peak).map(|p| p.value);

@@ -12,6 +12,7 @@ mod kit;
 mod left_out;
 mod misaligned;
 mod reaction;
+mod refined;
 mod resume;
 mod statics;
 mod symmetry;

@@ -194,6 +194,18 @@ fn boundary_nodes(scene: &Scene, surface: &Surface) -> Vec<u32> {
             *uses.entry((a.min(b), a.max(b))).or_default() += 1;
         }
     }
+    // Where nodes hang a face ends at two smaller ones.
+    for hanging in &scene.mesh.hanging {
+        if let [a, b] = *hanging.corners.as_slice() {
+            let m = hanging.node;
+            let sides = [(a, b), (a.min(m), a.max(m)), (b.min(m), b.max(m))];
+            if sides.iter().all(|side| uses.contains_key(side)) {
+                sides.iter().for_each(|side| {
+                    uses.remove(side);
+                });
+            }
+        }
+    }
     let once = uses.iter().filter(|(_, n)| **n == 1).map(|(edge, _)| *edge);
     let mirrors = mirror_planes(scene);
     let mirrored = |(a, b): &(u32, u32)| {

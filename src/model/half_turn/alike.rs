@@ -10,7 +10,7 @@ pub fn loads(scene: &Scene) -> Result<(), NoHalfTurn> {
     if !scene.controls.half_turn {
         return Err(NoHalfTurn::NotWanted);
     }
-    if !scene.ties.is_empty() {
+    if !scene.ties.is_empty() || !scene.mesh.hanging.is_empty() {
         return Err(NoHalfTurn::Tie);
     }
     let straight = |plane: &RigidPlane| {

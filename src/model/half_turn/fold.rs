@@ -220,6 +220,7 @@ fn part(mesh: &Mesh, keep: &[bool], elements: &[u32]) -> (Mesh, Vec<u32>) {
             .collect(),
         bodies: bodies.collect(),
         surfaces: surfaces.collect(),
+        hanging: Vec::new(),
         fingerprint: mesh.fingerprint.clone(),
     };
     (part, nodes)

@@ -9,8 +9,8 @@ pub enum NoHalfTurn {
     /// Not a plate that a force moves towards a fixed one.
     #[error("the load is not that of a plate pressed straight towards a fixed one")]
     Load,
-    /// Surfaces are tied.
-    #[error("surfaces are tied")]
+    /// Surfaces are tied, or nodes hang.
+    #[error("surfaces are tied, or nodes hang on edges of larger elements")]
     Tie,
     /// A body has no image.
     #[error("`{body}` is not the image of a body of the same steel")]

@@ -199,6 +199,7 @@ impl<'a> Block<'a> {
             hexes,
             bodies,
             surfaces: surfaces.into(),
+            hanging: Vec::new(),
             fingerprint: None,
         };
         let wrong = |e: &usize| orientation(&mesh.corners(*e)) != Orientation::Sound;

@@ -49,8 +49,20 @@ pub struct Mesh {
     pub bodies: Vec<Body>,
     /// Named surfaces.
     pub surfaces: Vec<Surface>,
+    /// Nodes that hang on elements without a node there, ascending. What a node hangs on has lower numbers than itself.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub hanging: Vec<Hanging>,
     /// The fingerprint of the template parameters that made the mesh, where the file carries one.
     pub fingerprint: Option<String>,
+}
+
+/// A node on an edge or face of an element that has no node there: it moves as the mean of the corners.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Hanging {
+    /// The node, in the middle,
+    pub node: u32,
+    /// and the two ends of the edge, or the four corners of the face.
+    pub corners: Vec<u32>,
 }
 
 /// A physical volume.
@@ -89,6 +101,12 @@ impl Mesh {
     /// The surface called `name`.
     pub fn surface(&self, name: &str) -> Option<&Surface> {
         self.surfaces.iter().find(|s| s.name == name)
+    }
+
+    /// What `node` hangs on; `None` where it hangs on nothing.
+    pub fn hung(&self, node: u32) -> Option<&Hanging> {
+        let at = self.hanging.binary_search_by_key(&node, |h| h.node).ok()?;
+        self.hanging.get(at)
     }
 
     /// The body that element `element` belongs to.

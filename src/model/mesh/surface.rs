@@ -2,7 +2,9 @@
 
 pub use super::hexahedron::{FACES, faces_of};
 use super::{Face, Mesh};
+use super::split::middles;
 use crate::ground::geometry::{cross, scale, sub};
+use std::collections::BTreeMap;
 
 /// What a quadrilateral is to the hexahedra.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,6 +79,41 @@ impl<'a> FaceFinder<'a> {
 }
 
 impl Mesh {
+    /// Takes away whole faces and the pieces that lie on them from the other side.
+    fn without_steps(&self, once: &mut BTreeMap<[u32; 4], usize>, faces: &[Face]) {
+        let middle = middles(self);
+        let of = |nodes: &[u32]| {
+            let mut key = nodes.to_vec();
+            key.sort_unstable();
+            middle.get(key.as_slice()).copied()
+        };
+        let mut gone: Vec<[u32; 4]> = Vec::new();
+        for (key, index) in once.iter() {
+            let [a, b, c, d] = faces[*index].nodes;
+            let ends = [[a, b], [b, c], [c, d], [d, a]];
+            let pieces = match (ends.map(|ends| of(&ends)), of(key)) {
+                ([Some(ab), Some(bc), Some(cd), Some(da)], Some(m)) => {
+                    vec![[a, ab, m, da], [b, bc, m, ab], [c, cd, m, bc], [d, da, m, cd]]
+                }
+                ([Some(ab), _, Some(cd), _], None)
+                    if once.contains_key(&sorted([a, ab, cd, d])) =>
+                {
+                    vec![[a, ab, cd, d], [ab, b, c, cd]]
+                }
+                ([_, Some(bc), _, Some(da)], None) => vec![[a, b, bc, da], [da, bc, c, d]],
+                _ => continue,
+            };
+            let pieces: Vec<[u32; 4]> = pieces.into_iter().map(sorted).collect();
+            if pieces.iter().all(|piece| once.contains_key(piece)) {
+                gone.push(*key);
+                gone.extend(pieces);
+            }
+        }
+        for key in gone {
+            once.remove(&key);
+        }
+    }
+
     /// The faces of body `body` that only one of its elements has, in the order of the elements.
     pub fn outer_faces(&self, body: usize) -> Vec<Face> {
         let elements = self.bodies[body].elements.clone();
@@ -91,11 +128,15 @@ impl Mesh {
             .map(|(k, face)| (sorted(face.nodes), k))
             .collect();
         keys.sort_unstable();
-        let mut outer: Vec<usize> = keys
+        let once = keys
             .chunk_by(|a, b| a.0 == b.0)
             .filter(|c| c.len() == 1)
-            .map(|c| c[0].1)
-            .collect();
+            .map(|c| c[0]);
+        let mut once: BTreeMap<[u32; 4], usize> = once.collect();
+        if !self.hanging.is_empty() {
+            self.without_steps(&mut once, &faces);
+        }
+        let mut outer: Vec<usize> = once.into_values().collect();
         outer.sort_unstable();
         outer.into_iter().map(|k| faces[k]).collect()
     }

@@ -1,7 +1,7 @@
 //! A symmetric whole from its half.
 
 use super::hexahedron::mirrored;
-use super::{Body, Face, Mesh, Surface};
+use super::{Body, Face, Hanging, Mesh, Surface};
 
 impl Mesh {
     /// The mesh together with its mirror image across the coordinate plane of `axis`. Nodes within
@@ -27,6 +27,17 @@ impl Mesh {
             points,
             ..Self::default()
         };
+        let images = self.hanging.iter().map(|h| Hanging {
+            node: image_of(h.node),
+            corners: {
+                let mut corners: Vec<u32> = h.corners.iter().map(|c| image_of(*c)).collect();
+                corners.sort_unstable();
+                corners
+            },
+        });
+        whole.hanging.extend(self.hanging.iter().cloned().chain(images));
+        whole.hanging.sort_by_key(|h| h.node);
+        whole.hanging.dedup();
         // Where each element and its image come to stand: behind the others of their body.
         let mut numbers = vec![[0u32; 2]; self.hexes.len()];
         for body in &self.bodies {

@@ -48,6 +48,13 @@ pub enum InpError {
         axis: &'static str,
         other: String,
     },
+    /// Nodes hang.
+    #[error("{nodes} nodes hang on edges or faces of larger elements, which decks do not have")]
+    #[diagnostic(
+        code(brinell::export::hanging),
+        help("export the scene as it was before it was refined")
+    )]
+    Hanging { nodes: usize },
     /// Surfaces cannot be tied.
     #[error("{why}")]
     #[diagnostic(code(brinell::export::tie))]

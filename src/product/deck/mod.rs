@@ -40,6 +40,10 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
         let body = temperature.body.clone();
         return Err(InpError::Temperature { body });
     }
+    if !scene.mesh.hanging.is_empty() {
+        let nodes = scene.mesh.hanging.len();
+        return Err(InpError::Hanging { nodes });
+    }
     let mut names = Names::new(&scene.mesh);
     let pairs = pairs(scene, &mut names)?;
     let ties = ties::ties(scene, &mut names)?;

@@ -9,6 +9,7 @@ mod by_bars;
 mod ending;
 mod goal;
 mod level;
+mod local;
 mod plan;
 
 pub use ending::{Limits, Verdict, folder};
@@ -16,6 +17,7 @@ pub use goal::{Goal, Target, TargetError};
 pub use level::{Figure, Level, table};
 
 use crate::case::Case;
+use crate::model::mesh::Mesh;
 use crate::product::converge::cost::Meter;
 use crate::product::converge::{ConvergeError, Series};
 use crate::product::job::{self, Options, Outcome};
@@ -49,11 +51,17 @@ pub fn refine(
         *contact = SQRT_2;
     }
     let mut levels: Vec<Level> = Vec::new();
+    // Of a mesh that is refined where it has to be: the one of the level to come.
+    let mut refined: Option<Mesh> = None;
     loop {
         let number = levels.len();
         let (below, own) = places(options, number);
         let meter = Meter::start();
-        let (scaled, mesh) = series.mesh(case, number, &below, observer)?;
+        let (scaled, mesh) = match refined.take() {
+            Some(mesh) => (case.clone(), mesh),
+            None => series.mesh(case, number, &below, observer)?,
+        };
+        let coarse = (series == Series::Split).then(|| mesh.clone());
         let outcome = job::run_on(&scaled, mesh, &own, Instant::now(), observer)?;
         if outcome.interrupted {
             return Ok((levels, Verdict::Interrupted, outcome));
@@ -65,7 +73,24 @@ pub fn refine(
         if let Some(verdict) = judge(&levels, target, limits) {
             return Ok((levels, verdict, outcome));
         }
+        if let (Some(coarse), Some(level)) = (coarse, levels.last()) {
+            refined = Some(finer(&coarse, level, target, &outcome)?);
+        }
     }
+}
+
+/// The mesh split where the figures that miss the target ask for it; throughout, where nothing says where.
+fn finer(
+    mesh: &Mesh,
+    level: &Level,
+    target: &Target,
+    outcome: &Outcome,
+) -> Result<Mesh, ConvergeError> {
+    let solved = (&outcome.scene, outcome.state());
+    Ok(match local::marks(solved, level, target) {
+        Some(marks) => mesh.split_some(|element| marks[element])?.mesh,
+        None => mesh.split()?,
+    })
 }
 
 /// The verdict after these levels; `None` while there is more to do.

@@ -25,6 +25,16 @@ impl Gathered {
         self.stiffness += other.stiffness;
     }
 
+    /// A share of the integrals.
+    pub fn times(&self, share: f64) -> Self {
+        Self {
+            area: share * self.area,
+            normals: self.normals.map(|normal| scale(normal, share)),
+            gap: scale(self.gap, share),
+            stiffness: share * self.stiffness,
+        }
+    }
+
     /// The direction of the contact normal, from the carrier to the other side.
     ///
     /// Where exactly one side is flat around the node, it is the normal of that side, which is known to the last

@@ -73,6 +73,7 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
             }
         }
     }
+    share_hanging(&mut nodes, pair);
     let covered = pieces.iter().zip(&carrier.nodes);
     let covered = covered.filter_map(|(piece, own)| piece.as_ref().map(|_| *own));
     sliver::absorb(&mut nodes, pair.follow, covered);
@@ -80,4 +81,25 @@ pub fn rows(pair: &Pair) -> Vec<Row> {
         .into_iter()
         .filter_map(|(node, sum)| sum.finish(node, pair))
         .collect()
+}
+
+/// A node that hangs has no multiplier of its own: its hat function is shared out to those of the nodes that it moves with,
+/// so that tractions are continuous, as displacements are, where facets of two sizes meet.
+fn share_hanging(nodes: &mut BTreeMap<u32, NodeSum>, pair: &Pair) {
+    // What hangs on a hanging node comes after it.
+    for hanging in pair.mesh.hanging.iter().rev() {
+        let is_here = |node: &u32| nodes.contains_key(node);
+        if !is_here(&hanging.node) || !hanging.corners.iter().all(is_here) {
+            continue;
+        }
+        let Some(sum) = nodes.remove(&hanging.node) else {
+            continue;
+        };
+        let share = 1.0 / hanging.corners.len() as f64;
+        for corner in &hanging.corners {
+            if let Some(master) = nodes.get_mut(corner) {
+                master.take(hanging.node, &sum, share);
+            }
+        }
+    }
 }

@@ -37,14 +37,19 @@ impl NodeSum {
     }
 
     /// Takes over all that `other`, the sum of `node`, has gathered.
-    pub fn absorb(&mut self, node: u32, other: Self) {
-        self.gathered.add(&other.gathered);
-        for (n, value) in other.terms {
-            let term = self.terms.entry(n).or_default();
-            *term = add(*term, value);
+    pub fn absorb(&mut self, node: u32, other: &Self) {
+        self.take(node, other, 1.0);
+    }
+
+    /// Takes over a share of it.
+    pub fn take(&mut self, node: u32, other: &Self, share: f64) {
+        self.gathered.add(&other.gathered.times(share));
+        for (n, value) in &other.terms {
+            let term = self.terms.entry(*n).or_default();
+            *term = add(*term, scale(*value, share));
         }
         self.absorbed.push(node);
-        self.absorbed.extend(other.absorbed);
+        self.absorbed.extend(&other.absorbed);
     }
 
     /// Adds what corner `a` of a facet with the nodes `own` gathers.

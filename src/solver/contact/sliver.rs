@@ -42,10 +42,10 @@ pub(super) fn absorb(
                 continue;
             }
             for other in [facet[(a + 1) % 4], facet[(a + 3) % 4]] {
-                if follows(&other) {
+                let Some(sum) = nodes.get(&other).filter(|_| !follows(&other)) else {
                     continue;
-                }
-                let candidate = (nodes[&other].covered(), other);
+                };
+                let candidate = (sum.covered(), other);
                 let best = beside.entry(*node).or_insert(candidate);
                 let more = candidate.0 - best.0;
                 if more > TIE || (more >= -TIE && other < best.1) {
@@ -67,7 +67,7 @@ pub(super) fn absorb(
         if let Some(sum) = nodes.remove(&node)
             && let Some(master) = nodes.get_mut(&into)
         {
-            master.absorb(node, sum);
+            master.absorb(node, &sum);
         }
     }
 }

@@ -21,8 +21,8 @@ pub struct Follower {
     pub component: Component,
     /// what it follows, with factors,
     pub terms: Vec<(Component, f64)>,
-    /// and the tie of the scene that joins them.
-    pub tie: u32,
+    /// and the tie of the scene that joins them; `None` where the node hangs on an edge or face of a larger element.
+    pub tie: Option<u32>,
 }
 
 /// All components that follow others.
@@ -153,12 +153,12 @@ mod tests {
         tied.push(Follower {
             component: 3,
             terms: vec![(0, 0.25), (6, 0.75)],
-            tie: 0,
+            tie: Some(0),
         });
         tied.push(Follower {
             component: 9,
             terms: vec![(3, 2.0), (6, 1.0)],
-            tie: 1,
+            tie: Some(1),
         });
         tied
     }
@@ -191,7 +191,7 @@ mod tests {
             told.push((follower.tie, follower.component, force));
         });
         // Node 1 hands on what it got from node 3.
-        assert_eq!(told, [(1, 9, 7.0), (0, 3, 17.0)]);
+        assert_eq!(told, [(Some(1), 9, 7.0), (Some(0), 3, 17.0)]);
         assert_eq!(work(&forces), work(&folded));
         assert_eq!([folded[1][0], folded[3][0]], [0.0; 2]);
     }

@@ -36,13 +36,6 @@ fn round_shells_that_turn_as_one_are_free_of_stress() {
     }
 }
 
-/// Radial displacement of the bore under a pressure of 100 in it, plane strain (Lamé).
-fn bore() -> f64 {
-    let (a, b, p): (f64, f64, f64) = (1.0, 2.0, 100.0);
-    let k = p * a * a / (b * b - a * a);
-    (1.0 + NU) / E * k * ((1.0 - 2.0 * NU) * a + b * b / a)
-}
-
 #[test]
 fn a_tube_of_two_shells_tends_to_lames_with_the_second_order() {
     let error = |n| {

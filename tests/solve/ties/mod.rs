@@ -6,15 +6,15 @@ mod patch;
 
 use brinell::prelude::*;
 
-const E: f64 = 210e3;
-const NU: f64 = 0.3;
+pub const E: f64 = 210e3;
+pub const NU: f64 = 0.3;
 
-fn steel() -> Steel {
+pub fn steel() -> Steel {
     Steel::elastic(E, NU)
 }
 
 /// A rotation about an axis that is aligned with nothing.
-fn tilted(p: [f64; 3]) -> [f64; 3] {
+pub fn tilted(p: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = p;
     let (s, c) = 0.7f64.sin_cos();
     let [x, y] = [c * x - s * y, s * x + c * y];
@@ -23,13 +23,13 @@ fn tilted(p: [f64; 3]) -> [f64; 3] {
 }
 
 /// A displacement gradient with all components, and the stress of it.
-const GRADIENT: [[f64; 3]; 3] = [
+pub const GRADIENT: [[f64; 3]; 3] = [
     [1.0e-3, 4.0e-4, -3.0e-4],
     [2.0e-4, -8.0e-4, 5.0e-4],
     [7.0e-4, -1.0e-4, 6.0e-4],
 ];
 
-fn stress(gradient: &[[f64; 3]; 3]) -> [f64; 6] {
+pub fn stress(gradient: &[[f64; 3]; 3]) -> [f64; 6] {
     let (shear, lame) = (
         E / (2.0 + 2.0 * NU),
         E * NU / ((1.0 + NU) * (1.0 - 2.0 * NU)),
@@ -41,7 +41,7 @@ fn stress(gradient: &[[f64; 3]; 3]) -> [f64; 6] {
     })
 }
 
-fn linear(surface: &str) -> Support {
+pub fn linear(surface: &str) -> Support {
     Support {
         name: surface.into(),
         surface: surface.into(),
@@ -51,10 +51,17 @@ fn linear(surface: &str) -> Support {
 }
 
 /// Largest deviation of any stress from that of the gradient, over the largest component of it.
-fn deviation(state: &State) -> f64 {
+pub fn deviation(state: &State) -> f64 {
     let exact = stress(&GRADIENT);
     let size = exact.iter().fold(0.0f64, |size, s| size.max(s.abs()));
     let points = state.stress.iter().flatten();
     let off = points.flat_map(|s| (0..6).map(|i| (s[i] - exact[i]).abs()));
     off.fold(0.0, f64::max) / size
+}
+
+/// Radial displacement of the bore under a pressure of 100 in it, plane strain (Lamé).
+pub fn bore() -> f64 {
+    let (a, b, p): (f64, f64, f64) = (1.0, 2.0, 100.0);
+    let k = p * a * a / (b * b - a * a);
+    (1.0 + NU) / E * k * ((1.0 - 2.0 * NU) * a + b * b / a)
 }

@@ -30,7 +30,10 @@ pub(super) struct Facet {
 impl Patch {
     /// The patch of `surface`, unless it has no extent or a facet without area.
     pub fn new(mesh: &Mesh, surface: &Surface) -> Option<Self> {
-        let nodes = surface.nodes();
+        let mut nodes = surface.nodes();
+        let has_inner_node = has_inner_node(surface, nodes.len());
+        // What hangs is in the middle of a chord.
+        nodes.retain(|node| mesh.hung(*node).is_none());
         let place = |node: u32| mesh.points.get(node as usize).copied().map(Vector3::from);
         let points: Vec<Vector3<f64>> = nodes.iter().filter_map(|n| place(*n)).collect();
         let first = points.first()?;
@@ -59,7 +62,7 @@ impl Patch {
             points: points.into_iter().map(scaled).collect(),
             width: facets.iter().map(|f| f.area).sum(),
             facets,
-            has_inner_node: has_inner_node(surface, nodes.len()),
+            has_inner_node,
             middle,
             size,
         })

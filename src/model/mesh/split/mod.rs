@@ -1,12 +1,16 @@
-//! Uniform refinement: every hexahedron into eight.
+//! Refinement: every hexahedron into eight, or some of them.
 
 mod nodes;
+mod some;
 
 use super::hexahedron::{CORNERS, Orientation, orientation};
 use super::{Body, Mesh, Surface};
 use miette::Diagnostic;
 use nodes::{Nodes, child};
 use thiserror::Error;
+
+pub(super) use some::middles;
+pub use some::{Directions, Refined};
 
 /// Why a mesh cannot be split.
 #[derive(Debug, Error, Diagnostic, PartialEq, Eq)]
@@ -48,17 +52,20 @@ impl Mesh {
                 result,
             });
         }
+        if !self.hanging.is_empty() {
+            return Ok(self.split_some(|_| [true; 3])?.mesh);
+        }
         let mut nodes = Nodes::new(self);
         let lattices: Vec<[u32; 27]> = self.hexes.iter().map(|hex| nodes.lattice(hex)).collect();
         let children = lattices
             .iter()
-            .flat_map(|lattice| CORNERS.map(|corner| child(lattice, corner)));
+            .flat_map(|lattice| CORNERS.map(|corner| child(lattice, corner, [true; 3])));
         let surfaces = self.surfaces.iter().map(|surface| Surface {
             name: surface.name.clone(),
             faces: surface
                 .faces
                 .iter()
-                .flat_map(|face| nodes.quarter(self, face))
+                .flat_map(|face| nodes.quarter(self, face, 8 * face.element))
                 .collect(),
         });
         let mesh = Mesh {
@@ -74,8 +81,14 @@ impl Mesh {
                 .collect(),
             surfaces: surfaces.collect(),
             points: nodes.points,
+            hanging: Vec::new(),
             fingerprint: None,
         };
+        self.sound(mesh)
+    }
+
+    /// The split mesh, unless an element of it is folded.
+    fn sound(&self, mesh: Mesh) -> Result<Mesh, SplitError> {
         let folded = |e: &usize| orientation(&mesh.corners(*e)) != Orientation::Sound;
         match (0..mesh.hexes.len()).find(folded) {
             None => Ok(mesh),

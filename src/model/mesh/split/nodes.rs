@@ -2,8 +2,9 @@
 
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::shape::{Shape, fit};
-use crate::model::mesh::{Face, Mesh};
-use std::collections::HashMap;
+use super::some::Directions;
+use crate::model::mesh::{Face, Hanging, Mesh};
+use std::collections::{HashMap, HashSet};
 
 /// Old and new nodes, the new ones by the old ones that they lie between.
 pub(super) struct Nodes {
@@ -39,6 +40,61 @@ impl Nodes {
             }
         }
         nodes
+    }
+
+    /// The same of a mesh with hanging nodes, whose elements are split along the directions of `marks`. What no longer hangs
+    /// comes to lie on the round surface that it is of.
+    pub fn with_hanging(mesh: &Mesh, marks: &[Directions]) -> Self {
+        let mut nodes = Self::new(mesh);
+        let mut keys: HashSet<&[u32]> = HashSet::new();
+        let mut held = Vec::new();
+        for (hex, mark) in mesh.hexes.iter().zip(marks) {
+            nodes.flatten(hex, *mark);
+            held.extend(whole(hex, *mark));
+        }
+        keys.extend(held.iter().map(Vec::as_slice));
+        let released = |h: &&Hanging| !keys.contains(h.corners.as_slice());
+        let released: HashSet<u32> = (mesh.hanging.iter().filter(released)).map(|h| h.node).collect();
+        for surface in mesh.surfaces.iter().filter(|_| !released.is_empty()) {
+            let shape = fit(mesh, surface);
+            let own = surface.nodes().into_iter().filter(|n| released.contains(n));
+            for node in own.filter(|_| shape.radius().is_some()) {
+                let at = nodes.points[node as usize];
+                nodes.points[node as usize] = on(Some(&shape), at);
+            }
+        }
+        for hanging in &mesh.hanging {
+            match *hanging.corners.as_slice() {
+                [a, b] => nodes.edges.insert([a, b], hanging.node),
+                [a, b, c, d] => nodes.faces.insert([a, b, c, d], hanging.node),
+                _ => None,
+            };
+        }
+        nodes
+    }
+
+    /// Edges and faces of an element that stay whole stay straight, though they lie on a round surface.
+    fn flatten(&mut self, hex: &[u32; 8], mark: Directions) {
+        for key in whole(hex, mark) {
+            match *key.as_slice() {
+                [a, b] => self.round_edges.remove(&[a, b]),
+                [a, b, c, d] => self.round_faces.remove(&[a, b, c, d]),
+                _ => None,
+            };
+        }
+    }
+
+    /// Nodes on the edges and faces of an element that has no node there itself, each with the corners around it.
+    pub fn hanging(&self, hex: &[u32; 8]) -> Vec<(u32, Vec<u32>)> {
+        let edges = EDGES.map(|ends| sorted(ends.map(|c| hex[c])));
+        let faces = FACES.map(|face| sorted(face.map(|c| hex[c])));
+        let of_edges = edges
+            .iter()
+            .filter_map(|key| Some((*self.edges.get(key)?, key.to_vec())));
+        let of_faces = faces
+            .iter()
+            .filter_map(|key| Some((*self.faces.get(key)?, key.to_vec())));
+        of_edges.chain(of_faces).collect()
     }
 
     fn add(&mut self, point: [f64; 3]) -> u32 {
@@ -92,8 +148,26 @@ impl Nodes {
         lattice
     }
 
-    /// The four pieces of a face, each on its piece of the element.
-    pub fn quarter(&self, mesh: &Mesh, face: &Face) -> Vec<Face> {
+    /// Those of the 27 nodes of [`lattice`](Self::lattice) that an element split along some directions has.
+    pub fn part(&mut self, hex: &[u32; 8], mark: Directions) -> [u32; 27] {
+        if mark == [true; 3] {
+            return self.lattice(hex);
+        }
+        let mut lattice = [0; 27];
+        for (corner, node) in CORNERS.iter().zip(hex) {
+            lattice[place(*corner)] = *node;
+        }
+        for ends in EDGES.iter().filter(|ends| cuts(*ends, mark) == 1) {
+            lattice[place(middle(ends))] = self.edge(ends.map(|c| hex[c]));
+        }
+        for face in FACES.iter().filter(|face| cuts(*face, mark) == 2) {
+            lattice[place(middle(face))] = self.face(face.map(|c| hex[c]));
+        }
+        lattice
+    }
+
+    /// The four pieces of a face, each on its piece of the element; the first piece has the number `first`.
+    pub fn quarter(&self, mesh: &Mesh, face: &Face, first: u32) -> Vec<Face> {
         let middle = self.faces.get(&sorted(face.nodes));
         let hex = &mesh.hexes[face.element as usize];
         let piece = |k: usize| {
@@ -106,7 +180,7 @@ impl Nodes {
                     *middle?,
                     *self.edges.get(&sorted([before, here]))?,
                 ],
-                element: 8 * face.element + corner as u32,
+                element: first + corner as u32,
             })
         };
         (0..4).filter_map(piece).collect()
@@ -126,9 +200,27 @@ impl Nodes {
     }
 }
 
-/// The piece of a hexahedron at `corner`.
-pub(super) fn child(lattice: &[u32; 27], corner: [f64; 3]) -> [u32; 8] {
-    CORNERS.map(|other| lattice[place([0, 1, 2].map(|k| 0.5 * (corner[k] + other[k])))])
+/// The piece at `corner` of a hexahedron that is split along some directions.
+pub(super) fn child(lattice: &[u32; 27], corner: [f64; 3], mark: Directions) -> [u32; 8] {
+    let half = |k: usize, other: &[f64; 3]| match mark[k] {
+        true => 0.5 * (corner[k] + other[k]),
+        false => other[k],
+    };
+    CORNERS.map(|other| lattice[place([0, 1, 2].map(|k| half(k, &other)))])
+}
+
+/// Along how many directions an edge or a face is split with its element.
+fn cuts(corners: &[usize], mark: Directions) -> usize {
+    let varies = |k: &usize| corners.iter().any(|c| CORNERS[*c][*k] != CORNERS[corners[0]][*k]);
+    (0..3).filter(|k| mark[*k]).filter(varies).count()
+}
+
+/// Edges and faces of an element that stay whole, by their nodes, ascending.
+fn whole(hex: &[u32; 8], mark: Directions) -> impl Iterator<Item = Vec<u32>> {
+    let edges = EDGES.into_iter().filter(move |ends| cuts(ends, mark) == 0);
+    let faces = FACES.into_iter().filter(move |face| cuts(face, mark) == 0);
+    let edges = edges.map(|ends| sorted(ends.map(|c| hex[c])).to_vec());
+    edges.chain(faces.map(|face| sorted(face.map(|c| hex[c])).to_vec()))
 }
 
 /// Index in the lattice of natural coordinates that are −1, 0 or 1.

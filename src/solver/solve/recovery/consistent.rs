@@ -12,6 +12,7 @@
 //! those in contact has a share of their traction, though it is open itself.
 
 use crate::ground::geometry::{Vec3, add, dot, norm, scale};
+use crate::model::mesh::Hanging;
 use crate::model::state::ContactField;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
@@ -40,6 +41,15 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
             }
         }
     }
+    let hanging = &model.scene.mesh.hanging;
+    for (field, own) in fields.iter().zip(&mut coefficients) {
+        for (at, corners) in hanging_on(field, hanging) {
+            own[at] = Coefficient {
+                normal: middle(&corners, |c| own[c].normal),
+                shear: middle(&corners, |c| own[c].shear),
+            };
+        }
+    }
     for row in model.rows.iter().chain(&model.spare) {
         let field = &mut fields[row.pair];
         let Coefficient { normal, shear } = mean(row, field, &coefficients[row.pair]);
@@ -54,6 +64,38 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
             field.traction[at] = scale(shear, sign);
         }
     }
+    // A node that hangs has no area of its own: it shows what is between its corners.
+    for field in fields {
+        for (at, corners) in hanging_on(field, hanging) {
+            let mean = |of: &[f64]| corners.iter().map(|c| of[*c]).sum::<f64>() / corners.len() as f64;
+            field.pressure[at] = mean(&field.pressure);
+            field.multiplier[at] = mean(&field.multiplier);
+            field.gap[at] = mean(&field.gap);
+            field.slip[at] = mean(&field.slip);
+            field.traction[at] = middle(&corners, |c| field.traction[c]);
+            let status = corners.iter().map(|c| field.status[*c]);
+            field.status[at] = match status.clone().min() {
+                Some(0) | None => 0,
+                _ => status.max().unwrap_or_default(),
+            };
+        }
+    }
+}
+
+/// By place in a field: nodes that hang, and what they hang on, where that is in the field, too.
+fn hanging_on(field: &ContactField, hanging: &[Hanging]) -> Vec<(usize, Vec<usize>)> {
+    let place = |node: &u32| field.nodes.binary_search(node).ok();
+    let of = |h: &Hanging| {
+        let corners: Option<Vec<usize>> = h.corners.iter().map(place).collect();
+        Some((place(&h.node)?, corners?))
+    };
+    hanging.iter().filter_map(of).collect()
+}
+
+/// The mean at some places.
+fn middle(places: &[usize], of: impl Fn(usize) -> Vec3) -> Vec3 {
+    let sum = places.iter().fold([0.0; 3], |sum, at| add(sum, of(*at)));
+    scale(sum, 1.0 / places.len().max(1) as f64)
 }
 
 /// Σ_B C_AB z_B over the nodes B of the carrier that the row of node A knows.

@@ -40,7 +40,8 @@ pub fn tie_fields(
     }
     let mut left = left_over(model, (point, evaluation), plastic, u);
     tied.fold(&mut left, |follower, force| {
-        let field = &mut fields[follower.tie as usize];
+        let Some(tie) = follower.tie else { return };
+        let field = &mut fields[tie as usize];
         let mut add_at = |component: u32, force: f64| {
             if let Ok(at) = field.nodes.binary_search(&(component / 3)) {
                 field.force[at][component as usize % 3] += force;

@@ -36,7 +36,7 @@ const EVEN: f64 = 1.0 + 1e-9;
 /// [`TieError`] where surfaces cannot be tied.
 pub fn followers(scene: &Scene, owners: &Owners) -> Result<Tied, TieError> {
     let mut tied = Tied::new(scene.mesh.points.len());
-    let (mut order, mut all) = (Order::default(), Vec::new());
+    let (mut order, mut all) = hanging(scene, owners);
     for (index, tie) in (0..).zip(&scene.ties) {
         let sides = Sides::of(scene, tie)?;
         let of = |follows: usize, order: &Order| {
@@ -69,6 +69,31 @@ pub fn followers(scene: &Scene, owners: &Owners) -> Result<Tied, TieError> {
     let tied = sorted(all, tied);
     beside_contact(scene, &tied)?;
     Ok(tied)
+}
+
+/// What hangs on edges and faces of larger elements. What a support holds does not: its corners are held alike.
+fn hanging(scene: &Scene, owners: &Owners) -> (Order, Vec<Follower>) {
+    let (mut order, mut all) = (Order::default(), Vec::new());
+    for hanging in &scene.mesh.hanging {
+        let share = 1.0 / hanging.corners.len().max(1) as f64;
+        for axis in 0..3 {
+            if owners[hanging.node as usize][axis].is_some() {
+                continue;
+            }
+            let own = component(hanging.node, axis);
+            let corners = hanging
+                .corners
+                .iter()
+                .map(|corner| component(*corner, axis));
+            order.insert(own, corners.clone());
+            all.push(Follower {
+                component: own,
+                terms: corners.map(|corner| (corner, share)).collect(),
+                tie: None,
+            });
+        }
+    }
+    (order, all)
 }
 
 /// By number of each node of a seam that follows: the numbers of those whose functions it takes over.
@@ -206,6 +231,6 @@ fn follower<'n>(
     Follower {
         component: component(node.node, axis),
         terms: terms.into_iter().collect(),
-        tie,
+        tie: Some(tie),
     }
 }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// # Errors
 /// [`SolveError`] where supports contradict each other or surfaces cannot be tied.
 pub fn tied(scene: &Scene) -> Result<Arc<Tied>, SolveError> {
-    if scene.ties.is_empty() {
+    if scene.ties.is_empty() && scene.mesh.hanging.is_empty() {
         return Ok(Arc::default());
     }
     Ok(Arc::new(followers(scene, &owners(scene)?)?))

@@ -26,10 +26,15 @@ fn refined(marked: impl Fn(usize) -> bool) -> Scene {
 #[test]
 fn a_uniform_stress_passes_from_split_elements_to_whole_ones() {
     for (name, marked) in [
-        ("one inside", &(|e| e == 21) as &dyn Fn(usize) -> bool),
-        ("a corner", &|e| e < 2 || e == 4),
-        ("a chequerboard", &|e| (e % 4 + e / 4 % 4 + e / 16) % 2 == 0),
-        ("a half", &|e| e % 4 < 2),
+        (
+            "one inside",
+            &(|e: usize| e == 21) as &dyn Fn(usize) -> bool,
+        ),
+        ("a corner", &|e: usize| e < 2 || e == 4),
+        ("a chequerboard", &|e: usize| {
+            (e % 4 + e / 4 % 4 + e / 16) % 2 == 0
+        }),
+        ("a half", &|e: usize| e % 4 < 2),
     ] {
         let scene = refined(marked);
         assert!(!scene.mesh.hanging.is_empty());
@@ -112,7 +117,9 @@ fn a_uniform_pressure_passes_where_elements_at_the_contact_are_split() {
             for stress in state.stress.as_flattened() {
                 let [x, y, z, xy, yz, zx] = *stress;
                 let other = [x, y, xy, yz, zx];
-                let off = other.iter().fold((z + 2.0).abs(), |off, s| off.max(s.abs()));
+                let off = other
+                    .iter()
+                    .fold((z + 2.0).abs(), |off, s| off.max(s.abs()));
                 assert!(off < 2e-8, "{name}: {off:e}");
             }
             let field = &state.contacts[0];
@@ -147,7 +154,8 @@ fn pressed_blocks(carrier: Side, splits: [usize; 2]) -> (Scene, usize) {
             let mesh = &scene.mesh;
             let near = |e: usize| {
                 let inside = mesh.bodies[body].elements.contains(&e);
-                let close = |p: &[f64; 3]| p[0].hypot(p[1] - 0.4).hypot(p[2]) < 0.4 / (1 + level) as f64;
+                let close =
+                    |p: &[f64; 3]| p[0].hypot(p[1] - 0.4).hypot(p[2]) < 0.4 / (1 + level) as f64;
                 [inside && mesh.corners(e).iter().any(close); 3]
             };
             scene.mesh = mesh.split_some(near).unwrap().mesh;
@@ -157,45 +165,40 @@ fn pressed_blocks(carrier: Side, splits: [usize; 2]) -> (Scene, usize) {
     (scene, hanging)
 }
 
+/// Problem H: the coarsest but one of the nested meshes, split twice in x and y around the strip, is better than the next
+/// one split throughout, of 11 140 nodes.
 #[test]
-fn probe_h() {
+fn problem_h_split_near_the_strip_is_within_three_per_mille_on_few_nodes() {
     use brinell::model::mesh::family::problem_h::{self, HALF_WIDTH, Sizes};
     use brinell::product::converge::problem_h as h;
-    let case = h::case().unwrap();
-    for (level, rings) in [
-        (2u32, vec![]),
-        (3, vec![]),
-        (4, vec![]),
-        (1, vec![3.0, 2.0]),
-        (1, vec![2.0, 1.4, 1.4]),
-        (2, vec![2.0]),
-        (2, vec![1.4]),
-        (2, vec![0.7]),
-        (2, vec![3.0, 1.5]),
-        (2, vec![2.0, 1.5]),
-        (2, vec![3.0, 2.0, 1.3]),
+    let mut mesh = problem_h::half(&Sizes::nested(1)).unwrap();
+    for ring in [3.0, 2.0] {
+        let near = |e: usize| {
+            let corners = mesh.corners(e);
+            let near = (corners.iter()).any(|p| p[0].hypot(p[1]) < ring * HALF_WIDTH);
+            // In the plane, whichever of its own directions that are.
+            [1, 3, 4].map(|end| near && (corners[end][2] - corners[0][2]).abs() < 1e-12)
+        };
+        mesh = mesh.split_some(near).unwrap().mesh;
+    }
+    assert!(mesh.points.len() < 7000, "{}", mesh.points.len());
+    let solved = Solved::of(h::case().unwrap().scene(mesh).unwrap()).unwrap();
+    let read = h::read(&solved.scene, solved.state()).unwrap();
+    for (name, value, limit) in [
+        ("p0", read.pressure, h::PRESSURE),
+        ("half-width", read.half_width, h::HALF_WIDTH),
+        ("centroid, block", read.block.centroid, h::MISES_BLOCK),
+        (
+            "centroid, cylinder",
+            read.cylinder.centroid,
+            h::MISES_CYLINDER,
+        ),
+        ("nodal, block", read.block.nodal, h::MISES_BLOCK),
+        ("nodal, cylinder", read.cylinder.nodal, h::MISES_CYLINDER),
     ] {
-        let mut mesh = problem_h::half(&Sizes::nested(level)).unwrap();
-        for ring in &rings {
-            let near = |e: usize| {
-                let near = mesh.corners(e).iter().any(|p| p[0].hypot(p[1]) < ring * HALF_WIDTH);
-                let [a, b, _, d, e5, ..] = mesh.corners(e);
-                let z = |q: [f64; 3]| (q[2] - a[2]).abs() < 1e-12;
-                [near && z(b), near && z(d), near && z(e5)]
-            };
-            mesh = mesh.split_some(near).unwrap().mesh;
-        }
-        let scene = case.scene(mesh).unwrap();
-        let solved = Solved::of(scene).unwrap();
-        let r = h::read(&solved.scene, solved.state()).unwrap();
-        let unknowns = 2 * solved.scene.mesh.points.len() / 2;
-        let rel = |v: f64, e: f64| 100.0 * (v / e - 1.0);
-        println!(
-            "{level} {rings:?} dofs {unknowns} p {:.3} a {:.3} blk c {:.3} n {:.3} cyl c {:.3} n {:.3} L2 {:.4} energy {:.8}",
-            rel(r.pressure, h::PRESSURE), rel(r.half_width, h::HALF_WIDTH),
-            rel(r.block.centroid, h::MISES_BLOCK), rel(r.block.nodal, h::MISES_BLOCK),
-            rel(r.cylinder.centroid, h::MISES_CYLINDER), rel(r.cylinder.nodal, h::MISES_CYLINDER),
-            r.profile, r.energy
+        assert!(
+            (value / limit - 1.0).abs() < 3e-3,
+            "{name}: {value} {limit}"
         );
     }
 }

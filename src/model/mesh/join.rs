@@ -51,10 +51,12 @@ impl Mesh {
             }
             let shifted = |n: u32| n + nodes as u32;
             whole.points.extend(part.points);
-            whole.hanging.extend(part.hanging.into_iter().map(|h| Hanging {
-                node: shifted(h.node),
-                corners: h.corners.into_iter().map(shifted).collect(),
-            }));
+            whole
+                .hanging
+                .extend(part.hanging.into_iter().map(|h| Hanging {
+                    node: shifted(h.node),
+                    corners: h.corners.into_iter().map(shifted).collect(),
+                }));
             whole
                 .hexes
                 .extend(part.hexes.into_iter().map(|hex| hex.map(shifted)));

@@ -1,8 +1,8 @@
 //! Faces of hexahedra: which are outer, which element a quadrilateral belongs to, which way is out.
 
 pub use super::hexahedron::{FACES, faces_of};
-use super::{Face, Mesh};
 use super::split::middles;
+use super::{Face, Mesh};
 use crate::ground::geometry::{cross, scale, sub};
 use std::collections::BTreeMap;
 
@@ -93,7 +93,12 @@ impl Mesh {
             let ends = [[a, b], [b, c], [c, d], [d, a]];
             let pieces = match (ends.map(|ends| of(&ends)), of(key)) {
                 ([Some(ab), Some(bc), Some(cd), Some(da)], Some(m)) => {
-                    vec![[a, ab, m, da], [b, bc, m, ab], [c, cd, m, bc], [d, da, m, cd]]
+                    vec![
+                        [a, ab, m, da],
+                        [b, bc, m, ab],
+                        [c, cd, m, bc],
+                        [d, da, m, cd],
+                    ]
                 }
                 ([Some(ab), _, Some(cd), _], None)
                     if once.contains_key(&sorted([a, ab, cd, d])) =>

@@ -35,7 +35,9 @@ impl Mesh {
                 corners
             },
         });
-        whole.hanging.extend(self.hanging.iter().cloned().chain(images));
+        whole
+            .hanging
+            .extend(self.hanging.iter().cloned().chain(images));
         whole.hanging.sort_by_key(|h| h.node);
         whole.hanging.dedup();
         // Where each element and its image come to stand: behind the others of their body.

@@ -57,24 +57,37 @@ pub(super) fn marks(
         (0..RINGS).for_each(|_| near = with_ring(mesh, &near));
         join(&mut wanted, &near);
     }
-    if missing(&[Goal::ElasticMises, Goal::Mises, Goal::PlasticStrain, Goal::Bore]) {
+    if missing(&[
+        Goal::ElasticMises,
+        Goal::Mises,
+        Goal::PlasticStrain,
+        Goal::Bore,
+    ]) {
         join(&mut wanted, &peaks(scene, &recovered));
     }
     if missing(&[Goal::Descent]) {
         join(&mut wanted, &bulk(&recovered, &varies));
     }
-    let largest = recovered.mises_nodal.iter().fold(0.0, |most: f64, s| most.max(*s));
+    let largest = recovered
+        .mises_nodal
+        .iter()
+        .fold(0.0, |most: f64, s| most.max(*s));
     let enough = FINE * target.within * largest;
     let of = |(wanted, varies): (&bool, &[f64; 3])| {
         let most = varies.iter().fold(0.0, |most: f64, v| most.max(*v));
         varies.map(|v| *wanted && most > enough && v >= VARIES * most)
     };
     let marks: Vec<Directions> = wanted.iter().zip(&varies).map(of).collect();
-    marks.iter().any(|mark| mark.contains(&true)).then_some(marks)
+    marks
+        .iter()
+        .any(|mark| mark.contains(&true))
+        .then_some(marks)
 }
 
 fn join(all: &mut [bool], more: &[bool]) {
-    all.iter_mut().zip(more).for_each(|(all, more)| *all |= more);
+    all.iter_mut()
+        .zip(more)
+        .for_each(|(all, more)| *all |= more);
 }
 
 /// Elements with a face that is pressed, on either side.
@@ -122,7 +135,10 @@ fn with_ring(mesh: &Mesh, some: &[bool]) -> Vec<bool> {
     }
     for hanging in mesh.hanging.iter().rev() {
         if touched[hanging.node as usize] {
-            hanging.corners.iter().for_each(|c| touched[*c as usize] = true);
+            hanging
+                .corners
+                .iter()
+                .for_each(|c| touched[*c as usize] = true);
         }
     }
     let touches = |hex: &[u32; 8]| hex.iter().any(|node| touched[*node as usize]);
@@ -177,7 +193,8 @@ fn gradients(mesh: &Mesh, recovered: &Recovered) -> Vec<Matrix3<f64>> {
             let derivative = Vector3::from(*at) / 8.0;
             jacobian += derivative * Vector3::from(corners[i]).transpose();
             let point = recovered.points.cells[e][i] as usize;
-            natural += derivative * SVector::<f64, 6>::from(recovered.nodal_stress[point]).transpose();
+            natural +=
+                derivative * SVector::<f64, 6>::from(recovered.nodal_stress[point]).transpose();
         }
         let inverse = jacobian.try_inverse().unwrap_or_default();
         let gradient = inverse * natural;

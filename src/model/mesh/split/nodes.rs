@@ -1,8 +1,8 @@
 //! The nodes of a split mesh: old ones, and new ones at the middles of edges, faces and elements.
 
+use super::some::Directions;
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::shape::{Shape, fit};
-use super::some::Directions;
 use crate::model::mesh::{Face, Hanging, Mesh};
 use std::collections::{HashMap, HashSet};
 
@@ -54,7 +54,9 @@ impl Nodes {
         }
         keys.extend(held.iter().map(Vec::as_slice));
         let released = |h: &&Hanging| !keys.contains(h.corners.as_slice());
-        let released: HashSet<u32> = (mesh.hanging.iter().filter(released)).map(|h| h.node).collect();
+        let released: HashSet<u32> = (mesh.hanging.iter().filter(released))
+            .map(|h| h.node)
+            .collect();
         for surface in mesh.surfaces.iter().filter(|_| !released.is_empty()) {
             let shape = fit(mesh, surface);
             let own = surface.nodes().into_iter().filter(|n| released.contains(n));
@@ -211,7 +213,11 @@ pub(super) fn child(lattice: &[u32; 27], corner: [f64; 3], mark: Directions) -> 
 
 /// Along how many directions an edge or a face is split with its element.
 fn cuts(corners: &[usize], mark: Directions) -> usize {
-    let varies = |k: &usize| corners.iter().any(|c| CORNERS[*c][*k] != CORNERS[corners[0]][*k]);
+    let varies = |k: &usize| {
+        corners
+            .iter()
+            .any(|c| CORNERS[*c][*k] != CORNERS[corners[0]][*k])
+    };
     (0..3).filter(|k| mark[*k]).filter(varies).count()
 }
 

@@ -31,7 +31,10 @@ impl Mesh {
     /// # Errors
     /// [`SplitError`] for a mesh that becomes too large or folded.
     pub fn split_some(&self, marked: impl Fn(usize) -> Directions) -> Result<Refined, SplitError> {
-        let mut marks: Vec<Directions> = (0..self.hexes.len()).map(marked).collect();
+        self.split_marked((0..self.hexes.len()).map(marked).collect())
+    }
+
+    fn split_marked(&self, mut marks: Vec<Directions>) -> Result<Refined, SplitError> {
         let mut result = Refined {
             mesh: self.clone(),
             of: (0..self.hexes.len() as u32).collect(),
@@ -42,7 +45,7 @@ impl Mesh {
             let is_last = first.iter().all(|mark| *mark == [false; 3]);
             let done = match is_last {
                 true => result.mesh.step(&marks)?,
-                false => result.mesh.split_some(|e| first[e])?,
+                false => result.mesh.split_marked(first.clone())?,
             };
             let left = |e: &u32| {
                 let e = *e as usize;
@@ -164,7 +167,9 @@ fn complete(mesh: &Mesh, marks: &mut [Directions]) {
     loop {
         let marked = || {
             let all = mesh.hexes.iter().enumerate();
-            all.flat_map(|(e, hex)| EDGES.map(|ends| (e, along(ends), sorted(ends.map(|c| hex[c])))))
+            all.flat_map(|(e, hex)| {
+                EDGES.map(|ends| (e, along(ends), sorted(ends.map(|c| hex[c]))))
+            })
         };
         let cut = marked().filter(|(e, axis, _)| marks[*e][*axis]);
         halved.extend(cut.map(|(_, _, key)| key));

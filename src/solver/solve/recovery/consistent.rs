@@ -67,7 +67,8 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
     // A node that hangs has no area of its own: it shows what is between its corners.
     for field in fields {
         for (at, corners) in hanging_on(field, hanging) {
-            let mean = |of: &[f64]| corners.iter().map(|c| of[*c]).sum::<f64>() / corners.len() as f64;
+            let mean =
+                |of: &[f64]| corners.iter().map(|c| of[*c]).sum::<f64>() / corners.len() as f64;
             field.pressure[at] = mean(&field.pressure);
             field.multiplier[at] = mean(&field.multiplier);
             field.gap[at] = mean(&field.gap);

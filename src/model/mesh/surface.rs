@@ -1,10 +1,9 @@
 //! Faces of hexahedra: which are outer, which element a quadrilateral belongs to, which way is out.
 
 pub use super::hexahedron::{FACES, faces_of};
-use super::split::middles;
 use super::{Face, Mesh};
 use crate::ground::geometry::{cross, scale, sub};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// What a quadrilateral is to the hexahedra.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,7 +80,9 @@ impl<'a> FaceFinder<'a> {
 impl Mesh {
     /// Takes away whole faces and the pieces that lie on them from the other side.
     fn without_steps(&self, once: &mut BTreeMap<[u32; 4], usize>, faces: &[Face]) {
-        let middle = middles(self);
+        let hanging = self.hanging.iter();
+        let middle: HashMap<&[u32], u32> =
+            hanging.map(|h| (h.corners.as_slice(), h.node)).collect();
         let of = |nodes: &[u32]| {
             let mut key = nodes.to_vec();
             key.sort_unstable();

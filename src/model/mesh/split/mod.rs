@@ -9,8 +9,8 @@ use miette::Diagnostic;
 use nodes::{Nodes, child};
 use thiserror::Error;
 
-pub(super) use some::middles;
-pub use some::{Directions, Refined};
+pub use nodes::Directions;
+pub use some::Refined;
 
 /// Why a mesh cannot be split.
 #[derive(Debug, Error, Diagnostic, PartialEq, Eq)]

@@ -1,10 +1,12 @@
 //! The nodes of a split mesh: old ones, and new ones at the middles of edges, faces and elements.
 
-use super::some::Directions;
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Face, Hanging, Mesh};
 use std::collections::{HashMap, HashSet};
+
+/// Along which of its own directions, from corner 0 to corners 1, 3 and 4, an element is split.
+pub type Directions = [bool; 3];
 
 /// Old and new nodes, the new ones by the old ones that they lie between.
 pub(super) struct Nodes {

@@ -4,14 +4,11 @@
 //! is split first. And a marked element is split along every direction in which one of its edges has a node already, or gets
 //! one. So a face is either split alike from both sides, or whole on one of them, and what hangs on it follows its corners.
 
-use super::nodes::{Nodes, child};
+use super::nodes::{Directions, Nodes, child};
 use super::{MOST_HEXAHEDRA, SplitError};
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::{Body, Face, Hanging, Mesh, Surface};
-use std::collections::{BTreeMap, HashMap, HashSet};
-
-/// Along which of its own directions, from corner 0 to corners 1, 3 and 4, an element is split.
-pub type Directions = [bool; 3];
+use std::collections::{BTreeMap, HashSet};
 
 /// A mesh of which some elements are split.
 #[derive(Debug, Clone, PartialEq)]
@@ -212,10 +209,4 @@ fn coarser(mesh: &Mesh, marks: &[Directions]) -> Vec<Directions> {
         }
     }
     first
-}
-
-/// Nodes in the middles of edges, by the ends.
-pub(crate) fn middles(mesh: &Mesh) -> HashMap<&[u32], u32> {
-    let all = mesh.hanging.iter();
-    all.map(|h| (h.corners.as_slice(), h.node)).collect()
 }

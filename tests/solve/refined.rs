@@ -32,7 +32,7 @@ fn a_uniform_stress_passes_from_split_elements_to_whole_ones() {
         ),
         ("a corner", &|e: usize| e < 2 || e == 4),
         ("a chequerboard", &|e: usize| {
-            (e % 4 + e / 4 % 4 + e / 16) % 2 == 0
+            (e % 4 + e / 4 % 4 + e / 16).is_multiple_of(2)
         }),
         ("a half", &|e: usize| e % 4 < 2),
     ] {

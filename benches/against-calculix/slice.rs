@@ -202,6 +202,6 @@ fn extruded(mesh: &Mesh) -> Mesh {
         points,
         hexes,
         bodies,
-        fingerprint: None,
+        ..Mesh::default()
     }
 }

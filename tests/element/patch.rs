@@ -60,7 +60,7 @@ fn mesh() -> Mesh {
         }],
         hexes,
         surfaces: vec![boundary],
-        fingerprint: None,
+        ..Mesh::default()
     }
 }
 

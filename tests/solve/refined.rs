@@ -52,6 +52,55 @@ fn a_uniform_stress_passes_from_split_elements_to_whole_ones() {
     }
 }
 
+/// Numbers below `of`, the same ones every time.
+fn draws() -> impl FnMut(u64) -> u64 {
+    let mut state = 1u64;
+    move |of| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005);
+        state = state.wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % of
+    }
+}
+
+/// The mesh split three or four times over, one direction of an element in `of`.
+fn split_anywhere(
+    mut mesh: Mesh,
+    times: usize,
+    of: u64,
+    draw: &mut impl FnMut(u64) -> u64,
+) -> Mesh {
+    for _ in 0..times {
+        let mut mark = |_| [0; 3].map(|_| draw(of) == 0);
+        let marks: Vec<[bool; 3]> = (0..mesh.hexes.len()).map(&mut mark).collect();
+        mesh = mesh.split_some(|element| marks[element]).unwrap().mesh;
+    }
+    mesh
+}
+
+#[test]
+fn a_uniform_stress_passes_whatever_elements_are_split_in_whatever_directions() {
+    let mut draw = draws();
+    for drawn in 0..12 {
+        let mut scene = refined(|_| false);
+        scene.mesh = split_anywhere(scene.mesh, 4, 16, &mut draw);
+        assert!(scene.mesh.hanging.len() > 100);
+        let solved = Solved::of(scene).unwrap();
+        let off = deviation(solved.state());
+        assert!(off < 1e-10, "{drawn}: {off:e}");
+    }
+}
+
+#[test]
+fn a_uniform_pressure_passes_whatever_elements_are_split_in_whatever_directions() {
+    let mut draw = draws();
+    for drawn in 0..12 {
+        let carrier = [Side::Upper, Side::Lower][drawn % 2];
+        let (mut scene, _) = pressed_blocks(carrier, [0, 0]);
+        scene.mesh = split_anywhere(scene.mesh, 3, 12, &mut draw);
+        assert_uniform(scene, &drawn.to_string());
+    }
+}
+
 /// A quarter of a tube from 1 to 2 under pressure, plane strain; elements that begin within `split` of the axis are split.
 fn tube(split: f64) -> (f64, usize) {
     let radii = uniform(1.0, 2.0, 6);
@@ -112,21 +161,25 @@ fn a_uniform_pressure_passes_where_elements_at_the_contact_are_split() {
         for (upper, lower) in [(1, 0), (0, 1), (2, 0), (0, 2), (2, 1)] {
             let (scene, hanging) = pressed_blocks(carrier, [lower, upper]);
             assert!(hanging > 0);
-            let solved = Solved::of(scene).unwrap();
-            let (state, name) = (solved.state(), format!("{carrier:?} {upper} {lower}"));
-            for stress in state.stress.as_flattened() {
-                let [x, y, z, xy, yz, zx] = *stress;
-                let other = [x, y, xy, yz, zx];
-                let off = other
-                    .iter()
-                    .fold((z + 2.0).abs(), |off, s| off.max(s.abs()));
-                assert!(off < 2e-8, "{name}: {off:e}");
-            }
-            let field = &state.contacts[0];
-            for pressure in &field.pressure {
-                assert!((pressure - 2.0).abs() < 2e-8, "{name}: {pressure}");
-            }
+            assert_uniform(scene, &format!("{carrier:?} {upper} {lower}"));
         }
+    }
+}
+
+/// A pressure of 2, and a stress of -2 along z alone.
+fn assert_uniform(scene: Scene, name: &str) {
+    let solved = Solved::of(scene).unwrap();
+    let state = solved.state();
+    for stress in state.stress.as_flattened() {
+        let [x, y, z, xy, yz, zx] = *stress;
+        let other = [x, y, xy, yz, zx];
+        let off = other
+            .iter()
+            .fold((z + 2.0).abs(), |off, s| off.max(s.abs()));
+        assert!(off < 2e-8, "{name}: {off:e}");
+    }
+    for pressure in &state.contacts[0].pressure {
+        assert!((pressure - 2.0).abs() < 2e-8, "{name}: {pressure}");
     }
 }
 

@@ -23,8 +23,11 @@ const COARSE: &str = "below a strip of contact whose half-width is a node apart 
 /// Distance of nodes over the half-width of a strip above which the peak below is not read.
 const COARSEST: f64 = 0.9;
 
-/// What nodal averages miss of a peak that lies between nodes, of itself.
+/// What nodal averages miss of a peak that lies between nodes, at most, of itself,
 const SMOOTH: f64 = 0.02;
+/// and of the fall from the peak to the smallest nodal value of the elements around it: of a parabola with its peak in the
+/// middle of an element it is a 24th. Four times that.
+const OF_FALL: f64 = 1.0 / 6.0;
 
 /// Facets in a half-width from which on the peak that is read counts for more than that of a half space.
 const FINE: f64 = 3.0;
@@ -192,12 +195,12 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         let MisesPeaks {
             nodal,
             centroid,
-            jump,
+            around,
         } = read;
         let spread = (nodal.value - centroid.value)
             .abs()
             .max(OVERSHOOT * overshoot)
-            .max(JUMP * jump);
+            .max(JUMP * around.jump);
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
         let (error, note) = match strip {
             Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
@@ -209,7 +212,10 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
                 let off = weight * off;
                 (Some(spread.max(off)), None)
             }
-            None => (Some(spread + SMOOTH * nodal.value), None),
+            None => {
+                let between = (OF_FALL * around.fall).min(SMOOTH * nodal.value);
+                (Some(spread + between), None)
+            }
         };
         Figure {
             error: Errors {
@@ -226,7 +232,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
     let whole = MisesPeaks {
         nodal,
         centroid,
-        jump: body.jump,
+        around: body.around,
     };
     match body.away {
         None => vec![claim(peak, whole, overshoot)],

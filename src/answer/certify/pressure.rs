@@ -144,10 +144,12 @@ impl Contact<'_> {
         let error = self
             .line()
             .map_or_else(fall, |line| match (line.contact, line.departs) {
-                // The pressure that the line load makes is known better than what nodes read of it.
+                // The pressure that the line load makes is known better than what few nodes read of it. That of many
+                // is off by the second order of their distance, and is right where the bodies are no half spaces.
                 (Some(hertz), None) => {
-                    let read = READ * coarseness(&line.line.heaviest);
-                    (hertz.peak_pressure / value - 1.0).abs() + read + 0.5 * load_error(line)
+                    let coarse = coarseness(&line.line.heaviest);
+                    let off = (hertz.peak_pressure / value - 1.0).abs();
+                    coarse.powi(2) * off + coarse * READ + 0.5 * load_error(line)
                 }
                 (Some(hertz), Some(Departure::Flow)) => {
                     let a = line.line.heaviest.half_width.max(hertz.half_width);

@@ -36,15 +36,25 @@ pub struct Peak {
     pub at: [f64; 3],
 }
 
-/// Two readings of a largest Mises stress, and how far elements differ there.
+/// How the Mises stress is around a node with the largest one.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Around {
+    /// By how much the largest value that an element extrapolates to the node exceeds the average there; zero where only one
+    /// element meets there.
+    pub jump: f64,
+    /// By how much the smallest nodal value of these elements is below that of the node.
+    pub fall: f64,
+}
+
+/// Two readings of a largest Mises stress, and what is around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MisesPeaks {
     /// Mises stress of the nodal average.
     pub nodal: Peak,
     /// Mises stress of the mean stress tensor of an element.
     pub centroid: Peak,
-    /// As [`BodyPeaks::jump`].
-    pub jump: f64,
+    /// Around the node.
+    pub around: Around,
 }
 
 /// The peaks of one body; `None` for a body without elements.
@@ -58,9 +68,8 @@ pub struct BodyPeaks {
     pub integration_point: Option<Peak>,
     /// Mises stress of the nodal average.
     pub nodal: Option<Peak>,
-    /// By how much the largest Mises stress that an element extrapolates to the node of that exceeds the average
-    /// there; zero where only one element meets there.
-    pub jump: f64,
+    /// Around the node of that.
+    pub around: Around,
     /// Where the nodal peak lies beside a loaded edge, or a larger one may be hidden there: the peaks of what does
     /// not.
     pub away: Option<MisesPeaks>,
@@ -91,20 +100,32 @@ fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f
     best
 }
 
-/// [`BodyPeaks::jump`] of a nodal peak of `body`.
-fn jump(body: &Body, state: &State, recovered: &Recovered, rule: &GaussRule, peak: &Peak) -> f64 {
+/// What is around a nodal peak of `body`.
+fn around(
+    body: &Body,
+    state: &State,
+    recovered: &Recovered,
+    rule: &GaussRule,
+    peak: &Peak,
+) -> Around {
     let Place::Node(node) = peak.place else {
-        return 0.0;
+        return Around::default();
     };
     let is_at_node = |point: &u32| recovered.points.node[*point as usize] as usize == node;
-    let extrapolated = |element: usize| {
-        let corner = recovered.points.cells[element]
-            .iter()
-            .position(is_at_node)?;
-        Some(mises(&rule.extrapolate(&state.stress[element])[corner]))
-    };
-    let around = body.elements.clone().filter_map(extrapolated);
-    (around.fold(0.0, f64::max) - peak.value).max(0.0)
+    let (mut largest, mut smallest) = (peak.value, peak.value);
+    for element in body.elements.clone() {
+        let points = &recovered.points.cells[element];
+        let Some(corner) = points.iter().position(is_at_node) else {
+            continue;
+        };
+        largest = largest.max(mises(&rule.extrapolate(&state.stress[element])[corner]));
+        let nodal = points.iter().map(|p| recovered.mises_nodal[*p as usize]);
+        smallest = nodal.fold(smallest, f64::min);
+    }
+    Around {
+        jump: largest - peak.value,
+        fall: peak.value - smallest,
+    }
 }
 
 /// Finds the peaks of every body, in the order of the mesh.
@@ -139,7 +160,7 @@ pub fn peaks(
     };
     let body_peaks = |(index, body): (usize, &Body)| {
         let nodal = nodal[index];
-        let jump = |peak: &Peak| jump(body, state, recovered, &rule, peak);
+        let around = |peak: &Peak| around(body, state, recovered, &rule, peak);
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
         let centroid = centroid_peak(body, &|_| true);
@@ -147,7 +168,7 @@ pub fn peaks(
             Some(MisesPeaks {
                 nodal,
                 centroid: centroid_peak(body, &far)?,
-                jump: jump(&nodal),
+                around: around(&nodal),
             })
         });
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
@@ -176,7 +197,7 @@ pub fn peaks(
             centroid,
             integration_point,
             nodal,
-            jump: nodal.as_ref().map_or(0.0, jump),
+            around: nodal.as_ref().map(around).unwrap_or_default(),
             away,
             peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
             peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),

@@ -4,13 +4,14 @@
 //! of the Mises stress where it is nearly as large; the descent by the energy of the error, wherever that is. There an
 //! element is split along those of its directions in which the stress varies most. That variation is the gradient of the
 //! nodal stresses, as a mean square over the elements around, times the length of the element: what a linear stress within
-//! it cannot follow falls with the same length. So a slice of plane strain stays one layer thick, however thick it is.
+//! it cannot follow falls with the same length. Along a pressed face directions are compared among themselves, too: what
+//! the pressure is read from is decided there, even where the stress varies faster with the depth. So a slice of plane strain stays one layer thick, however thick it is.
 
 use super::goal::{Goal, Target};
 use super::level::Level;
 use crate::answer::results::recovery::{Recovered, recover};
 use crate::ground::geometry::{norm, sub};
-use crate::model::mesh::hexahedron::CORNERS;
+use crate::model::mesh::hexahedron::{CORNERS, side_of};
 use crate::model::mesh::split::Directions;
 use crate::model::mesh::{Face, Mesh};
 use crate::model::scene::{Partner, Scene};
@@ -46,6 +47,7 @@ pub(super) fn marks(
         figures.any(|f| !f.meets(target, level.bars_decide))
     };
     let mut wanted = vec![false; mesh.hexes.len()];
+    let mut pressed = vec![[false; 3]; mesh.hexes.len()];
     if missing(&[
         Goal::Pressure,
         Goal::HertzPressure,
@@ -53,7 +55,8 @@ pub(super) fn marks(
         Goal::HalfWidth,
         Goal::Area,
     ]) {
-        let mut near = pressed(scene, state);
+        pressed = along_pressed_faces(scene, state);
+        let mut near: Vec<bool> = pressed.iter().map(|along| along.contains(&true)).collect();
         (0..RINGS).for_each(|_| near = with_ring(mesh, &near));
         join(&mut wanted, &near);
     }
@@ -63,7 +66,7 @@ pub(super) fn marks(
         Goal::PlasticStrain,
         Goal::Bore,
     ]) {
-        join(&mut wanted, &peaks(scene, &recovered));
+        join(&mut wanted, &with_ring(mesh, &peaks(scene, &recovered)));
     }
     if missing(&[Goal::Descent]) {
         join(&mut wanted, &bulk(&recovered, &varies));
@@ -73,11 +76,17 @@ pub(super) fn marks(
         .iter()
         .fold(0.0, |most: f64, s| most.max(*s));
     let enough = FINE * target.within * largest;
-    let of = |(wanted, varies): (&bool, &[f64; 3])| {
-        let most = varies.iter().fold(0.0, |most: f64, v| most.max(*v));
-        varies.map(|v| *wanted && most > enough && v >= VARIES * most)
+    // Directions that are too long beside the others of the same element.
+    let long = |among: Directions, varies: &[f64; 3]| {
+        let of = [0, 1, 2].map(|k| if among[k] { varies[k] } else { 0.0 });
+        let most = of.into_iter().fold(0.0, f64::max);
+        of.map(|v| most > enough && v >= VARIES * most)
     };
-    let marks: Vec<Directions> = wanted.iter().zip(&varies).map(of).collect();
+    let of = |e: usize| {
+        let [all, along] = [[true; 3], pressed[e]].map(|among| long(among, &varies[e]));
+        [0, 1, 2].map(|k| wanted[e] && (all[k] || along[k]))
+    };
+    let marks: Vec<Directions> = (0..mesh.hexes.len()).map(of).collect();
     marks
         .iter()
         .any(|mark| mark.contains(&true))
@@ -90,10 +99,10 @@ fn join(all: &mut [bool], more: &[bool]) {
         .for_each(|(all, more)| *all |= more);
 }
 
-/// Elements with a face that is pressed, on either side.
-fn pressed(scene: &Scene, state: &State) -> Vec<bool> {
+/// The directions of elements that lie in a face which is pressed, on either side.
+fn along_pressed_faces(scene: &Scene, state: &State) -> Vec<Directions> {
     let mesh = &scene.mesh;
-    let mut near = vec![false; mesh.hexes.len()];
+    let mut along = vec![[false; 3]; mesh.hexes.len()];
     for (pair, field) in scene.contacts.iter().zip(&state.contacts) {
         let active = (0..field.nodes.len()).filter(|at| field.is_active(*at));
         let active: Vec<[f64; 3]> = active
@@ -114,11 +123,14 @@ fn pressed(scene: &Scene, state: &State) -> Vec<bool> {
                 next.is_some_and(|at| norm(sub(*at, centre)) <= (1.0 + 1e-6) * reach)
             };
             for face in faces.iter().filter(is_pressed) {
-                near[face.element as usize] = true;
+                let element = face.element as usize;
+                if let Some((_, across, _)) = side_of(&mesh.hexes[element], &face.nodes) {
+                    (0..3).for_each(|k| along[element][k] |= k != across);
+                }
             }
         }
     }
-    near
+    along
 }
 
 /// The elements and all that share a node with one of them; what hangs belongs to the nodes that it hangs on, too.

@@ -61,3 +61,14 @@ pub fn mirrored(nodes: [u32; 8]) -> [u32; 8] {
     let [a, b, c, d, e, f, g, h] = nodes;
     [e, f, g, h, a, b, c, d]
 }
+
+/// Corners of the side of `hex` that `face` is, the axis that it is across, and at which end of that it is.
+pub fn side_of(hex: &[u32; 8], face: &[u32; 4]) -> Option<([usize; 4], usize, f64)> {
+    let corners = FACES.into_iter().find(|side| {
+        let nodes = side.map(|c| hex[c]);
+        nodes.iter().all(|node| face.contains(node))
+    })?;
+    let at = corners.map(|c| CORNERS[c]);
+    let axis = (0..3).find(|k| at.iter().all(|p| p[*k] == at[0][*k]))?;
+    Some((corners, axis, at[0][axis]))
+}

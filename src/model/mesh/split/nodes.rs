@@ -119,16 +119,21 @@ impl Nodes {
         node
     }
 
-    /// The middle of a face: between the middles of its edges, so that it follows curved ones.
+    /// The middle of a face: between the middles of its edges, so that it follows curved ones. It is that of the edges, too,
+    /// that a split along one direction leaves across the face on the other side of it.
     fn face(&mut self, corners: [u32; 4]) -> u32 {
         let key = sorted(corners);
         if let Some(node) = self.faces.get(&key) {
             return *node;
         }
         let edges = [0, 1, 2, 3].map(|k| self.edge([corners[k], corners[(k + 1) % 4]]));
-        let middle = self.mean(&[(0.5, &edges), (-0.25, &corners)]);
-        let point = on(self.round_faces.get(&key), middle);
-        let node = self.add(point);
+        let across = [0, 1].map(|k| sorted([edges[k], edges[k + 2]]));
+        let there = across.iter().find_map(|key| self.edges.get(key).copied());
+        let node = there.unwrap_or_else(|| {
+            let middle = self.mean(&[(0.5, &edges), (-0.25, &corners)]);
+            self.add(on(self.round_faces.get(&key), middle))
+        });
+        self.edges.extend(across.map(|key| (key, node)));
         self.faces.insert(key, node);
         node
     }

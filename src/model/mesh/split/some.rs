@@ -6,7 +6,7 @@
 
 use super::nodes::{Directions, Nodes, child};
 use super::{MOST_HEXAHEDRA, SplitError};
-use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
+use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES, side_of};
 use crate::model::mesh::{Body, Face, Hanging, Mesh, Surface};
 use std::collections::{BTreeMap, HashSet};
 
@@ -28,33 +28,42 @@ impl Mesh {
     /// # Errors
     /// [`SplitError`] for a mesh that becomes too large or folded.
     pub fn split_some(&self, marked: impl Fn(usize) -> Directions) -> Result<Refined, SplitError> {
-        self.split_marked((0..self.hexes.len()).map(marked).collect())
+        let marks = (0..self.hexes.len()).map(marked).collect();
+        Ok(self.split_marked(marks)?.0)
     }
 
-    fn split_marked(&self, mut marks: Vec<Directions>) -> Result<Refined, SplitError> {
+    /// Also along which directions each piece has been split.
+    fn split_marked(
+        &self,
+        mut marks: Vec<Directions>,
+    ) -> Result<(Refined, Vec<Directions>), SplitError> {
         let mut result = Refined {
             mesh: self.clone(),
             of: (0..self.hexes.len() as u32).collect(),
         };
+        let mut split = vec![[false; 3]; marks.len()];
         loop {
             complete(&result.mesh, &mut marks);
             let first = coarser(&result.mesh, &marks);
             let is_last = first.iter().all(|mark| *mark == [false; 3]);
-            let done = match is_last {
-                true => result.mesh.step(&marks)?,
-                false => result.mesh.split_marked(first.clone())?,
+            let (done, along) = match is_last {
+                true => {
+                    let done = result.mesh.step(&marks)?;
+                    let along = done.of.iter().map(|e| marks[*e as usize]).collect();
+                    (done, along)
+                }
+                false => result.mesh.split_marked(first)?,
             };
-            let left = |e: &u32| {
-                let e = *e as usize;
-                [0, 1, 2].map(|k| marks[e][k] && !first[e][k])
-            };
-            marks = done.of.iter().map(left).collect();
+            let pieces = || (done.of.iter().map(|e| *e as usize)).zip(&along);
+            let left = pieces().map(|(e, along)| [0, 1, 2].map(|k| marks[e][k] && !along[k]));
+            let all = pieces().map(|(e, along)| [0, 1, 2].map(|k| split[e][k] || along[k]));
+            (marks, split) = (left.collect(), all.collect());
             result = Refined {
                 of: done.of.iter().map(|e| result.of[*e as usize]).collect(),
                 mesh: done.mesh,
             };
             if is_last {
-                return Ok(result);
+                return Ok((result, split));
             }
         }
     }
@@ -82,7 +91,7 @@ impl Mesh {
         let on_pieces = |face: &Face| {
             let element = face.element as usize;
             let (mark, first) = (marks[element], start[element]);
-            let side = side_of(&self.hexes[element], face);
+            let side = side_of(&self.hexes[element], &face.nodes);
             let touching = (first..).zip(places(mark)).filter_map(move |(piece, at)| {
                 let (corners, axis, sign) = side?;
                 (!mark[axis] || at[axis] == sign).then_some((piece, corners))
@@ -132,17 +141,6 @@ const REFINED: &str = ", refined";
 fn places(mark: Directions) -> impl Iterator<Item = [f64; 3]> {
     let first = move |at: &[f64; 3]| (0..3).all(|k| mark[k] || at[k] < 0.0);
     CORNERS.into_iter().filter(first)
-}
-
-/// Corners of the side of `hex` that `face` is, the axis that it is across, and at which end of that it is.
-fn side_of(hex: &[u32; 8], face: &Face) -> Option<([usize; 4], usize, f64)> {
-    let corners = FACES.into_iter().find(|side| {
-        let nodes = side.map(|c| hex[c]);
-        nodes.iter().all(|node| face.nodes.contains(node))
-    })?;
-    let at = corners.map(|c| CORNERS[c]);
-    let axis = (0..3).find(|k| at.iter().all(|p| p[*k] == at[0][*k]))?;
-    Some((corners, axis, at[0][axis]))
 }
 
 /// The direction of an edge.

@@ -10,6 +10,7 @@ mod half_turn;
 mod invariance;
 mod kit;
 mod left_out;
+mod local;
 mod misaligned;
 mod reaction;
 mod refined;

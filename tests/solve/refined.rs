@@ -53,7 +53,7 @@ fn a_uniform_stress_passes_from_split_elements_to_whole_ones() {
 }
 
 /// Numbers below `of`, the same ones every time.
-fn draws() -> impl FnMut(u64) -> u64 {
+pub fn draws() -> impl FnMut(u64) -> u64 {
     let mut state = 1u64;
     move |of| {
         state = state.wrapping_mul(6_364_136_223_846_793_005);

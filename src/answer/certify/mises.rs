@@ -238,6 +238,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         None => vec![claim(peak, whole, overshoot)],
         Some(regular) => {
             let singular = Figure {
+                at_edge: true,
                 note: Some(SINGULAR),
                 ..figure_of(peak, &body.name, nodal.value)
             };

@@ -56,7 +56,8 @@ pub fn folder(below: &Path, number: usize) -> PathBuf {
 
 /// Why no mesh meets a target, where that is plain: finer meshes resolve all but peaks beside edges.
 pub(super) fn singular(levels: &[Level]) -> Option<String> {
-    let singular = |f: &Figure| f.estimate.is_none() && f.what.away_from_edges().is_some();
+    let singular =
+        |f: &Figure| f.at_edge && f.estimate.is_none() && f.what.away_from_edges().is_some();
     let unknown = |level: &Level| level.figures.iter().any(singular);
     if levels.len() < SINGULAR_LEVELS || !levels.iter().rev().take(SINGULAR_LEVELS).all(unknown) {
         return None;

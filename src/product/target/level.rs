@@ -20,6 +20,8 @@ pub struct Figure {
     pub estimate: Option<f64>,
     /// Difference from the mesh before.
     pub change: Option<f64>,
+    /// Does it lie at a loaded edge?
+    pub at_edge: bool,
     /// The elastic twin that it is of, where steel flows.
     pub of: Option<TwinMesh>,
 }
@@ -113,6 +115,7 @@ impl Level {
                 value: claim.value,
                 estimate: claim.bar(),
                 change: old.map(|old| claim.value - old),
+                at_edge: claim.at_edge,
                 of: None,
             };
             figures.push(figure(claim, old));

@@ -7,7 +7,7 @@ use brinell::model::mesh::Mesh;
 use brinell::model::mesh::block::{Block as Brick, uniform};
 use brinell::model::mesh::family::problem_h::{Sizes, half};
 use brinell::model::mesh::msh;
-use brinell::model::scene::{Controls, ElementKind, Scene};
+use brinell::model::scene::{ElementKind, Scene};
 use brinell::model::state::State;
 use brinell::render::fields;
 use brinell::solver::contact::mortar::{self, Opposite, Pair};
@@ -179,20 +179,5 @@ fn loaded(cells: usize) -> (Scene, State) {
             .collect(),
         ..State::default()
     };
-    let scene = Scene {
-        name: "cube".into(),
-        materials: vec![STEEL],
-        contacts: Vec::new(),
-        supports: Vec::new(),
-        rigid_planes: Vec::new(),
-        tractions: Vec::new(),
-        steps: Vec::new(),
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
-        controls: Controls::default(),
-        mesh,
-    };
-    (scene, state)
+    (Scene::bare("cube", mesh, STEEL), state)
 }

@@ -159,11 +159,7 @@ fn steps(root: &Table, names: &[String]) -> Result<Vec<Step>, CaseError> {
         });
     }
     if steps.is_empty() {
-        steps.push(Step {
-            name: "load".to_string(),
-            factor: 1.0,
-            factors: Vec::new(),
-        });
+        steps.push(Step::to("load", 1.0));
     }
     Ok(steps)
 }

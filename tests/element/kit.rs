@@ -11,33 +11,19 @@ pub const KINDS: [ElementKind; 3] = [ElementKind::Bbar, ElementKind::Full, Eleme
 /// A scene of one steel with one step to the full load and tight tolerances.
 pub fn scene(mesh: Mesh, steel: Steel, element: ElementKind) -> Scene {
     Scene {
-        name: "element test".into(),
-        materials: vec![steel; mesh.bodies.len()],
-        mesh,
-        contacts: Vec::new(),
-        supports: Vec::new(),
-        rigid_planes: Vec::new(),
-        tractions: Vec::new(),
-        steps: vec![step(1.0)],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
         controls: Controls {
             residual: 1e-12,
             element,
             ..Controls::default()
         },
+        steps: vec![step(1.0)],
+        ..Scene::bare("element test", mesh, steel)
     }
 }
 
 /// A step that takes every load and support to `factor`.
 pub fn step(factor: f64) -> Step {
-    Step {
-        name: format!("to {factor}"),
-        factor,
-        factors: Vec::new(),
-    }
+    Step::to(format!("to {factor}"), factor)
 }
 
 /// Holds one component of a surface.

@@ -3,9 +3,7 @@
 
 use brinell::model::material::Steel;
 use brinell::model::mesh::{Body, Face, Mesh, Surface};
-use brinell::model::scene::{
-    ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support,
-};
+use brinell::model::scene::{ContactPair, Partner, PlaneMotion, RigidPlane, Scene, Side, Support};
 use brinell::model::state::{ContactField, PlaneField, State};
 
 pub const STEEL: Steel = Steel {
@@ -104,9 +102,6 @@ pub fn stack() -> Scene {
     add_block(&mut mesh, "block", block, |p| p);
     add_block(&mut mesh, "plate", plate, |p| p);
     Scene {
-        name: "stack".to_string(),
-        mesh,
-        materials: vec![STEEL; 2],
         contacts: vec![ContactPair {
             name: "block-plate".to_string(),
             upper: Partner::Surface("block_w-".to_string()),
@@ -132,17 +127,8 @@ pub fn stack() -> Scene {
             ],
             ..RigidPlane::default()
         }],
-        tractions: vec![],
-        steps: vec![Step {
-            name: "load".to_string(),
-            factor: 1.0,
-            factors: vec![],
-        }],
         mirrors: vec![0, 1],
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
-        controls: Controls::default(),
+        ..Scene::bare("stack", mesh, STEEL)
     }
 }
 
@@ -184,19 +170,17 @@ pub fn pressed(scene: &Scene) -> State {
     };
     let elements = scene.mesh.hexes.len();
     State {
-        energy: None,
-        step: 0,
         time: 1.0,
         displacement: vec![[0.0; 3]; scene.mesh.points.len()],
         stress: vec![[[0.0; 6]; 8]; elements],
         peeq: vec![[0.0; 8]; elements],
-        ties: Vec::new(),
         contacts: vec![field],
         planes: vec![PlaneField {
             travel: [0.0, 0.0, -0.01],
             force: [0.0, 0.0, -65.0 / 4.0],
             ..PlaneField::default()
         }],
+        ..State::default()
     }
 }
 

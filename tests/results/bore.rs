@@ -4,7 +4,7 @@ use crate::block::{STEEL, add_block, close};
 use brinell::answer::results::bore::{Bore, bore_stress};
 use brinell::answer::results::recovery::recover;
 use brinell::model::mesh::Mesh;
-use brinell::model::scene::{Controls, Scene};
+use brinell::model::scene::Scene;
 use brinell::model::state::State;
 
 const INNER: f64 = 0.75;
@@ -34,19 +34,9 @@ fn roller(around: usize, quarter: bool) -> Scene {
     );
     // The seam of the whole ring stays open, as two surfaces that coincide.
     Scene {
-        name: "roller".to_string(),
-        mesh,
-        materials: vec![STEEL],
-        contacts: vec![],
-        supports: vec![],
-        rigid_planes: vec![],
-        tractions: vec![],
-        steps: vec![],
         mirrors: if quarter { vec![0, 1] } else { vec![] },
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
-        controls: Controls::default(),
+        steps: vec![],
+        ..Scene::bare("roller", mesh, STEEL)
     }
 }
 

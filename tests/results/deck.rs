@@ -160,11 +160,7 @@ fn steel_contact_and_friction_are_those_of_the_scene() {
 #[test]
 fn a_driven_plane_is_closed_by_motion_and_loaded_by_force() {
     let mut scene = stack();
-    scene.steps.push(Step {
-        name: "unload".into(),
-        factor: 0.25,
-        factors: Vec::new(),
-    });
+    scene.steps.push(Step::to("unload", 0.25));
     let top = scene.mesh.surface("block_w+").unwrap().nodes();
     let cards = deck(&scene, &settings());
     let equations = &all(&cards, "*EQUATION")[0].data;

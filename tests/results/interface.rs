@@ -137,11 +137,7 @@ fn half_widths_are_integrated_in_the_hat_basis() {
 fn the_load_follows_the_steps() {
     let mut scene = stack();
     let mut state = pressed(&scene);
-    let unload = Step {
-        name: "unload".to_string(),
-        factor: 0.001,
-        factors: vec![],
-    };
+    let unload = Step::to("unload", 0.001);
     scene.steps.push(unload);
     state.time = 0.5;
     close(load::applied(&scene, &state), 32.5);

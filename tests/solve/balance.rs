@@ -3,9 +3,7 @@
 use brinell::case;
 use brinell::model::material::Steel;
 use brinell::model::mesh::block::{Block, uniform};
-use brinell::model::scene::{
-    ContactPair, Controls, Partner, Scene, Side, Step, Traction, TractionValue,
-};
+use brinell::model::scene::{ContactPair, Partner, Scene, Side, Traction, TractionValue};
 use brinell::solver::solve::{NoBalance, Silent, SolveError, resume, solve};
 use std::path::Path;
 
@@ -36,32 +34,13 @@ fn standing(friction: f64, side: f64) -> Scene {
         true_geometry: true,
     };
     Scene {
-        name: "standing".into(),
-        mesh: block,
-        materials: vec![Steel {
-            youngs_modulus: 1000.0,
-            poissons_ratio: 0.3,
-            yield_stress: f64::INFINITY,
-            hardening_modulus: 0.0,
-        }],
         contacts: vec![pair],
-        supports: Vec::new(),
-        rigid_planes: Vec::new(),
         tractions: vec![Traction {
             name: "top".into(),
             surface: "z_max".into(),
             value: TractionValue::Vector([side, 0.0, -1.0]),
         }],
-        steps: vec![Step {
-            name: "load".into(),
-            factor: 1.0,
-            factors: Vec::new(),
-        }],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
-        controls: Controls::default(),
+        ..Scene::bare("standing", block, Steel::elastic(1000.0, 0.3))
     }
 }
 

@@ -16,11 +16,7 @@ fn line_contact(share: f64, factors: &[f64]) -> (Scene, Solution) {
         hardening_modulus: 249.471,
         ..scene.materials[block]
     };
-    let step = |factor: &f64| Step {
-        name: factor.to_string(),
-        factor: *factor,
-        factors: Vec::new(),
-    };
+    let step = |factor: &f64| Step::to(factor.to_string(), *factor);
     scene.steps = factors.iter().map(step).collect();
     let solution = solve(&mut scene, &mut Silent).unwrap();
     (scene, solution)

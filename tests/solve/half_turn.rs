@@ -32,24 +32,14 @@ fn crossed_bars(layers: usize) -> Scene {
         penalty_factor: 1.0,
         true_geometry: true,
     };
-    let step = |name: &str, factor| Step {
-        name: name.into(),
-        factor,
-        factors: Vec::new(),
-    };
     let mesh = Mesh::join(parts).unwrap();
+    let steel = Steel {
+        youngs_modulus: 29500.0,
+        poissons_ratio: 0.3,
+        yield_stress: 100.0,
+        hardening_modulus: 249.471,
+    };
     Scene {
-        name: "crossed bars".into(),
-        materials: vec![
-            Steel {
-                youngs_modulus: 29500.0,
-                poissons_ratio: 0.3,
-                yield_stress: 100.0,
-                hardening_modulus: 249.471,
-            };
-            mesh.bodies.len()
-        ],
-        mesh,
         contacts: vec![
             pair("upper-middle", "u_z_min", "m_z_max", Side::Upper),
             pair("middle-lower", "m_z_min", "l_z_max", Side::Lower),
@@ -70,16 +60,12 @@ fn crossed_bars(layers: usize) -> Scene {
             ],
             ..RigidPlane::default()
         }],
-        tractions: Vec::new(),
-        steps: vec![step("load", 1.0), step("unload", 0.02)],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
+        steps: vec![Step::to("load", 1.0), Step::to("unload", 0.02)],
         controls: Controls {
             residual: 1e-11,
             ..Controls::default()
         },
+        ..Scene::bare("crossed bars", mesh, steel)
     }
 }
 

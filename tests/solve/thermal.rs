@@ -146,11 +146,7 @@ fn a_bar_that_yields_when_warm_is_pulled_when_cold() {
     for element in [ElementKind::Bbar, ElementKind::Enhanced] {
         let mut bar = bar(steel, element, warmer);
         bar.controls.residual = 1e-10;
-        bar.steps.push(Step {
-            name: "cool".into(),
-            factor: 0.0,
-            factors: Vec::new(),
-        });
+        bar.steps.push(Step::to("cool", 0.0));
         let solution = solve(&mut bar, &mut Silent).unwrap();
         let [warm, cold] = [0, 1].map(|i| &solution.states[i]);
         for s in warm.stress.iter().flatten() {

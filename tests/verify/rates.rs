@@ -2,7 +2,7 @@
 
 use brinell::answer::results::hex::GaussRule;
 use brinell::model::mesh::block::{Block, cylindrical, uniform};
-use brinell::model::scene::ElementKind;
+use brinell::model::scene::{ElementKind, Scene};
 use brinell::product::converge::rates::fitted;
 use brinell::proof::verify::kit;
 use brinell::proof::verify::problem_h::{PRESSURE, ProblemHReading, Sizes, read, scene};
@@ -134,7 +134,7 @@ fn tube_errors(element: ElementKind, cells: usize) -> [f64; 3] {
     .build()
     .expect("meshes");
     let steel = Steel::elastic(tube::YOUNG, tube::POISSON);
-    let mut scene = kit::scene("tube", mesh, steel);
+    let mut scene = Scene::bare("tube", mesh, steel);
     scene.controls.element = element;
     scene.controls.residual = 1e-12;
     scene.supports = vec![

@@ -97,15 +97,10 @@ impl BearingCase {
             turn,
             about: (turn != <[PlaneTurn; 3]>::default()).then_some(pivot),
         };
-        let step = |name: &str, factor: f64| Step {
-            name: name.to_string(),
-            factor,
-            factors: vec![],
-        };
-        let stage = |(share, count): (&f64, i32)| step(&format!("stage {count}"), *share);
+        let stage = |(share, count): (&f64, i32)| Step::to(format!("stage {count}"), *share);
         let mut steps: Vec<Step> = self.stages.iter().zip(1..).map(stage).collect();
-        steps.push(step("load", 1.0));
-        steps.extend(self.unload_to.map(|share| step("unload", share)));
+        steps.push(Step::to("load", 1.0));
+        steps.extend(self.unload_to.map(|share| Step::to("unload", share)));
         let planes = vec![Located {
             value: plane,
             place: place.clone(),

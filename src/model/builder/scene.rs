@@ -202,11 +202,7 @@ impl SceneBuilder {
             }
         }
         if self.steps.is_empty() {
-            self.steps.push(Step {
-                name: "load".into(),
-                factor: 1.0,
-                factors: Vec::new(),
-            });
+            self.steps.push(Step::to("load", 1.0));
         }
         Ok(Scene {
             name: self.name,

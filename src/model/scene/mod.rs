@@ -60,6 +60,25 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// Bodies of one steel and one step to the full load, with nothing on them yet.
+    pub fn bare(name: impl Into<String>, mesh: Mesh, steel: Steel) -> Self {
+        Self {
+            name: name.into(),
+            materials: vec![steel; mesh.bodies.len()],
+            mesh,
+            steps: vec![Step::to("load", 1.0)],
+            contacts: Vec::new(),
+            ties: Vec::new(),
+            supports: Vec::new(),
+            rigid_planes: Vec::new(),
+            tractions: Vec::new(),
+            temperatures: Vec::new(),
+            mirrors: Vec::new(),
+            half_turn: Vec::new(),
+            controls: Controls::default(),
+        }
+    }
+
     /// The surface whose nodes carry the pressure of contact pair `pair`; `None` where the mesh has none.
     pub fn carrier(&self, pair: usize) -> Option<&Surface> {
         let [carrier, _] = self.contacts.get(pair)?.carrier_first();

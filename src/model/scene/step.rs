@@ -14,6 +14,15 @@ pub struct Step {
 }
 
 impl Step {
+    /// The step called `name`, in which everything moves to `factor`.
+    pub fn to(name: impl Into<String>, factor: f64) -> Self {
+        Self {
+            name: name.into(),
+            factor,
+            factors: Vec::new(),
+        }
+    }
+
     /// The factor that the support, plane or traction called `name` has at the end of the step.
     pub fn factor_of(&self, name: &str) -> f64 {
         let own = self.factors.iter().find(|(n, _)| n == name);

@@ -8,7 +8,7 @@
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::{ElementKind, Traction, TractionValue};
+use crate::model::scene::{ElementKind, Scene, Traction, TractionValue};
 use crate::proof::closed_forms::patch::{CANTILEVER, COOK_MIDDLE};
 use crate::proof::verify::kit::{self, NamedElement};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -114,7 +114,7 @@ fn cantilever(
     };
     let mut claims = Vec::new();
     for axis in 0..3 {
-        let mut scene = kit::scene("cantilever", beam(cells, shape)?, Steel::elastic(1e7, 0.3));
+        let mut scene = Scene::bare("cantilever", beam(cells, shape)?, Steel::elastic(1e7, 0.3));
         scene.controls.element = kind;
         // Slender: forces are small beside stiffness times displacement.
         scene.controls.residual = 1e-7;
@@ -150,7 +150,7 @@ fn membrane(
     let mesh = Block::new("membrane", list(), list(), vec![0.0, thickness])
         .mapped(|[s, t, z]| [48.0 * s, 44.0 * s + t * (44.0 - 28.0 * s), z])
         .build()?;
-    let mut scene = kit::scene("Cook", mesh, Steel::elastic(1.0, 1.0 / 3.0));
+    let mut scene = Scene::bare("Cook", mesh, Steel::elastic(1.0, 1.0 / 3.0));
     scene.controls.element = kind;
     scene.controls.residual = 1e-7;
     scene.supports = vec![

@@ -8,6 +8,7 @@ use crate::analytic::subsurface::EllipseField;
 use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
+use crate::model::scene::Scene;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::{Round, bump, upside_down};
 use crate::proof::verify::scenes::profile::{balance, peak_pressure, semi_axis};
@@ -98,7 +99,7 @@ fn pressed(hertz: &EllipticContact, across: f64) -> Result<SolvedScene, VerifyEr
     let upper = side("upper", RADII[0], 1)?.prefixed("upper_");
     let lower = upside_down(side("lower", RADII[1], 0)?).prefixed("lower_");
     let mesh = Mesh::join([lower, upper])?;
-    let mut scene = kit::scene("crossed cylinders", mesh, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("crossed cylinders", mesh, Steel::elastic(YOUNG, POISSON));
     scene.contacts = vec![kit::pair("upper-lower", "upper_z_min", "lower_z_min")];
     scene.supports = vec![kit::held("lower_z_max", 2)];
     for (face, axis) in [("x_min", 0), ("y_min", 1)] {

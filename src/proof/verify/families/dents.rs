@@ -11,7 +11,7 @@ use crate::answer::results::dent::dent;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::{ElementKind, Scene};
+use crate::model::scene::{ElementKind, Scene, Step};
 use crate::model::state::State;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{self, Sizes};
@@ -59,14 +59,14 @@ fn column(element: ElementKind, name: &str) -> Result<LadderClaim, VerifyError> 
         block.build().map(|mesh| mesh.prefixed(&format!("{name}_")))
     };
     let mesh = Mesh::join([column("lower", 0.0)?, column("upper", 2.0)?])?;
-    let mut scene = kit::scene("columns", mesh, steel(YIELD));
+    let mut scene = Scene::bare("columns", mesh, steel(YIELD));
     scene.materials[1] = Steel::elastic(YOUNG, POISSON);
     scene.controls.element = element;
     (scene.controls.residual, scene.controls.penetration) = (1e-12, 1e-12);
     scene.contacts = vec![kit::pair("upper-lower", "upper_z_min", "lower_z_max")];
     scene.supports = kit::stack_supports();
     scene.tractions = vec![kit::pressure("upper_z_max", PRESSURE)];
-    scene.steps = vec![kit::step("load", 1.0), kit::step("unload", REMAINING_LOAD)];
+    scene.steps = vec![Step::to("load", 1.0), Step::to("unload", REMAINING_LOAD)];
     let run = kit::run(scene)?;
     let stays = spring_back(&run.scene, run.state())?;
     let claim = LadderClaim::relative(
@@ -148,7 +148,7 @@ fn line(level: u32, size: &str, tolerance: f64) -> Result<Vec<LadderClaim>, Veri
 fn pressed(level: u32, yield_stress: f64) -> Result<SolvedScene, VerifyError> {
     let mut scene = problem_h::scene(&Sizes::nested(level))?;
     scene.materials.fill(steel(yield_stress));
-    scene.steps = vec![kit::step("load", 1.0), kit::step("unload", REMAINING_LOAD)];
+    scene.steps = vec![Step::to("load", 1.0), Step::to("unload", REMAINING_LOAD)];
     kit::run(scene)
 }
 

@@ -7,6 +7,7 @@ use crate::analytic::hertz::PointContact;
 use crate::analytic::subsurface::SphereField;
 use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
+use crate::model::scene::Scene;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::bumps::{Round, bump};
 use crate::proof::verify::scenes::profile::{balance, peak_pressure, semi_axis};
@@ -82,7 +83,7 @@ pub(super) fn pressed(hertz: &PointContact, across: f64) -> Result<SolvedScene, 
         [10.0 * a; 3],
         1.5,
     )?;
-    let mut scene = kit::scene("sphere", mesh, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("sphere", mesh, Steel::elastic(YOUNG, POISSON));
     scene.contacts = vec![kit::on_rigid_flat("z_min", 2)];
     scene.supports = vec![kit::held("x_min", 0), kit::held("y_min", 1)];
     scene.rigid_planes = vec![kit::driven("press", "z_max", 2, -0.25 * LOAD)];

@@ -3,7 +3,7 @@
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::{Body, Mesh};
-use crate::model::scene::{ElementKind, Support};
+use crate::model::scene::{ElementKind, Scene, Support};
 use crate::proof::closed_forms::patch::STRAIN;
 use crate::proof::closed_forms::patch::{INNER_NODES, POISSONS_RATIO, YOUNGS_MODULUS, stress};
 use crate::proof::verify::kit::{self, SolvedScene};
@@ -52,7 +52,7 @@ fn solid((kind, name): (ElementKind, &str)) -> Result<LadderClaim, VerifyError> 
         ..Mesh::default()
     };
     mesh.mark("outside", "cube", |_| true);
-    let mut scene = kit::scene(
+    let mut scene = Scene::bare(
         "patch",
         mesh,
         Steel::elastic(YOUNGS_MODULUS, POISSONS_RATIO),
@@ -88,7 +88,7 @@ fn contact(name: &str, upper: Vec<f64>, lower: Vec<f64>) -> Result<LadderClaim, 
     let upper = Block::new("upper", upper, uniform(0.0, 1.0, 2), uniform(1.0, 2.0, 2)).build()?;
     let mut mesh = Mesh::join([lower.prefixed("lower_"), upper.prefixed("upper_")])?;
     mesh.mark("exposed", "lower_lower", |p| p[2] == 1.0 && p[0] >= 1.0);
-    let mut scene = kit::scene("contact patch", mesh, Steel::elastic(1000.0, 0.3));
+    let mut scene = Scene::bare("contact patch", mesh, Steel::elastic(1000.0, 0.3));
     if wide {
         scene.materials[1] = Steel::elastic(3000.0, 0.2);
     }

@@ -14,7 +14,7 @@
 
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::{ElementKind, PlaneMotion, RigidPlane};
+use crate::model::scene::{ElementKind, PlaneMotion, RigidPlane, Scene};
 use crate::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -98,7 +98,7 @@ fn punch(cells: usize, kind: ElementKind) -> Result<(SolvedScene, f64), VerifyEr
         yield_stress: YIELD,
         hardening_modulus: 0.0,
     };
-    let mut scene = kit::scene("punch", mesh, steel);
+    let mut scene = Scene::bare("punch", mesh, steel);
     scene.controls.element = kind;
     scene.controls.residual = 1e-7;
     scene.controls.first_increment = 0.05;

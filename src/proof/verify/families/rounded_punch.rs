@@ -9,6 +9,7 @@ use crate::case::bearing::RollerEnd;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::Block;
+use crate::model::scene::Scene;
 use crate::proof::closed_forms::rounded_punch::RoundedPunch;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -85,7 +86,7 @@ fn pressed(load: f64, facet: f64) -> Result<SolvedScene, VerifyError> {
     let block = Block::new("block", wide, deep, thick).build()?;
     let mesh = Mesh::join([punch.prefixed("punch_"), block.prefixed("block_")])?;
 
-    let mut scene = kit::scene("rounded punch", mesh, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("rounded punch", mesh, Steel::elastic(YOUNG, POISSON));
     scene.materials[0] = Steel::elastic(PUNCH_STIFFNESS * YOUNG, POISSON);
     scene.mirrors = vec![0];
     let faces = ["x_min", "z_min", "z_max"].into_iter().zip([0, 2, 2]);

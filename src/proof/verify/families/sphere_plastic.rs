@@ -17,7 +17,7 @@ use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::family::grading::Grading;
-use crate::model::scene::{PlaneMotion, RigidPlane};
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Step};
 use crate::model::state::State;
 use crate::proof::closed_forms::flattening::{
     Critical, exact_critical, jackson_green, kogut_etsion,
@@ -100,7 +100,7 @@ fn press(
         yield_stress: YIELD,
         hardening_modulus: 0.0,
     };
-    let mut scene = kit::scene("sphere", mesh, steel);
+    let mut scene = Scene::bare("sphere", mesh, steel);
     scene.controls.plasticity = plasticity;
     scene.contacts = vec![kit::on_rigid_flat("face", 2)];
     scene.supports = vec![kit::held("x_min", 0), kit::held("y_min", 1)];
@@ -115,7 +115,7 @@ fn press(
         ..RigidPlane::default()
     }];
     scene.mirrors = vec![0, 1];
-    scene.steps = approaches.iter().map(|w| kit::step("press", *w)).collect();
+    scene.steps = approaches.iter().map(|w| Step::to("press", *w)).collect();
     kit::run(scene)
 }
 

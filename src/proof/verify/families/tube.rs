@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::{ElementKind, Scene, Support};
+use crate::model::scene::{ElementKind, Scene, Step, Support};
 use crate::proof::closed_forms::steel::BilinearSteel;
 use crate::proof::closed_forms::tube::Tube;
 use crate::proof::closed_forms::tube_mises;
@@ -71,7 +71,7 @@ fn scene(tube: &Tube, poisson: f64, cells: usize, kind: ElementKind) -> Result<S
         yield_stress: YIELD,
         hardening_modulus: tube.steel().hardening_modulus(),
     };
-    let mut scene = kit::scene("tube", mesh, steel);
+    let mut scene = Scene::bare("tube", mesh, steel);
     scene.controls.element = kind;
     scene.supports = kit::quarter_supports();
     Ok(scene)
@@ -83,7 +83,7 @@ fn expand(
     pressures: &[f64],
 ) -> Result<(SolvedScene, Vec<[f64; 2]>), VerifyError> {
     scene.tractions = vec![kit::pressure("x_min", 1.0)];
-    scene.steps = pressures.iter().map(|p| kit::step("expand", *p)).collect();
+    scene.steps = pressures.iter().map(|p| Step::to("expand", *p)).collect();
     let run = kit::run(scene)?;
     let mut walls = Vec::new();
     for state in &run.solution.states {

@@ -2,6 +2,7 @@
 
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
+use crate::model::scene::{Scene, Step};
 use crate::proof::closed_forms::steel::BilinearSteel;
 use crate::proof::verify::kit;
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -22,7 +23,7 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     };
     let list = || uniform(0.0, 1.0, 2);
     let mesh = Block::new("cube", list(), list(), list()).build()?;
-    let mut scene = kit::scene("uniaxial", mesh, steel);
+    let mut scene = Scene::bare("uniaxial", mesh, steel);
     scene.controls.residual = 1e-12;
     scene.supports = vec![
         kit::held("x_min", 0),
@@ -32,7 +33,7 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     ];
     let residual = curve.residual_strain(STRAIN)?;
     let shares = [0.005, 0.01, 0.05, residual];
-    scene.steps = shares.map(|e| kit::step("pull", e / STRAIN)).into();
+    scene.steps = shares.map(|e| Step::to("pull", e / STRAIN)).into();
     let run = kit::run(scene)?;
     let mut claims = Vec::new();
     for (strain, state) in shares.into_iter().zip(&run.solution.states) {

@@ -14,6 +14,7 @@ use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::family::disc::{ARC, QuarterDisc, TO_CORE};
 use crate::model::mesh::family::grading::Grading;
+use crate::model::scene::Scene;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{DEPTH, LOAD, POISSON, RADIUS, YOUNG};
 use crate::proof::verify::scenes::profile::{ContactPoint, integral, peak_pressure, spots};
@@ -75,7 +76,7 @@ fn about(middle: f64, total: f64, size: f64, a: f64) -> Vec<f64> {
 fn pressed(line: &LineContact, slope: f64) -> Result<SolvedScene, VerifyError> {
     let mut mesh = Mesh::join([block(line, slope)?, roller(line, slope)?])?;
     mark_cuts(&mut mesh);
-    let mut scene = kit::scene("V groove", mesh, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("V groove", mesh, Steel::elastic(YOUNG, POISSON));
     scene.contacts = vec![kit::pair("roller-groove", "rolling", "slope")];
     scene.supports = vec![
         kit::support("base", [Some(0.0); 3]),

@@ -9,6 +9,5 @@ pub use element::{ELEMENTS, NamedElement};
 pub use measure::{displacement_at, extent, mean_displacement, stress_integral, surface};
 pub use run::{SolvedScene, run};
 pub use scene::{
-    driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, scene, stack_supports,
-    step, support,
+    driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, stack_supports, support,
 };

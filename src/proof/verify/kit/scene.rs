@@ -1,40 +1,9 @@
 //! Short words for the scenes of the ladder.
 
-use crate::model::material::Steel;
-use crate::model::mesh::Mesh;
 use crate::model::mesh::block::cylindrical;
 use crate::model::scene::{
-    ContactPair, Controls, Partner, PlaneMotion, RigidPlane, Scene, Side, Step, Support, Traction,
-    TractionValue,
+    ContactPair, Partner, PlaneMotion, RigidPlane, Side, Support, Traction, TractionValue,
 };
-
-/// A scene of one steel and one step without contact, loads and supports.
-pub fn scene(name: &str, mesh: Mesh, steel: Steel) -> Scene {
-    Scene {
-        name: name.into(),
-        materials: vec![steel; mesh.bodies.len()],
-        mesh,
-        contacts: Vec::new(),
-        supports: Vec::new(),
-        rigid_planes: Vec::new(),
-        tractions: Vec::new(),
-        steps: vec![step("load", 1.0)],
-        mirrors: Vec::new(),
-        temperatures: Vec::new(),
-        ties: Vec::new(),
-        half_turn: Vec::new(),
-        controls: Controls::default(),
-    }
-}
-
-/// A step to `factor`.
-pub fn step(name: &str, factor: f64) -> Step {
-    Step {
-        name: name.into(),
-        factor,
-        factors: Vec::new(),
-    }
-}
 
 /// Displacement components on a surface, by whose name the support goes.
 pub fn support(surface: &str, components: [Option<f64>; 3]) -> Support {

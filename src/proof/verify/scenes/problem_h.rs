@@ -14,7 +14,7 @@ pub use crate::product::converge::problem_h::{
 
 /// The half model, ready to be solved.
 pub fn scene(sizes: &Sizes) -> Result<Scene, VerifyError> {
-    let mut scene = kit::scene("problem H", half(sizes)?, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("problem H", half(sizes)?, Steel::elastic(YOUNG, POISSON));
     scene.contacts = vec![kit::pair(
         "cylinder-block",
         "cylinder_contact",
@@ -34,7 +34,7 @@ pub fn scene(sizes: &Sizes) -> Result<Scene, VerifyError> {
 /// Two identical half cylinders on mirrored meshes, pressed together by moving their cut faces
 /// towards each other by `approach` in all, with Coulomb's coefficient `friction`.
 pub fn twin_scene(sizes: &Sizes, approach: f64, friction: f64) -> Result<Scene, VerifyError> {
-    let mut scene = kit::scene("twins", twins(sizes)?, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("twins", twins(sizes)?, Steel::elastic(YOUNG, POISSON));
     let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
     pair.friction = friction;
     scene.contacts = vec![pair];

@@ -7,7 +7,7 @@
 use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins};
 use crate::analytic::hertz::LineContact;
 use crate::model::material::Steel;
-use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Traction, TractionValue};
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Step, Traction, TractionValue};
 use crate::proof::verify::VerifyError;
 use crate::proof::verify::kit;
 
@@ -33,7 +33,7 @@ pub fn hertz() -> Result<LineContact, VerifyError> {
 pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyError> {
     let mesh = full_twins(sizes)?;
     let thickness = kit::extent(&mesh, 2);
-    let mut scene = kit::scene("rubbing", mesh, Steel::elastic(YOUNG, POISSON));
+    let mut scene = Scene::bare("rubbing", mesh, Steel::elastic(YOUNG, POISSON));
     let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
     pair.friction = friction;
     scene.contacts = vec![pair];
@@ -66,8 +66,8 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
         motion: [sideways, load, PlaneMotion::Free],
         ..RigidPlane::default()
     }];
-    let mut press = kit::step("press", 1.0);
+    let mut press = Step::to("press", 1.0);
     press.factors = vec![("push".into(), 0.0)];
-    scene.steps = vec![press, kit::step("push", 1.0)];
+    scene.steps = vec![press, Step::to("push", 1.0)];
     Ok(scene)
 }

@@ -16,7 +16,7 @@ use crate::analytic::ring::{PlaneState, Ring, RingLoad};
 use crate::answer::results::bore::{Bore, bore_stress};
 use crate::answer::results::recovery::recover;
 use crate::model::material::Steel;
-use crate::model::scene::ElementKind;
+use crate::model::scene::{ElementKind, Scene};
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
 use mesh::{LOAD, RADIUS, SPREAD, mean_pressure, mesh, strip};
@@ -58,7 +58,7 @@ impl SolvedRing {
     ) -> Result<Self, VerifyError> {
         let inner = RADIUS * (1.0 - 2.0 * wall);
         let (mesh, angles) = mesh(inner, layers)?;
-        let mut scene = kit::scene("ring", mesh, Steel::elastic(YOUNG, POISSON));
+        let mut scene = Scene::bare("ring", mesh, Steel::elastic(YOUNG, POISSON));
         // Bending of a thin ring: forces are small beside stiffness times displacement.
         scene.controls.residual = 1e-7;
         scene.controls.element = element;

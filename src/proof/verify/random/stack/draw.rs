@@ -103,7 +103,7 @@ pub fn stack(seed: u64, number: usize) -> Result<Stack, VerifyError> {
     let mut mesh = Mesh::join(meshes?).map_err(|_| VerifyError::Missing("mesh"))?;
     let turned = |v: Vec3| Vec3::from(rotation * Vector3::from(v));
     mesh.points.iter_mut().for_each(|p| *p = turned(*p));
-    let mut scene = kit::scene(&RandomKind::Stack.name(seed, number), mesh, steels[0]);
+    let mut scene = Scene::bare(RandomKind::Stack.name(seed, number), mesh, steels[0]);
     scene.materials = steels;
     scene.supports = vec![kit::support("lower_z_min", [Some(0.0); 3])];
     let loaded = BLOCK_NAMES[count - 1];

@@ -1,7 +1,7 @@
 //! Where a mesh is to be finer: elements near what misses its target, along the directions in which they are too long.
 //!
 //! What is asked of contact (pressure, load per length, width, area) is decided at the pressed faces and next to them; a peak
-//! of the Mises stress where it is nearly as large; the descent by the energy of the error, wherever that is. There an
+//! of the Mises stress there and where it is nearly as large; the descent by the energy of the error, wherever that is. There an
 //! element is split along those of its directions in which the stress varies most. That variation is the gradient of the
 //! nodal stresses, as a mean square over the elements around, times the length of the element: what a linear stress within
 //! it cannot follow falls with the same length. Along a pressed face directions are compared among themselves, too: what
@@ -19,6 +19,14 @@ use crate::model::state::State;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use rstar::RTree;
 
+/// What is decided at the pressed faces; so is most of the stress below them.
+const CONTACT: [Goal; 5] = [
+    Goal::Pressure,
+    Goal::HertzPressure,
+    Goal::LineLoad,
+    Goal::HalfWidth,
+    Goal::Area,
+];
 /// Rings of elements around the pressed faces that are split with them.
 const RINGS: usize = 2;
 /// A peak is decided where the Mises stress is more than this share of it.
@@ -48,24 +56,14 @@ pub(super) fn marks(
     };
     let mut wanted = vec![false; mesh.hexes.len()];
     let mut pressed = vec![[false; 3]; mesh.hexes.len()];
-    if missing(&[
-        Goal::Pressure,
-        Goal::HertzPressure,
-        Goal::LineLoad,
-        Goal::HalfWidth,
-        Goal::Area,
-    ]) {
+    let below = [Goal::ElasticMises, Goal::Mises, Goal::PlasticStrain];
+    if missing(&CONTACT) || missing(&below) {
         pressed = along_pressed_faces(scene, state);
         let mut near: Vec<bool> = pressed.iter().map(|along| along.contains(&true)).collect();
         (0..RINGS).for_each(|_| near = with_ring(mesh, &near));
         join(&mut wanted, &near);
     }
-    if missing(&[
-        Goal::ElasticMises,
-        Goal::Mises,
-        Goal::PlasticStrain,
-        Goal::Bore,
-    ]) {
+    if missing(&below) || missing(&[Goal::Bore]) {
         join(&mut wanted, &with_ring(mesh, &peaks(scene, &recovered)));
     }
     if missing(&[Goal::Descent]) {

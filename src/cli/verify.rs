@@ -25,7 +25,7 @@ pub struct VerifyArgs {
     /// the bars.
     #[arg(long)]
     pub write: bool,
-    /// What cases are drawn by: thirty bearings beside the ten that have names (coverage), or all (random).
+    /// What cases are drawn by: thirty bearings of crossed rollers and ten of parallel ones beside the ten that have names (coverage), or all (random).
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub seed: u64,
     /// With --suite random: how many bearings, and as many stacks of blocks [default: 300 and 200].
@@ -242,7 +242,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     set_threads(all.threads);
     let mut console = Console::new(true);
     let mut suite = coverage::CoverageRun {
-        sets: vec![Set::Named, Set::Drawn(all.seed)],
+        sets: vec![Set::Named, Set::Drawn(all.seed), Set::DrawnLines(all.seed)],
         only: all.only.clone(),
         presets: if args.mesh.is_empty() {
             coverage::presets()

@@ -65,10 +65,25 @@ fn a_seed_draws_sensible_bearings() {
     );
 }
 
+/// Ten of parallel rollers, half of them between plates that are out of parallel.
+#[test]
+fn a_seed_draws_sensible_line_bearings() {
+    for seed in 1..=5 {
+        let bearings = Set::DrawnLines(seed).bearings();
+        assert_eq!(bearings, Set::DrawnLines(seed).bearings());
+        assert_eq!(bearings.len(), 10);
+        let tilted = bearings.iter().filter(|b| b.text.contains("tilt"));
+        assert_eq!(tilted.count(), 5);
+        for bearing in bearings {
+            bearing.case().expect("a case");
+        }
+    }
+}
+
 /// Values that are stored for another bearing of the same name are never used; none may be left behind.
 #[test]
 fn stored_values_are_those_of_the_bearings() {
-    for set in [Set::Named, Set::Drawn(1)] {
+    for set in [Set::Named, Set::Drawn(1), Set::DrawnLines(1)] {
         let bearings = set.bearings();
         let stored = References::read(set).unwrap();
         let known = bearings.iter().filter(|b| stored.of(b).is_some());

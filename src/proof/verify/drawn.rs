@@ -37,6 +37,25 @@ pub enum End {
     Crown(f64),
 }
 
+impl End {
+    /// As the value of `roller_end`, lengths in `unit`.
+    pub fn text(self, unit: &str) -> String {
+        match self {
+            Self::Square => "\"square\"".to_owned(),
+            Self::Radius(radius) => format!("{{ radius = \"{} {unit}\" }}", digits(radius)),
+            Self::Crown(drop) => format!("{{ crown = \"{} {unit}\" }}", digits(drop)),
+        }
+    }
+}
+
+/// The line of a case file that says how thick the wall is; a solid roller has none.
+pub fn hollow(wall: Option<f64>, unit: &str) -> String {
+    match wall {
+        Some(wall) => format!("roller_wall = \"{} {unit}\"", digits(wall)),
+        None => "solid = true".to_owned(),
+    }
+}
+
 /// A bearing of the template, lengths and stresses in its own units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnBearing {
@@ -70,15 +89,7 @@ impl DrawnBearing {
     /// The case file, numbers as a designer writes them.
     pub fn text(&self) -> String {
         let (length, stress) = (self.units.length, self.units.stress);
-        let end = match self.end {
-            End::Square => "\"square\"".to_owned(),
-            End::Radius(radius) => format!("{{ radius = \"{} {length}\" }}", digits(radius)),
-            End::Crown(drop) => format!("{{ crown = \"{} {length}\" }}", digits(drop)),
-        };
-        let hollow = match self.wall {
-            Some(wall) => format!("roller_wall = \"{} {length}\"", digits(wall)),
-            None => "solid = true".to_owned(),
-        };
+        let (hollow, end) = (hollow(self.wall, length), self.end.text(length));
         let unload = self.unload.map(|unload| format!("unload = {unload}\n"));
         let unload = unload.unwrap_or_default();
         let [upper, middle, lower] = self.thickness.map(digits);

@@ -13,7 +13,7 @@ use std::f64::consts::{PI, SQRT_2};
 pub const COUNT: usize = 30;
 
 /// Loads, as shares of the sizing limit.
-const LOADS: [f64; 2] = [0.1, 1.3];
+pub(super) const LOADS: [f64; 2] = [0.1, 1.3];
 
 /// The line load at which a ring turns plastic at its first hinge is π M_p / R; less than that by this
 /// factor, so that thin rollers are not crushed.
@@ -89,35 +89,8 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     let strength = stream.of(strengths);
     let carried = limit(diameter, wall, modulus, poisson, strength) * (length - 2.0 * offset);
     let load = stream.scale(LOADS) * carried * units.forces;
-    let end = match stream.of([0, 1, 2]) {
-        0 => End::Square,
-        1 => {
-            let most = 0.4 * wall.unwrap_or(diameter).min(0.15 * diameter);
-            End::Radius((stream.between([0.01, 0.06]) * diameter).min(most))
-        }
-        _ => End::Crown(stream.between([1e-4, 2e-3]) * diameter),
-    };
-    let hardening = match stream.of([0, 1, 2]) {
-        0 => String::new(),
-        1 => {
-            let modulus = stream.of([0.001, 0.01, 0.05]) * modulus;
-            format!(
-                "hardening_modulus = \"{} {}\"\n",
-                digits(modulus),
-                units.stress
-            )
-        }
-        _ => format!(
-            "hardening = {{ stress = \"{} {}\", strain = 0.157, strain_is = \"total\" }}\n",
-            digits(1.38 * strength),
-            units.stress
-        ),
-    };
-    let plastic = if elastic {
-        "\n[controls]\nplasticity = false\n"
-    } else {
-        ""
-    };
+    let end = end(stream, diameter, wall);
+    let hardening = hardening(stream, modulus, strength, units.stress);
     let drawn = DrawnBearing {
         name: name.to_owned(),
         units,
@@ -135,9 +108,43 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
         poisson,
         strength,
         hardening,
-        more: plastic.to_owned(),
+        more: plasticity(elastic).to_owned(),
     };
     Some(drawn.text())
+}
+
+pub(super) fn end(stream: &mut Stream, diameter: f64, wall: Option<f64>) -> End {
+    match stream.of([0, 1, 2]) {
+        0 => End::Square,
+        1 => {
+            let most = 0.4 * wall.unwrap_or(diameter).min(0.15 * diameter);
+            End::Radius((stream.between([0.01, 0.06]) * diameter).min(most))
+        }
+        _ => End::Crown(stream.between([1e-4, 2e-3]) * diameter),
+    }
+}
+
+/// Lines of the table `[steel]`: none, a modulus, or a point of the curve.
+pub(super) fn hardening(stream: &mut Stream, modulus: f64, strength: f64, unit: &str) -> String {
+    match stream.of([0, 1, 2]) {
+        0 => String::new(),
+        1 => {
+            let modulus = stream.of([0.001, 0.01, 0.05]) * modulus;
+            format!("hardening_modulus = \"{} {unit}\"\n", digits(modulus))
+        }
+        _ => format!(
+            "hardening = {{ stress = \"{} {unit}\", strain = 0.157, strain_is = \"total\" }}\n",
+            digits(1.38 * strength)
+        ),
+    }
+}
+
+/// The table `[controls]` of a bearing that is elastic or not.
+pub(super) fn plasticity(elastic: bool) -> &'static str {
+    match elastic {
+        true => "\n[controls]\nplasticity = false\n",
+        false => "",
+    }
 }
 
 /// Does the force of a displaced bearing pass through all of its parts?
@@ -152,7 +159,13 @@ fn stands(diameter: f64, length: f64, slope: f64, offset: f64, thickness: f64) -
 }
 
 /// The load per length that the study's rule (2-49) allows, p0 = 1.65 Y, or that of the ring.
-fn limit(diameter: f64, wall: Option<f64>, modulus: f64, poisson: f64, strength: f64) -> f64 {
+pub(super) fn limit(
+    diameter: f64,
+    wall: Option<f64>,
+    modulus: f64,
+    poisson: f64,
+    strength: f64,
+) -> f64 {
     let compliance = 2.0 * (1.0 - poisson * poisson) / modulus;
     let radius = 0.5 * diameter;
     let pressure = PRESSURE_LIMIT * strength;

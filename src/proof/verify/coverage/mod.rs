@@ -1,6 +1,6 @@
 //! Do the bars hold? Claims of ordinary runs of many bearings beside values of much finer meshes.
 //!
-//! Ten bearings have names, thirty are drawn by a seed (`draw`). The true values of a set are in a
+//! Ten bearings have names; a seed draws thirty of crossed rollers (`draw`) and ten of parallel ones (`draw_lines`). The true values of a set are in a
 //! file below `cases/coverage`, from two fine meshes each (`make`, `pair`, `reference`); `measure` solves a bearing
 //! on the presets and judges every claim of its certificate, whatever it is about; `page` and
 //! `criteria` say what came of it.
@@ -8,6 +8,7 @@
 mod bearing;
 mod criteria;
 pub mod draw;
+mod draw_lines;
 mod fine;
 mod make;
 mod measure;

@@ -1,7 +1,7 @@
-//! The sets of bearings: ten by name, and those that a seed draws.
+//! The sets of bearings: ten by name, and those that a seed draws of either template.
 
 use super::bearing::Bearing;
-use super::draw;
+use super::{draw, draw_lines};
 use std::fmt;
 
 /// A set of bearings, whose references are in one file.
@@ -9,6 +9,8 @@ use std::fmt;
 pub enum Set {
     Named,
     Drawn(u64),
+    /// Of parallel rollers.
+    DrawnLines(u64),
 }
 
 impl Set {
@@ -16,6 +18,7 @@ impl Set {
         match self {
             Self::Named => named(),
             Self::Drawn(seed) => draw::bearings(seed),
+            Self::DrawnLines(seed) => draw_lines::bearings(seed),
         }
     }
 }
@@ -25,6 +28,7 @@ impl fmt::Display for Set {
         match self {
             Self::Named => f.write_str("named"),
             Self::Drawn(seed) => write!(f, "seed-{seed}"),
+            Self::DrawnLines(seed) => write!(f, "lines-{seed}"),
         }
     }
 }

@@ -11,6 +11,7 @@ const LONGEST_RUN: Duration = Duration::from_secs(120);
 #[derive(Debug)]
 pub struct RandomWatch {
     start: Instant,
+    longest: Duration,
     pub iterations: usize,
     /// Of the increment that is under way, cut-backs included.
     now: usize,
@@ -22,8 +23,14 @@ pub struct RandomWatch {
 
 impl RandomWatch {
     pub fn start() -> Self {
+        Self::of(LONGEST_RUN)
+    }
+
+    /// One that may take so long.
+    pub fn of(longest: Duration) -> Self {
         Self {
             start: Instant::now(),
+            longest,
             iterations: 0,
             now: 0,
             most: 0,
@@ -50,6 +57,6 @@ impl Observer for RandomWatch {
     }
 
     fn cancelled(&self) -> bool {
-        self.start.elapsed() > LONGEST_RUN
+        self.start.elapsed() > self.longest
     }
 }

@@ -17,6 +17,7 @@ use nalgebra::{Rotation3, Unit, Vector3};
 use std::f64::consts::PI;
 
 /// A stack with what statics knows of it.
+#[derive(Clone)]
 pub struct Stack {
     pub scene: Scene,
     pub known: KnownOfCase,

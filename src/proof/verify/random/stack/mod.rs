@@ -5,6 +5,7 @@ mod check;
 mod draw;
 mod guise;
 mod solve;
+mod split;
 mod statics;
 
 pub use solve::solve;

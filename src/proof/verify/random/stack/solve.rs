@@ -3,12 +3,17 @@
 use super::check::{check, overlap};
 use super::draw::{self, Stack};
 use super::guise::{ROUTE_DIFFERENCE, guises, restated};
+use super::split::split;
 use crate::answer::certify::DOUBLING;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::proof::verify::random::outcome::{self, RandomVerdict};
 use crate::proof::verify::random::watch::RandomWatch;
 use crate::solver::solve::{self, SolveError};
+use std::time::Duration;
+
+/// Stacks take a second or two on meshes that are split; one that takes longer than this does not come to an end.
+const LONGEST_SPLIT: Duration = Duration::from_secs(30);
 
 /// Solves stack `number` of a seed, and the same in other guises.
 pub fn solve(seed: u64, number: usize, watch: &mut RandomWatch) -> RandomVerdict {
@@ -26,7 +31,14 @@ pub fn solve(seed: u64, number: usize, watch: &mut RandomWatch) -> RandomVerdict
     };
     let (wrong, unsolved) = match check(&stack, &answer.state) {
         Some(failed) => (vec![failed], Vec::new()),
-        None => compare(&stack, &answer),
+        None => {
+            let (mut wrong, mut unsolved) = compare(&stack, &answer);
+            match split_in_places(&stack, seed, number) {
+                Ok(failed) => wrong.extend(failed),
+                Err(why) => unsolved.push(why),
+            }
+            (wrong, unsolved)
+        }
     };
     if wrong.is_empty() && !unsolved.is_empty() {
         let why = unsolved.join("; ");
@@ -54,6 +66,21 @@ fn solved(scene: &Scene, watch: &mut RandomWatch) -> Result<Option<StackAnswer>,
         doubled: solution.doubled.pop(),
         times: watch.times.clone(),
     }))
+}
+
+/// Solves it on a mesh with hanging nodes, whose answer is another one but fulfils the same: what of that it does not, or
+/// why there is none.
+fn split_in_places(stack: &Stack, seed: u64, number: usize) -> Result<Option<String>, String> {
+    let said = |why: String| format!("split in places: {why}");
+    let stack = split(stack, seed, number).map_err(|error| said(error.to_string()))?;
+    match solved(&stack.scene, &mut RandomWatch::of(LONGEST_SPLIT)) {
+        Ok(Some(answer)) => Ok(check(&stack, &answer.state).map(said)),
+        Ok(None) => Err(said(format!(
+            "not finished in {} s",
+            LONGEST_SPLIT.as_secs()
+        ))),
+        Err(error) => Err(said(error.to_string())),
+    }
 }
 
 /// Solves the other guises: which of them have another answer, and which have none. Where one was cut back and the

@@ -2,7 +2,9 @@
 
 use crate::block::{close, stack};
 use brinell::model::scene::TractionValue::{Pressure, Vector};
-use brinell::model::scene::{ElementKind, Partner, PlaneMotion, Scene, Step, Support, Traction};
+use brinell::model::scene::{
+    ElementKind, Partner, PlaneMotion, Scene, Step, Support, Temperature, Traction,
+};
 use brinell::product::deck::{InpError, check};
 use brinell::render::inp::{ContactType, Settings};
 
@@ -313,5 +315,40 @@ fn what_cannot_be_expressed_is_named() {
             refused(&stack(), &wrong),
             InpError::NotPositive { .. }
         ));
+    }
+}
+
+/// A block that is warm by 40 K and by 30 K/length more along x, and a plate that is not, in two steps.
+#[test]
+fn a_warm_body_has_its_expansion_and_the_temperatures_of_its_nodes() {
+    let mut scene = stack();
+    scene.temperatures.push(Temperature {
+        name: "sun".into(),
+        body: "block".into(),
+        expansion: 12e-6,
+        value: 40.0,
+        gradient: [30.0, 0.0, 0.0],
+    });
+    scene.steps.push(Step::to("night", -0.5));
+    let cards = deck(&scene, &settings());
+    let expansions = all(&cards, "*EXPANSION");
+    assert_eq!(expansions.len(), 1);
+    close(numbers(&expansions[0].data[0])[0], 12e-6);
+    assert_eq!(all(&cards, "*INITIAL CONDITIONS")[0].data, ["NALL,0."]);
+    let steps = all(&cards, "*TEMPERATURE");
+    assert_eq!(steps.len(), 2);
+    let block = &scene.mesh.hexes[scene.mesh.bodies[0].elements.clone()];
+    let nodes: std::collections::BTreeSet<u32> = block.as_flattened().iter().copied().collect();
+    for (card, factor) in steps.iter().zip([1.0, -0.5]) {
+        assert_eq!(card.data.len(), nodes.len());
+        for (line, node) in card.data.iter().zip(&nodes) {
+            let [number, value] = numbers(line)[..] else {
+                panic!("{line}")
+            };
+            close(number, f64::from(node + 1));
+            // The block is mirrored at x = 0: its middle is there.
+            let x = scene.mesh.points[*node as usize][0];
+            close(value, factor * (40.0 + 30.0 * x));
+        }
     }
 }

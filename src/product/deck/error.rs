@@ -19,12 +19,15 @@ pub enum InpError {
         help("export the case with a plane that does not turn")
     )]
     Turns { plane: String },
-    #[error("the body `{body}` has a temperature, which decks are not written for")]
+    #[error(
+        "node {node} is of `{}` and of `{}`, which have other temperatures there, and a deck has one a node",
+        bodies[0], bodies[1]
+    )]
     #[diagnostic(
         code(brinell::export::temperature),
-        help("export the case without its [[temperature]]")
+        help("give the bodies nodes of their own, and join them by a [[tie]]")
     )]
-    Temperature { body: String },
+    SharedHeat { node: usize, bodies: [String; 2] },
     #[error("the mesh has no surface `{surface}`, which `{user}` names")]
     #[diagnostic(code(brinell::export::surface))]
     NoSurface { user: String, surface: String },

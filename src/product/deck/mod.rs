@@ -4,6 +4,7 @@
 mod bounds;
 mod driven;
 mod error;
+mod heat;
 mod pairs;
 mod springs;
 mod ties;
@@ -36,10 +37,6 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
         let plane = plane.name.clone();
         return Err(InpError::Turns { plane });
     }
-    if let Some(temperature) = scene.temperatures.first() {
-        let body = temperature.body.clone();
-        return Err(InpError::Temperature { body });
-    }
     if !scene.mesh.hanging.is_empty() {
         let nodes = scene.mesh.hanging.len();
         return Err(InpError::Hanging { nodes });
@@ -64,5 +61,6 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
         springs,
         spring_share: LOAD_SHARE,
         nodal_forces,
+        heat: heat::heat(scene)?,
     })
 }

@@ -4,6 +4,7 @@ use super::names::Names;
 use super::settings::Settings;
 use crate::model::mesh::Face;
 use crate::model::scene::{ElementKind, Scene};
+use std::collections::BTreeMap;
 
 /// The scene with what the deck needs to know of it. Everything is in the units of the case, and on the modelled part.
 pub struct Deck<'a> {
@@ -22,6 +23,22 @@ pub struct Deck<'a> {
     /// By step, then by traction: the forces on nodes that stand for the traction; empty for a pressure, which decks
     /// know.
     pub nodal_forces: Vec<Vec<Vec<NodalForce>>>,
+    pub heat: Heat,
+}
+
+/// What temperatures do.
+#[derive(Default)]
+pub struct Heat {
+    /// Coefficients of thermal expansion, per kelvin, by bodies that have a temperature.
+    pub expansions: BTreeMap<usize, f64>,
+    /// Of their nodes, by step.
+    pub steps: Vec<Vec<NodalTemperature>>,
+}
+
+/// A difference of temperature of a node at the end of a step, in kelvin.
+pub struct NodalTemperature {
+    pub node: u32,
+    pub value: f64,
 }
 
 /// A force along an axis on a node.

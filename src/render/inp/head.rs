@@ -40,7 +40,13 @@ impl Deck<'_> {
                 writeln!(out, "*PLASTIC\n{},0.", number(steel.yield_stress))?;
                 writeln!(out, "{},1.", number(end))?;
             }
+            if let Some(expansion) = self.heat.expansions.get(&body) {
+                writeln!(out, "*EXPANSION\n{}", number(*expansion))?;
+            }
             writeln!(out, "*SOLID SECTION,ELSET={name},MATERIAL={name}")?;
+        }
+        if !self.heat.expansions.is_empty() {
+            writeln!(out, "*INITIAL CONDITIONS,TYPE=TEMPERATURE\nNALL,0.")?;
         }
         Ok(())
     }

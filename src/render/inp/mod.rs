@@ -15,7 +15,7 @@ mod settings;
 mod steps;
 mod tie;
 
-pub use deck::{Deck, DeckTie, Driven, NodalForce, Pair, Springs};
+pub use deck::{Deck, DeckTie, Driven, Heat, NodalForce, NodalTemperature, Pair, Springs};
 pub use names::Names;
 pub use settings::{ContactType, Settings};
 

@@ -1,6 +1,6 @@
 //! The steps: closing the contact by motion, then the loads of the scene; and what to put out.
 
-use super::deck::{Deck, Driven, NodalForce};
+use super::deck::{Deck, Driven, NodalForce, NodalTemperature};
 use super::format::{number, one_line};
 use super::mesh::face_number;
 use super::settings::ContactType;
@@ -37,11 +37,14 @@ impl Deck<'_> {
         }
         let increment = self.settings.increment;
         let increment = increment.unwrap_or(self.scene.controls.first_increment);
-        for (step, nodal_forces) in self.scene.steps.iter().zip(&self.nodal_forces) {
+        for (index, (step, nodal_forces)) in
+            (self.scene.steps.iter().zip(&self.nodal_forces)).enumerate()
+        {
             writeln!(out, "** {}", one_line(&step.name))?;
             self.begin(out, increment.min(1.0))?;
             self.boundary(out, |name| step.factor_of(name))?;
             self.loads(out, step, nodal_forces)?;
+            self.temperatures(out, index)?;
             self.requests(out)?;
             writeln!(out, "*END STEP")?;
         }
@@ -90,6 +93,17 @@ impl Deck<'_> {
                     }
                 }
             }
+        }
+        Ok(())
+    }
+
+    fn temperatures(&self, out: &mut dyn Write, step: usize) -> io::Result<()> {
+        let Some(temperatures) = self.heat.steps.get(step) else {
+            return Ok(());
+        };
+        writeln!(out, "*TEMPERATURE")?;
+        for NodalTemperature { node, value } in temperatures {
+            writeln!(out, "{},{}", node + 1, number(*value))?;
         }
         Ok(())
     }

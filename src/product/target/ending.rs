@@ -38,7 +38,7 @@ const SINGULAR_LEVELS: usize = 3;
 pub(super) fn places(options: &Options, number: usize) -> (PathBuf, Options) {
     let below = options.out.as_deref().unwrap_or(Path::new("."));
     let own = Options {
-        out: Some(folder(below, number)),
+        out: options.out.as_deref().map(|out| folder(out, number)),
         ..options.clone()
     };
     (below.to_owned(), own)

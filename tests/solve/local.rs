@@ -1,10 +1,10 @@
 //! A coarse mesh of one's own is refined where a target asks for it, whatever presses how hard.
 
-use crate::refined::draws;
 use brinell::case;
 use brinell::prelude::*;
 use brinell::product::job::Options;
 use brinell::product::target::{Limits, Target, Verdict, refine};
+use brinell::proof::verify::stream::Stream;
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -13,11 +13,11 @@ use std::path::Path;
 /// top of 10 mm.
 #[test]
 fn a_punch_of_eight_elements_is_refined_to_one_per_cent_of_hertz() {
-    let mut draw = draws();
+    let mut stream = Stream::new(1, 1);
     let (mut resolved, mut covered) = (0, 0);
     for _ in 0..6 {
-        let modulus = 60.0 + draw(341) as f64;
-        let pressure = 5.0 + draw(76) as f64;
+        let modulus = stream.between([60.0, 400.0]);
+        let pressure = stream.between([5.0, 80.0]);
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("case.toml");
         std::fs::write(&file, punch(modulus, pressure)).unwrap();

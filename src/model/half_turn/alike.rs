@@ -10,8 +10,11 @@ pub fn loads(scene: &Scene) -> Result<(), NoHalfTurn> {
     if !scene.controls.half_turn {
         return Err(NoHalfTurn::NotWanted);
     }
-    if !scene.ties.is_empty() || !scene.mesh.hanging.is_empty() {
+    if !scene.ties.is_empty() {
         return Err(NoHalfTurn::Tie);
+    }
+    if !scene.mesh.hanging.is_empty() {
+        return Err(NoHalfTurn::Hanging);
     }
     let straight = |plane: &RigidPlane| {
         let [x, y, z] = plane.motion;

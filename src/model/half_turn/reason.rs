@@ -9,9 +9,12 @@ pub enum NoHalfTurn {
     /// Not a plate that a force moves towards a fixed one.
     #[error("the load is not that of a plate pressed straight towards a fixed one")]
     Load,
-    /// Surfaces are tied, or nodes hang.
-    #[error("surfaces are tied, or nodes hang on edges of larger elements")]
+    /// Surfaces are tied.
+    #[error("surfaces are tied")]
     Tie,
+    /// Nodes hang.
+    #[error("nodes hang on edges or faces of larger elements")]
+    Hanging,
     /// A body has no image.
     #[error("`{body}` is not the image of a body of the same steel")]
     Body {

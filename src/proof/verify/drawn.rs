@@ -56,6 +56,14 @@ pub fn hollow(wall: Option<f64>, unit: &str) -> String {
     }
 }
 
+/// The head of the table `[steel]`: Young's modulus, Poisson's ratio and yield stress.
+pub fn steel_table([modulus, poisson, strength]: [f64; 3], unit: &str) -> String {
+    format!(
+        "[steel]\nyoungs_modulus = \"{modulus} {unit}\"\npoissons_ratio = {poisson}\n\
+         yield_stress = \"{strength} {unit}\"\n"
+    )
+}
+
 /// A bearing of the template, lengths and stresses in its own units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnBearing {
@@ -111,11 +119,7 @@ impl DrawnBearing {
              intermediate = \"{middle} {length}\"\n\
              lower = \"{lower} {length}\"\n\
              \n\
-             [steel]\n\
-             youngs_modulus = \"{} {stress}\"\n\
-             poissons_ratio = {}\n\
-             yield_stress = \"{} {stress}\"\n\
-             {}{}",
+             {}{}{}",
             self.name,
             self.units.system,
             digits(self.load),
@@ -125,9 +129,7 @@ impl DrawnBearing {
             digits(self.length),
             digits(self.offset),
             digits(self.degrees),
-            self.modulus,
-            self.poisson,
-            self.strength,
+            steel_table([self.modulus, self.poisson, self.strength], stress),
             self.hardening,
             self.more,
         )

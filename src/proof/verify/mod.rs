@@ -15,7 +15,7 @@ pub mod matrix;
 pub mod random;
 mod scenes;
 pub mod stability;
-mod stream;
+pub mod stream;
 
 pub use claim::LadderClaim;
 pub use error::VerifyError;

@@ -45,17 +45,7 @@ fn a_tube_of_two_shells_tends_to_lames_with_the_second_order() {
             .plane_strain(Axis::Z)
             .load(Load::pressure("inner_x_min", 100.0));
         let solved = Solved::of(scene.build().unwrap()).unwrap();
-        let mesh = &solved.scene.mesh;
-        let nodes = mesh.surface("inner_x_min").unwrap().nodes();
-        let radial = nodes.iter().map(|n| {
-            let (x, u) = (
-                mesh.points[*n as usize],
-                solved.state().displacement[*n as usize],
-            );
-            (x[0] * u[0] + x[1] * u[1]) / x[0].hypot(x[1])
-        });
-        let off = radial.map(|u| (u / bore() - 1.0).abs());
-        off.fold(0.0, f64::max)
+        off_lame(&solved, "inner_x_min")
     };
     let [coarse, fine] = [12, 24].map(error);
     let order = (coarse / fine).log2();

@@ -60,8 +60,23 @@ pub fn deviation(state: &State) -> f64 {
 }
 
 /// Radial displacement of the bore under a pressure of 100 in it, plane strain (Lamé).
-pub fn bore() -> f64 {
+fn bore() -> f64 {
     let (a, b, p): (f64, f64, f64) = (1.0, 2.0, 100.0);
     let k = p * a * a / (b * b - a * a);
     (1.0 + NU) / E * k * ((1.0 - 2.0 * NU) * a + b * b / a)
+}
+
+/// Largest deviation of the radial displacement of the bore from that, of itself.
+pub fn off_lame(solved: &Solved, surface: &str) -> f64 {
+    let mesh = &solved.scene.mesh;
+    let nodes = mesh.surface(surface).unwrap().nodes();
+    let radial = nodes.iter().map(|n| {
+        let (x, u) = (
+            mesh.points[*n as usize],
+            solved.state().displacement[*n as usize],
+        );
+        (x[0] * u[0] + x[1] * u[1]) / x[0].hypot(x[1])
+    });
+    let off = radial.map(|u| (u / bore() - 1.0).abs());
+    off.fold(0.0, f64::max)
 }

@@ -3,10 +3,9 @@
 mod nodes;
 mod some;
 
-use super::hexahedron::{CORNERS, Orientation, orientation};
-use super::{Body, Mesh, Surface};
+use super::Mesh;
+use super::hexahedron::{Orientation, orientation};
 use miette::Diagnostic;
-use nodes::{Nodes, child};
 use thiserror::Error;
 
 pub use nodes::Directions;
@@ -44,47 +43,11 @@ impl Mesh {
     /// # Errors
     /// [`SplitError`] for a mesh that becomes too large or folded.
     pub fn split(&self) -> Result<Mesh, SplitError> {
-        let result = 8 * self.hexes.len();
-        if result > MOST_HEXAHEDRA {
-            return Err(SplitError::TooLarge {
-                mesh: self.source.clone(),
-                elements: self.hexes.len(),
-                result,
-            });
-        }
-        if !self.hanging.is_empty() {
-            return Ok(self.split_some(|_| [true; 3])?.mesh);
-        }
-        let mut nodes = Nodes::new(self);
-        let lattices: Vec<[u32; 27]> = self.hexes.iter().map(|hex| nodes.lattice(hex)).collect();
-        let children = lattices
-            .iter()
-            .flat_map(|lattice| CORNERS.map(|corner| child(lattice, corner, [true; 3])));
-        let surfaces = self.surfaces.iter().map(|surface| Surface {
-            name: surface.name.clone(),
-            faces: surface
-                .faces
-                .iter()
-                .flat_map(|face| nodes.quarter(self, face, 8 * face.element))
-                .collect(),
-        });
-        let mesh = Mesh {
+        let mesh = self.split_some(|_| [true; 3])?.mesh;
+        Ok(Mesh {
             source: format!("{}, split", self.source),
-            hexes: children.collect(),
-            bodies: self
-                .bodies
-                .iter()
-                .map(|body| Body {
-                    name: body.name.clone(),
-                    elements: 8 * body.elements.start..8 * body.elements.end,
-                })
-                .collect(),
-            surfaces: surfaces.collect(),
-            points: nodes.points,
-            hanging: Vec::new(),
-            fingerprint: None,
-        };
-        self.sound(mesh)
+            ..mesh
+        })
     }
 
     /// The split mesh, unless an element of it is folded.

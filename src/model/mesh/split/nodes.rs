@@ -2,7 +2,7 @@
 
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::shape::{Shape, fit};
-use crate::model::mesh::{Face, Hanging, Mesh};
+use crate::model::mesh::{Hanging, Mesh};
 use std::collections::{HashMap, HashSet};
 
 /// Along which of its own directions, from corner 0 to corners 1, 3 and 4, an element is split.
@@ -173,26 +173,6 @@ impl Nodes {
             lattice[place(middle(face))] = self.face(face.map(|c| hex[c]));
         }
         lattice
-    }
-
-    /// The four pieces of a face, each on its piece of the element; the first piece has the number `first`.
-    pub fn quarter(&self, mesh: &Mesh, face: &Face, first: u32) -> Vec<Face> {
-        let middle = self.faces.get(&sorted(face.nodes));
-        let hex = &mesh.hexes[face.element as usize];
-        let piece = |k: usize| {
-            let [before, here, after] = [3, 0, 1].map(|step| face.nodes[(k + step) % 4]);
-            let corner = hex.iter().position(|n| *n == here)?;
-            Some(Face {
-                nodes: [
-                    here,
-                    *self.edges.get(&sorted([here, after]))?,
-                    *middle?,
-                    *self.edges.get(&sorted([before, here]))?,
-                ],
-                element: first + corner as u32,
-            })
-        };
-        (0..4).filter_map(piece).collect()
     }
 
     /// Sum of points, each list with its weight; Coons' blend of edges and faces.

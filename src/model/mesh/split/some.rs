@@ -111,8 +111,11 @@ impl Mesh {
             name: body.name.clone(),
             elements: start[body.elements.start]..start[body.elements.end],
         });
+        // What is split along all directions has a node in every middle.
+        let lacks = |(_, of): &(&[u32; 8], &u32)| marks[**of as usize] != [true; 3];
+        let lacking = hexes.iter().zip(&of).filter(lacks);
         let hanging: BTreeMap<u32, Vec<u32>> =
-            hexes.iter().flat_map(|hex| nodes.hanging(hex)).collect();
+            lacking.flat_map(|(hex, _)| nodes.hanging(hex)).collect();
         let mesh = Mesh {
             source: match self.source.ends_with(REFINED) {
                 true => self.source.clone(),

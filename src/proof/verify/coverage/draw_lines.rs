@@ -1,8 +1,8 @@
 //! Line bearings drawn by seed: parallel rollers between two plates, square and out of parallel.
 
 use super::bearing::Bearing;
-use super::draw::{LOADS, end, hardening, limit, plasticity};
-use crate::proof::verify::drawn::{INCH, METRIC, digits, hollow};
+use super::draw::{LOADS, end, hardening, limit, plasticity, size, steel};
+use crate::proof::verify::drawn::{digits, hollow, steel_table};
 use crate::proof::verify::stream::Stream;
 
 /// How many line bearings a seed draws.
@@ -26,13 +26,8 @@ fn bearing(seed: u64, number: usize) -> Bearing {
 }
 
 fn drawn(stream: &mut Stream, name: &str, tilted: bool, elastic: bool) -> String {
-    let inch = stream.of([true, false]);
-    let units = if inch { INCH } else { METRIC };
+    let (units, diameter) = size(stream);
     let (length_unit, stress) = (units.length, units.stress);
-    let diameter = match inch {
-        true => stream.between([1.0, 12.0]),
-        false => stream.scale([20.0, 400.0]),
-    };
     let wall = stream.between([0.12, 0.47]) * diameter;
     let wall = (stream.share() >= 0.5).then_some(wall);
     let length = stream.between([1.5, 5.0]) * diameter;
@@ -41,12 +36,7 @@ fn drawn(stream: &mut Stream, name: &str, tilted: bool, elastic: bool) -> String
     let thickness = [(); 2].map(|()| stream.between([0.25, 1.5]) * diameter);
     // Flush with the rollers, or standing out.
     let stand_out = stream.of([1.0, 1.0, 1.15]);
-    let (modulus, strengths) = match inch {
-        true => (29_500.0, [50.0, 100.0, 175.0, 250.0]),
-        false => (203_000.0, [350.0, 690.0, 1200.0, 1700.0]),
-    };
-    let poisson = stream.of([0.28, 0.3, 0.33]);
-    let strength = stream.of(strengths);
+    let steel @ [modulus, poisson, strength] = steel(stream, &units);
     let carried = limit(diameter, wall, modulus, poisson, strength) * length * f64::from(rollers);
     let load = stream.scale(LOADS) * carried * units.forces;
     let end = end(stream, diameter, wall).text(length_unit);
@@ -87,11 +77,7 @@ fn drawn(stream: &mut Stream, name: &str, tilted: bool, elastic: bool) -> String
          upper = \"{upper} {length_unit}\"\n\
          lower = \"{lower} {length_unit}\"\n\
          \n\
-         [steel]\n\
-         youngs_modulus = \"{modulus} {stress}\"\n\
-         poissons_ratio = {poisson}\n\
-         yield_stress = \"{strength} {stress}\"\n\
-         {hardening}{}",
+         {}{hardening}{}",
         units.system,
         digits(load),
         units.force,
@@ -101,6 +87,7 @@ fn drawn(stream: &mut Stream, name: &str, tilted: bool, elastic: bool) -> String
         digits(length),
         digits(across),
         digits(stand_out * length),
+        steel_table(steel, stress),
         plasticity(elastic),
     )
 }

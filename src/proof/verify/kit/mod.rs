@@ -4,6 +4,7 @@ mod element;
 mod measure;
 mod run;
 mod scene;
+mod split;
 
 pub use element::{ELEMENTS, NamedElement};
 pub use measure::{displacement_at, extent, mean_displacement, stress_integral, surface};
@@ -11,3 +12,4 @@ pub use run::{SolvedScene, run};
 pub use scene::{
     driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, stack_supports, support,
 };
+pub use split::split_anywhere;

@@ -42,11 +42,14 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
         }
     }
     let hanging = &model.scene.mesh.hanging;
-    for (field, own) in fields.iter().zip(&mut coefficients) {
-        for (at, corners) in hanging_on(field, hanging) {
-            own[at] = Coefficient {
-                normal: middle(&corners, |c| own[c].normal),
-                shear: middle(&corners, |c| own[c].shear),
+    let hanging: Vec<_> = (fields.iter())
+        .map(|field| hanging_on(field, hanging))
+        .collect();
+    for (hanging, own) in hanging.iter().zip(&mut coefficients) {
+        for (at, corners) in hanging {
+            own[*at] = Coefficient {
+                normal: middle(corners, |c| own[c].normal),
+                shear: middle(corners, |c| own[c].shear),
             };
         }
     }
@@ -65,8 +68,8 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
         }
     }
     // A node that hangs has no area of its own: it shows what is between its corners.
-    for field in fields {
-        for (at, corners) in hanging_on(field, hanging) {
+    for (field, hanging) in fields.iter_mut().zip(hanging) {
+        for (at, corners) in hanging {
             let mean =
                 |of: &[f64]| corners.iter().map(|c| of[*c]).sum::<f64>() / corners.len() as f64;
             field.pressure[at] = mean(&field.pressure);

@@ -1,13 +1,13 @@
 //! The same stack on a mesh that is split in places, with nodes that hang.
 
 use super::draw::Stack;
-use crate::model::mesh::Mesh;
-use crate::model::mesh::split::{Directions, SplitError};
+use crate::model::mesh::split::SplitError;
+use crate::proof::verify::kit;
 use crate::proof::verify::stream::Stream;
 
 /// How often some of the elements are split, and one in how many along each of its directions.
 const TIMES: usize = 2;
-const ONE_IN: usize = 10;
+const ONE_IN: f64 = 10.0;
 
 /// Numbers of streams that nothing else of the suite draws from.
 const STREAMS: usize = 1_000_000;
@@ -15,15 +15,10 @@ const STREAMS: usize = 1_000_000;
 /// The stack with elements split anywhere, in any directions.
 ///
 /// # Errors
-/// As [`Mesh::split_some`].
+/// As [`kit::split_anywhere`].
 pub fn split(stack: &Stack, seed: u64, number: usize) -> Result<Stack, SplitError> {
     let mut stream = Stream::new(seed, STREAMS + number);
     let mut split = stack.clone();
-    for _ in 0..TIMES {
-        let mesh: &mut Mesh = &mut split.scene.mesh;
-        let mut mark = |_| [(); 3].map(|()| stream.share() * (ONE_IN as f64) < 1.0);
-        let marks: Vec<Directions> = (0..mesh.hexes.len()).map(&mut mark).collect();
-        *mesh = mesh.split_some(|element| marks[element])?.mesh;
-    }
+    split.scene.mesh = kit::split_anywhere(split.scene.mesh, TIMES, ONE_IN, &mut stream)?;
     Ok(split)
 }

@@ -92,20 +92,21 @@ fn largest_of(summary: &Summary, what: Quantity) -> Option<&Figure> {
     of_kind(true).or_else(|| of_kind(false))
 }
 
-/// A figure with its bar, its unit and its place.
-fn told(summary: &Summary, figure: &Figure) -> String {
+/// A figure with its bar and its unit.
+fn sized(summary: &Summary, figure: &Figure) -> String {
     let unit = summary.units.of_measure(figure.what.measure());
     let value = with_error(figure.value, figure.bar());
-    let unit = if unit.is_empty() {
-        unit
-    } else {
-        format!(" {unit}")
-    };
+    format!("{value} {unit}").trim_end().to_string()
+}
+
+/// A figure with its bar, its unit and its place.
+fn told(summary: &Summary, figure: &Figure) -> String {
+    let value = sized(summary, figure);
     let doubt = match figure.is_resolved() {
         true => "",
         false => ", NOT RESOLVED",
     };
-    format!("{value}{unit}{doubt}, {}", figure.place)
+    format!("{value}{doubt}, {}", figure.place)
 }
 
 /// The limit of the pressure on an interface, and what it is: (2-49) of a line, first yield of a patch.
@@ -241,9 +242,14 @@ fn widest_bar(summary: &Summary) -> Option<String> {
     let (bar, widest) = bars.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let known = all.len() - summary.answer.unresolved().len();
     let (what, place) = (widest.what.name(), &widest.place);
+    // Of a figure that may be nothing a share says nothing.
+    let size = if bar > 1.0 {
+        sized(summary, widest)
+    } else {
+        format!("± {}", off(bar))
+    };
     Some(format!(
-        "± {}, {what} of {place}; {known} of {} figures have one",
-        off(bar),
+        "{size}, {what} of {place}; {known} of {} figures have one",
         all.len()
     ))
 }

@@ -3,7 +3,7 @@
 use crate::block::{close, stack};
 use brinell::model::scene::TractionValue::{Pressure, Vector};
 use brinell::model::scene::{
-    ElementKind, Partner, PlaneMotion, Scene, Step, Support, Temperature, Traction,
+    ElementKind, Partner, PlaneMotion, PlaneTurn, Scene, Step, Support, Temperature, Traction,
 };
 use brinell::product::deck::{InpError, check};
 use brinell::render::inp::{ContactType, Settings};
@@ -197,6 +197,85 @@ fn a_driven_plane_is_closed_by_motion_and_loaded_by_force() {
     let closing = numbers(all(&cards, "*BOUNDARY")[0].data.last().unwrap());
     assert_eq!(closing[3], -0.01);
     assert!(all(&cards, "*STATIC")[1].data[0].starts_with("1,1.,"));
+}
+
+#[test]
+fn a_plane_that_turns_has_a_node_for_its_point_and_one_for_its_angles() {
+    let mut scene = stack();
+    scene.mirrors.clear();
+    let plane = &mut scene.rigid_planes[0];
+    plane.turn = [
+        PlaneTurn::Driven(12.0),
+        PlaneTurn::Held(0.001),
+        PlaneTurn::Held(0.0),
+    ];
+    plane.about = Some([0.3, 0.1, 1.5]);
+    scene.steps.push(Step::to("unload", 0.25));
+    let cards = deck(&scene, &settings());
+    let top = scene.mesh.surface("block_w+").unwrap().nodes();
+    let point = scene.mesh.points.len() as f64 + 1.0;
+    let own = all(&cards, "*NODE");
+    assert_eq!(own[1].keyword, "*NODE,NSET=TOP_POINT");
+    assert_eq!(numbers(&own[1].data[0]), [point, 0.3, 0.1, 1.5]);
+    assert_eq!(numbers(&own[1].data[1])[0], point + 1.0);
+    // Whatever the point and the angles do, the nodes follow as those of a rigid body: u = t + w x r.
+    let (t, w) = ([0.01, -0.02, 0.005], [0.003, -0.001]);
+    let equations = &all(&cards, "*EQUATION")[0].data;
+    assert_eq!(equations.len(), 2 * 3 * top.len());
+    for pair in equations.chunks(2) {
+        let terms = numbers(&pair[1]);
+        assert_eq!(terms.len(), 3 * pair[0].parse::<usize>().unwrap());
+        let at = scene.mesh.points[terms[0] as usize - 1];
+        let r = [at[0] - 0.3, at[1] - 0.1, at[2] - 1.5];
+        let motion = [
+            t[0] + w[1] * r[2],
+            t[1] - w[0] * r[2],
+            t[2] + w[0] * r[1] - w[1] * r[0],
+        ];
+        let sum: f64 = terms
+            .chunks(3)
+            .map(|term| {
+                let axis = term[1] as usize - 1;
+                let value = match term[0] - point {
+                    0.0 => t[axis],
+                    1.0 => w[axis],
+                    _ => motion[axis],
+                };
+                term[2] * value
+            })
+            .sum();
+        assert!(sum.abs() < 1e-16, "{pair:?}: {sum}");
+    }
+    let loads = all(&cards, "*CLOAD");
+    let loads: Vec<Vec<f64>> = loads.iter().map(|c| numbers(&c.data[0])).collect();
+    let of = |factor: f64| {
+        [
+            vec![point, 3.0, -16.25 * factor],
+            vec![point + 1.0, 1.0, 12.0 * factor],
+        ]
+    };
+    assert_eq!(loads, [of(1.0), of(0.25)].concat());
+    let angles = |step: usize| -> Vec<Vec<f64>> {
+        let lines = all(&cards, "*BOUNDARY")[step].data.iter();
+        let lines = lines.filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        let lines = lines.map(|line| numbers(line));
+        lines.filter(|line| line[0] == point + 1.0).collect()
+    };
+    let turned = |about: f64, angle: f64| vec![point + 1.0, about, about, angle];
+    // While the contact closes nothing turns.
+    assert_eq!(angles(0), [1.0, 2.0, 3.0].map(|about| turned(about, 0.0)));
+    assert_eq!(angles(1), [turned(2.0, 0.001), turned(3.0, 0.0)]);
+    assert_eq!(angles(2), [turned(2.0, 0.00025), turned(3.0, 0.0)]);
+    // Where a support holds a node that the plane moves, they contradict each other.
+    scene.supports.push(Support {
+        name: "side".into(),
+        surface: "block_u-".into(),
+        components: [Some(0.0), None, None],
+        ..Support::default()
+    });
+    let settings = settings();
+    let twice = check(&scene, &settings).err();
+    assert!(matches!(twice, Some(InpError::HeldTwice { .. })));
 }
 
 #[test]

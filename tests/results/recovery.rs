@@ -5,7 +5,7 @@ use brinell::answer::results::recovery::recover;
 use brinell::answer::results::strain::largest_strain;
 use brinell::answer::results::tensor::mises;
 use brinell::model::mesh::Mesh;
-use brinell::model::scene::Scene;
+use brinell::model::scene::{Scene, Support};
 use brinell::model::state::State;
 
 /// A stress field that is trilinear in position, and symmetric about x = 0 and y = 0: exactly
@@ -202,6 +202,86 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
     scene.mirrors.clear();
     assert!(!LoadedEdges::find(&scene, &state).is_empty());
     assert_eq!(all.mises_max.len(), scene.mesh.hexes.len());
+}
+
+/// A bar of `elements` a unit of length along x from `from` to 1, on another one as long, both 0.01 wide and thick and with
+/// their sides held; pressed together everywhere, so that the edges are loaded at its ends alone.
+fn bar(from: f64, elements: usize) -> (Scene, State) {
+    let count = ((1.0 - from) * elements as f64).round() as usize;
+    let along: Vec<f64> = (0..=count)
+        .map(|i| from + (1.0 - from) * i as f64 / count as f64)
+        .collect();
+    let mut scene = stack();
+    scene.mesh = Mesh::default();
+    add_block(
+        &mut scene.mesh,
+        "block",
+        [&along, &[0.0, 0.01], &[0.0, 0.01]],
+        |p| p,
+    );
+    add_block(
+        &mut scene.mesh,
+        "plate",
+        [&along, &[0.0, 0.01], &[-0.01, 0.0]],
+        |p| p,
+    );
+    scene.mirrors = if from == 0.0 { vec![0] } else { vec![] };
+    for side in ["block_v-", "block_v+", "plate_v-", "plate_v+"] {
+        scene.supports.push(Support {
+            name: side.to_string(),
+            surface: side.to_string(),
+            components: [None, Some(0.0), None],
+            ..Support::default()
+        });
+    }
+    let state = pressed(&scene);
+    (scene, state)
+}
+
+#[test]
+fn what_is_beside_an_edge_is_as_long_in_the_half_as_in_the_whole() {
+    // A fiftieth of the length of 2, and more than the diagonal of a face, 0.014.
+    for (from, elements) in [(0.0, 100), (-1.0, 100)] {
+        let (scene, state) = bar(from, elements);
+        let edges = LoadedEdges::find(&scene, &state);
+        let near = |x: f64| edges.are_near(&[x, 0.0, 0.0]);
+        assert!(near(0.961) && !near(0.959), "from {from}");
+        assert!(!near(0.0));
+    }
+}
+
+#[test]
+fn a_peak_at_the_border_of_what_is_beside_an_edge_is_doubted() {
+    let (scene, mut state) = bar(0.0, 100);
+    let peak = |state: &State| {
+        let edges = LoadedEdges::find(&scene, state);
+        let block = peaks(&scene, state, &recover(&scene, state), &edges).swap_remove(0);
+        block.away.unwrap()
+    };
+    fill_stress(&scene, &mut state, |p| {
+        [100.0 * p[0], 0.0, 0.0, 0.0, 0.0, 0.0]
+    });
+    let rising = peak(&state);
+    // The node farthest from the pressed face of those at x = 0.96 is just not beside the edge; the one below it is, so
+    // that the elements from 0.95 on are in doubt.
+    assert!((rising.nodal.at[0] - 0.96).abs() < 1e-9);
+    let border = rising.around.border;
+    assert!((border - 100.0 * (0.96 - 0.94)).abs() < 1e-9, "{border}");
+    // A hump far from the edge is not doubted.
+    fill_stress(&scene, &mut state, |p| {
+        let hump = (-(10.0 * (p[0] - 0.5)).powi(2)).exp();
+        [
+            100.0 * hump + if p[0] > 0.97 { 200.0 } else { 0.0 },
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        ]
+    });
+    let hump = peak(&state);
+    assert!((hump.nodal.at[0] - 0.5).abs() < 0.006);
+    assert_eq!(hump.around.border, 0.0);
 }
 
 #[test]

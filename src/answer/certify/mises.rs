@@ -51,7 +51,7 @@ const JUMP: f64 = 0.35;
 /// element, while a centre lies close to it; the largest value at an integration point overshoots
 /// most; the elements that meet at a node differ by what none of them resolves. These differences are the
 /// estimate, the largest of them. Beside a loaded edge there is none, and the peak away
-/// from such edges is claimed, too.
+/// from such edges is claimed, too; where it lies next to what is left out, either neighbour counts.
 ///
 /// Below a Hertzian strip the half space says how large the peak is, within what the bodies add to it:
 /// the distance from that is an error, too, and with a node and less in a half-width there is no peak
@@ -200,7 +200,8 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         let spread = (nodal.value - centroid.value)
             .abs()
             .max(OVERSHOOT * overshoot)
-            .max(JUMP * around.jump);
+            .max(JUMP * around.jump)
+            .max(around.border);
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
         let (error, note) = match strip {
             Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),

@@ -54,11 +54,15 @@ const SHEAR: f64 = 0.03;
 /// Of the distance of nodes, how far from the middle of a strip its force may act where one row of them carries all.
 const ONE_ROW: f64 = 0.5;
 
+/// Of that, what is left with two nodes and more to a half-width: shears of a small turn of a plate, 1e-4 of the load,
+/// were found off by half of it.
+const WELL_PLACED: f64 = 0.05;
+
 /// The force of an interface across the load, where there is one. Where no strip is known to be resolved it is as good as
 /// that of a strip of one node to either side.
 ///
 /// A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
-/// that force no better than to a share of their distance; two half-widths to a node and more place it well.
+/// that force no better than to a share of their distance; two nodes and more to a half-width place it well.
 pub(super) fn horizontal_force(
     scene: &Scene,
     interface: &Interface,
@@ -78,7 +82,7 @@ pub(super) fn horizontal_force(
     let turned = line.map_or(0.0, |line| {
         line.contact.map_or(0.0, |hertz| {
             let spacing = line.line.heaviest.middle_spacing();
-            let unplaced = (2.0 - hertz.half_width / spacing).clamp(0.0, 1.0);
+            let unplaced = (2.0 - hertz.half_width / spacing).clamp(WELL_PLACED, 1.0);
             // A roller has two such places, as far apart as it is wide.
             ONE_ROW * unplaced * spacing / (2.0 * hertz.radius) * interface.normal_force.abs()
         })

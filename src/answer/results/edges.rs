@@ -16,7 +16,7 @@ use crate::model::state::State;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LoadedEdges {
     /// Nodes on boundaries of contact surfaces that are in contact, and how far the stress of the edge
-    /// reaches: a fiftieth of the contact surface, some half-widths, and no less than the face there is long.
+    /// reaches: a fiftieth of the contact surface, and no less than the face there is long.
     nodes: Vec<([f64; 3], f64)>,
     /// Of each contact pair the largest pressure that may be at a fillet and that the mesh does not show;
     /// zero where there is none.
@@ -71,6 +71,7 @@ impl LoadedEdges {
         let boundary = boundary_nodes(scene, surface);
         let on_boundary = |node: &u32| boundary.binary_search(node).is_ok();
         let fillets = fillet::beginnings(mesh, surface);
+        let whole = REACH * whole_extent(scene, surface);
         for face in &surface.faces {
             for k in 0..4 {
                 let side = [face.nodes[k], face.nodes[(k + 1) % 4]];
@@ -84,7 +85,7 @@ impl LoadedEdges {
                 }
                 self.unseen[pair] = self.unseen[pair].max(unseen.unwrap_or(0.0));
                 let corners = face.corners(mesh);
-                let reach = distance(corners[0], corners[2]).max(REACH * extent(mesh, surface));
+                let reach = distance(corners[0], corners[2]).max(whole);
                 self.nodes
                     .extend(side.map(|n| (mesh.points[n as usize], reach)));
             }
@@ -165,6 +166,21 @@ impl Pressed {
 
 fn largest(values: impl Iterator<Item = f64>) -> Option<f64> {
     values.reduce(f64::max)
+}
+
+/// Diagonal of the box about a surface and its images: as large whether mirror planes are made use of or not.
+fn whole_extent(scene: &Scene, surface: &Surface) -> f64 {
+    let nodes = surface.faces.iter().flat_map(|face| face.nodes);
+    let (mut low, mut high) = bounds(&scene.mesh, nodes);
+    let size = distance(low, high);
+    for axis in scene.mirrors.iter().copied().filter(|axis| *axis < 3) {
+        // A surface apart from the plane is not the half of one.
+        if low[axis].abs().min(high[axis].abs()) <= 1e-6 * size {
+            let half = low[axis].abs().max(high[axis].abs());
+            (low[axis], high[axis]) = (-half, half);
+        }
+    }
+    distance(low, high)
 }
 
 /// Diagonal of the box about a surface.

@@ -3,6 +3,7 @@
 //! Everything here reads a [`Scene`](crate::model::scene::Scene) and a converged
 //! [`State`](crate::model::state::State); nothing here knows how the state was found or where the figures go.
 
+pub mod around;
 pub mod balance;
 pub mod bore;
 pub mod contact_lines;

@@ -1,5 +1,6 @@
 //! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
 
+use super::around::{Around, around, border};
 use super::edges::LoadedEdges;
 use super::hex::{GaussRule, centre};
 use super::load::{cutting, times};
@@ -34,16 +35,6 @@ pub struct Peak {
     pub place: Place,
     /// Undeformed coordinates of the place.
     pub at: [f64; 3],
-}
-
-/// How the Mises stress is around a node with the largest one.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Around {
-    /// By how much the largest value that an element extrapolates to the node exceeds the average there; zero where only one
-    /// element meets there.
-    pub jump: f64,
-    /// By how much the smallest nodal value of these elements is below that of the node.
-    pub fall: f64,
 }
 
 /// Two readings of a largest Mises stress, and what is around it.
@@ -100,34 +91,6 @@ fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f
     best
 }
 
-/// What is around a nodal peak of `body`.
-fn around(
-    body: &Body,
-    state: &State,
-    recovered: &Recovered,
-    rule: &GaussRule,
-    peak: &Peak,
-) -> Around {
-    let Place::Node(node) = peak.place else {
-        return Around::default();
-    };
-    let is_at_node = |point: &u32| recovered.points.node[*point as usize] as usize == node;
-    let (mut largest, mut smallest) = (peak.value, peak.value);
-    for element in body.elements.clone() {
-        let points = &recovered.points.cells[element];
-        let Some(corner) = points.iter().position(is_at_node) else {
-            continue;
-        };
-        largest = largest.max(mises(&rule.extrapolate(&state.stress[element])[corner]));
-        let nodal = points.iter().map(|p| recovered.mises_nodal[*p as usize]);
-        smallest = nodal.fold(smallest, f64::min);
-    }
-    Around {
-        jump: largest - peak.value,
-        fall: peak.value - smallest,
-    }
-}
-
 /// Finds the peaks of every body, in the order of the mesh.
 pub fn peaks(
     scene: &Scene,
@@ -160,15 +123,22 @@ pub fn peaks(
     };
     let body_peaks = |(index, body): (usize, &Body)| {
         let nodal = nodal[index];
-        let around = |peak: &Peak| around(body, state, recovered, &rule, peak);
+        let around = |peak: &Peak| match peak.place {
+            Place::Node(node) => around(body, state, recovered, &rule, (node, peak.value)),
+            _ => Around::default(),
+        };
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
         let centroid = centroid_peak(body, &|_| true);
         let away = away[index].filter(|_| at_edge[index]).and_then(|nodal| {
+            let mut around = around(&nodal);
+            if let Place::Node(node) = nodal.place {
+                around.border = border(mesh, body, recovered, edges, (node, nodal.value));
+            }
             Some(MisesPeaks {
                 nodal,
                 centroid: centroid_peak(body, &far)?,
-                around: around(&nodal),
+                around,
             })
         });
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {

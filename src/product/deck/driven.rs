@@ -9,7 +9,8 @@ use crate::render::inp::Driven;
 use crate::solver::fem::loads::area;
 use std::collections::BTreeMap;
 
-fn surface<'a>(scene: &'a Scene, user: &str, name: &str) -> Result<&'a Surface, InpError> {
+/// The surface of that name, which `user` names.
+pub fn surface<'a>(scene: &'a Scene, user: &str, name: &str) -> Result<&'a Surface, InpError> {
     let missing = || InpError::NoSurface {
         user: user.to_string(),
         surface: name.to_string(),
@@ -17,17 +18,25 @@ fn surface<'a>(scene: &'a Scene, user: &str, name: &str) -> Result<&'a Surface, 
     scene.mesh.surface(name).ok_or_else(missing)
 }
 
-/// The driven axes of all rigid planes.
-pub fn driven(scene: &Scene) -> Result<Vec<Driven>, InpError> {
-    let mut held: BTreeMap<(u32, usize), &str> = BTreeMap::new();
+/// What is held along which axis, by the name of what holds it.
+pub type Held<'a> = BTreeMap<(u32, usize), &'a str>;
+
+/// What the supports hold.
+pub fn held(scene: &Scene) -> Result<Held<'_>, InpError> {
+    let mut held = Held::new();
     for support in &scene.supports {
         let nodes = surface(scene, &support.name, &support.surface)?.nodes();
         for axis in (0..3).filter(|a| support.components[*a].is_some()) {
             held.extend(nodes.iter().map(|n| ((*n, axis), support.name.as_str())));
         }
     }
+    Ok(held)
+}
+
+/// The driven axes of all rigid planes that do not turn; their nodes are `held` by them afterwards.
+pub fn driven<'a>(scene: &'a Scene, held: &mut Held<'a>) -> Result<Vec<Driven>, InpError> {
     let mut list = Vec::new();
-    for plane in &scene.rigid_planes {
+    for plane in scene.rigid_planes.iter().filter(|plane| !plane.turns()) {
         let face = surface(scene, &plane.name, &plane.surface)?;
         let nodes = face.nodes();
         for (axis, motion) in plane.motion.iter().enumerate() {
@@ -53,15 +62,16 @@ pub fn driven(scene: &Scene) -> Result<Vec<Driven>, InpError> {
                 force,
                 reference: *reference,
                 others: others.to_vec(),
-                closing: block_shortening(scene, plane, face, axis, force),
+                closing: closing(scene, plane, face, axis, force),
             });
         }
     }
     Ok(list)
 }
 
-/// Shortening of a solid block as long as the model, with the plane's area and its body's modulus.
-fn block_shortening(
+/// How far a force moves a plane: shortening of a solid block as long as the model, with the plane's area and its body's
+/// modulus.
+pub fn closing(
     scene: &Scene,
     plane: &RigidPlane,
     surface: &Surface,

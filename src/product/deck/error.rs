@@ -13,12 +13,6 @@ pub enum InpError {
         help("give the rigid side a body of its own, ten times as stiff, and hold it")
     )]
     Plane { pair: String },
-    #[error("the rigid plane `{plane}` turns, which decks are not written for")]
-    #[diagnostic(
-        code(brinell::export::turns),
-        help("export the case with a plane that does not turn")
-    )]
-    Turns { plane: String },
     #[error(
         "node {node} is of `{}` and of `{}`, which have other temperatures there, and a deck has one a node",
         bodies[0], bodies[1]

@@ -9,12 +9,13 @@ mod pairs;
 mod springs;
 mod ties;
 mod tractions;
+mod turning;
 
 pub use error::InpError;
 
 use crate::model::scene::Scene;
 use crate::render::inp::{Deck, Names, Settings};
-use driven::driven;
+use driven::{driven, held};
 use pairs::{default_stiffness, pairs};
 use springs::{LOAD_SHARE, springs};
 use tractions::nodal_forces;
@@ -33,10 +34,6 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
     positive("the contact stiffness", settings.contact_stiffness)?;
     positive("the closing motion", settings.closing)?;
     positive("the first increment", settings.increment)?;
-    if let Some(plane) = scene.rigid_planes.iter().find(|plane| plane.turns()) {
-        let plane = plane.name.clone();
-        return Err(InpError::Turns { plane });
-    }
     if !scene.mesh.hanging.is_empty() {
         let nodes = scene.mesh.hanging.len();
         return Err(InpError::Hanging { nodes });
@@ -44,7 +41,9 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
     let mut names = Names::new(&scene.mesh);
     let pairs = pairs(scene, &mut names)?;
     let ties = ties::ties(scene, &mut names)?;
-    let driven = driven(scene)?;
+    let mut held = held(scene)?;
+    let mut driven = driven(scene, &mut held)?;
+    let turning = turning::turning(scene, &mut names, &mut driven, &mut held)?;
     let springs = springs(scene, &mut names);
     let nodal_forces = (scene.steps.iter())
         .map(|step| nodal_forces(scene, step))
@@ -58,6 +57,7 @@ pub fn check<'a>(scene: &'a Scene, settings: &'a Settings) -> Result<Deck<'a>, I
         pairs,
         ties,
         driven,
+        turning,
         springs,
         spring_share: LOAD_SHARE,
         nodal_forces,

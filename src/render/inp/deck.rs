@@ -2,6 +2,7 @@
 
 use super::names::Names;
 use super::settings::Settings;
+use super::turning::Turning;
 use crate::model::mesh::Face;
 use crate::model::scene::{ElementKind, Scene};
 use std::collections::BTreeMap;
@@ -14,6 +15,7 @@ pub struct Deck<'a> {
     pub pairs: Vec<Pair>,
     pub ties: Vec<DeckTie>,
     pub driven: Vec<Driven>,
+    pub turning: Vec<Turning>,
     pub springs: Vec<Springs>,
     /// The springs of a body and axis together would carry this share of the load if the body moved by a thousandth
     /// of the model.
@@ -81,7 +83,7 @@ pub struct Driven {
     pub axis: usize,
     /// On the modelled part, at factor one.
     pub force: f64,
-    /// The node that stands for all, and the others.
+    /// The node that stands for all, and the others; none where the plane [turns](Turning) too.
     pub reference: u32,
     pub others: Vec<u32>,
     /// How far the closing step moves it, unless told: the shortening of a solid block.

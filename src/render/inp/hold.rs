@@ -38,7 +38,7 @@ impl Deck<'_> {
                 writeln!(out, "2\n{},{dof},1.,{reference},{dof},-1.", node + 1)?;
             }
         }
-        Ok(())
+        self.turning_planes(out)
     }
 
     /// Node sets of the supports and rigid planes, in the order of the mesh.
@@ -84,7 +84,7 @@ impl Deck<'_> {
             }
         }
         for plane in &self.scene.rigid_planes {
-            let Some(index) = index(&plane.surface) else {
+            let Some(index) = index(&plane.surface).filter(|_| !plane.turns()) else {
                 continue;
             };
             for (axis, motion) in plane.motion.iter().enumerate() {

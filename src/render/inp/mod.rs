@@ -14,10 +14,12 @@ mod names;
 mod settings;
 mod steps;
 mod tie;
+mod turning;
 
 pub use deck::{Deck, DeckTie, Driven, Heat, NodalForce, NodalTemperature, Pair, Springs};
 pub use names::Names;
 pub use settings::{ContactType, Settings};
+pub use turning::{Follower, Turning};
 
 use std::io::{self, Write};
 

@@ -27,6 +27,7 @@ impl Deck<'_> {
             )?;
             self.begin(out, CLOSING_INCREMENT)?;
             self.boundary(out, |_| 0.0)?;
+            self.hold_turning(out, |_| 0.0, true)?;
             for plane in pushed {
                 let closing = self.settings.closing.unwrap_or(plane.closing);
                 let (node, dof) = (plane.reference + 1, plane.axis + 1);
@@ -43,6 +44,7 @@ impl Deck<'_> {
             writeln!(out, "** {}", one_line(&step.name))?;
             self.begin(out, increment.min(1.0))?;
             self.boundary(out, |name| step.factor_of(name))?;
+            self.hold_turning(out, |name| step.factor_of(name), false)?;
             self.loads(out, step, nodal_forces)?;
             self.temperatures(out, index)?;
             self.requests(out)?;
@@ -72,6 +74,7 @@ impl Deck<'_> {
             let (node, dof) = (plane.reference + 1, plane.axis + 1);
             writeln!(out, "*CLOAD\n{node},{dof},{}", number(force))?;
         }
+        self.moments(out, step)?;
         for (traction, nodal_forces) in self.scene.tractions.iter().zip(nodal_forces) {
             let Some(surface) = mesh.surface(&traction.surface) else {
                 continue;
@@ -118,6 +121,9 @@ impl Deck<'_> {
         writeln!(out, "*EL FILE,{LAST}\n{fields}")?;
         for set in self.held_sets() {
             writeln!(out, "*NODE PRINT,NSET={set},TOTALS=YES,{LAST}\nRF")?;
+        }
+        for turning in &self.turning {
+            writeln!(out, "*NODE PRINT,NSET={},{LAST}\nU,RF", turning.set)?;
         }
         if self.pairs.is_empty() {
             return Ok(());

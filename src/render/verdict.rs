@@ -3,6 +3,7 @@
 use crate::render::figures::share;
 use crate::render::summary::Summary;
 use crate::render::text::significant;
+use crate::render::utilisation::first_largest;
 
 /// How good the news is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,10 +124,7 @@ pub fn missed_rules(summary: &Summary) -> Vec<String> {
     };
     let mut missed = Vec::new();
     let lines = sizing.lines.iter().filter(|line| line.met == Some(false));
-    let most = |share: &Option<f64>| share.unwrap_or(0.0);
-    let worst = lines
-        .clone()
-        .max_by(|a, b| most(&a.utilisation).total_cmp(&most(&b.utilisation)));
+    let worst = first_largest(lines.clone(), |line| line.utilisation.unwrap_or(0.0));
     if let Some(line) = worst {
         let (count, of) = (lines.count(), sizing.lines.len());
         missed.push(format!(

@@ -22,6 +22,14 @@ pub enum Verification {
     Interrupted,
 }
 
+/// A position that is solved, for the page of both.
+struct Solved {
+    name: &'static str,
+    case_hash: String,
+    summary: Summary,
+    missed: Vec<String>,
+}
+
 /// Writes the proposal (`size.json`) and the case files of `candidate` into `folder`.
 ///
 /// # Errors
@@ -59,7 +67,7 @@ pub fn verify(
     observer: &mut dyn Observer,
 ) -> Result<Verification, SizeError> {
     let mut positions = Vec::new();
-    let mut done: Vec<(&str, String, Summary, Vec<String>)> = Vec::new();
+    let mut done = Vec::new();
     for position in Position::of(proposal.request.capacity) {
         let case = case::read(&folder.join(format!("{}.toml", position.name())))?;
         observer.message(&format!("{}: {}", position.name(), case.title));
@@ -74,17 +82,20 @@ pub fn verify(
         let limits = Limits::of(&proposal.request, candidate);
         let place = (position.name(), offset);
         positions.push(Placed::new(place, &limits, &case, &outcome));
-        let missed = outcome.missed_limits(&case);
-        let hash = Fnv::hex(case.source.text());
-        done.push((position.name(), hash, outcome.summary, missed));
+        done.push(Solved {
+            name: position.name(),
+            case_hash: Fnv::hex(case.source.text()),
+            missed: outcome.missed_limits(&case),
+            summary: outcome.summary,
+        });
     }
-    let parts = done.iter().map(|(name, hash, summary, missed)| Part {
-        name,
-        case_hash: hash,
+    let parts = done.iter().map(|solved| Part {
+        name: solved.name,
+        case_hash: &solved.case_hash,
         acts: "the load of the request",
-        folder: name,
-        summary,
-        missed,
+        folder: solved.name,
+        summary: &solved.summary,
+        missed: &solved.missed,
     });
     let about = [
         "The bearing is solved with its rollers at the centre and displaced; its verdict is in verdict.md.".to_owned(),

@@ -2,7 +2,6 @@
 
 use super::names::Names;
 use super::settings::Settings;
-use super::turning::Turning;
 use crate::model::mesh::Face;
 use crate::model::scene::{ElementKind, Scene};
 use std::collections::BTreeMap;
@@ -88,6 +87,28 @@ pub struct Driven {
     pub others: Vec<u32>,
     /// How far the closing step moves it, unless told: the shortening of a solid block.
     pub closing: f64,
+}
+
+/// A rigid plane that turns.
+pub struct Turning {
+    /// Its place among those of the scene.
+    pub plane: usize,
+    /// Name of the set of its two nodes.
+    pub set: String,
+    /// Where its point is.
+    pub at: [f64; 3],
+    /// The node that is its point, counted from zero; the next one has the angles.
+    pub reference: u32,
+    /// What follows them.
+    pub followers: Vec<Follower>,
+}
+
+/// A node that follows a rigid plane along an axis.
+pub struct Follower {
+    pub node: u32,
+    pub axis: usize,
+    /// Axes that the plane turns about, each with the motion for an angle of one.
+    pub levers: Vec<(usize, f64)>,
 }
 
 /// Springs on a body along one axis.

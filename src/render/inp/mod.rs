@@ -16,10 +16,11 @@ mod steps;
 mod tie;
 mod turning;
 
-pub use deck::{Deck, DeckTie, Driven, Heat, NodalForce, NodalTemperature, Pair, Springs};
+pub use deck::{
+    Deck, DeckTie, Driven, Follower, Heat, NodalForce, NodalTemperature, Pair, Springs, Turning,
+};
 pub use names::Names;
 pub use settings::{ContactType, Settings};
-pub use turning::{Follower, Turning};
 
 use std::io::{self, Write};
 

@@ -1,32 +1,10 @@
 //! Rigid planes that turn. Each has two nodes of its own: one moves as its point does, and the three displacements of
 //! the other are its angles in radians.
 
-use super::deck::Deck;
+use super::deck::{Deck, Follower, Turning};
 use super::format::{number, one_line};
 use crate::model::scene::{PlaneMotion, PlaneTurn, Step};
 use std::io::{self, Write};
-
-/// A rigid plane that turns.
-pub struct Turning {
-    /// Its place among those of the scene.
-    pub plane: usize,
-    /// Name of the set of its two nodes.
-    pub set: String,
-    /// Where its point is.
-    pub at: [f64; 3],
-    /// The node that is its point, counted from zero; the next one has the angles.
-    pub reference: u32,
-    /// What follows them.
-    pub followers: Vec<Follower>,
-}
-
-/// A node that follows a rigid plane along an axis.
-pub struct Follower {
-    pub node: u32,
-    pub axis: usize,
-    /// Axes that the plane turns about, each with the motion for an angle of one.
-    pub levers: Vec<(usize, f64)>,
-}
 
 impl Turning {
     /// Number in the deck of the node that is the point.

@@ -60,7 +60,7 @@ const EVEN: f64 = 0.02;
 /// the spacing over four half-widths.
 const SHAPELESS: f64 = 0.5;
 /// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
-const RIM: f64 = 0.2;
+const RIM: f64 = 0.27;
 
 /// What is known of an interface.
 pub(super) struct Contact<'a> {

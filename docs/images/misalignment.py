@@ -24,7 +24,15 @@ def figure(summary, what, over, digits):
     value = claim["value"] / over
     if not claim["resolved"]:
         return f"({value:.{digits}f}), not resolved"
-    return f"{value:.{digits}f} ± {claim['error'] / over:.{digits}f}"
+    return f"{value:.{digits}f} ± {claim['error'] / abs(over):.{digits}f}"
+
+
+def moment(summary):
+    """The force of the contact times its distance from the middle of the roller: zero where a mirror plane says so."""
+    if not any(c["what"] == "eccentricity" for c in summary["certificate"]):
+        return "0"
+    force = summary["interfaces"][INTERFACE]["normal_force"]
+    return figure(summary, "eccentricity", -1000.0 / force, 1)
 
 
 print("| end | tilt, mrad | moment, kN m | loaded length, mm | largest line load over even | p_max over even Hertz |")
@@ -32,12 +40,10 @@ print("|---|---|---|---|---|---|")
 for path in sorted(pathlib.Path(sys.argv[1], "rows").glob("*/summary.json")):
     summary = json.loads(path.read_text())
     end, tilt = re.search(r"\d+-(\w[\w.]*?)-tilt([\d.]+)mrad", path.parent.name).groups()
-    contact = summary["interfaces"][INTERFACE]
-    moment = -contact["normal_force"] * contact["centre_of_force"][1] / 1000.0
     cells = [
         re.sub(r"crown([\d.]+)mm", r"crown \1 mm", end),
         tilt,
-        f"{moment:.1f}" if moment > 0.05 else "0",
+        moment(summary),
         figure(summary, "contact_length", 1.0, 0),
         figure(summary, "line_load", EVEN, 2),
         figure(summary, "peak_pressure", HERTZ, 2),

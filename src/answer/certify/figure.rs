@@ -132,6 +132,8 @@ pub enum Quantity {
     ContactArea,
     /// Length in contact of the most heavily loaded line.
     ContactLength,
+    /// How far from the middle of the carrier the force of the most heavily loaded line acts, along the line.
+    Eccentricity,
     /// Mises stress on the inner wall below the load.
     BoreMises,
     /// Force of an interface across the load.
@@ -185,6 +187,7 @@ impl Quantity {
             Self::HalfWidth => "half-width",
             Self::ContactArea => "contact area",
             Self::ContactLength => "length in contact",
+            Self::Eccentricity => "eccentricity",
             Self::BoreMises => "bore Mises",
             Self::HorizontalForce => "horizontal force",
             Self::Dent => "dent",
@@ -194,7 +197,11 @@ impl Quantity {
     /// What it is measured in.
     pub fn measure(self) -> Measure {
         match self {
-            Self::Descent | Self::HalfWidth | Self::ContactLength | Self::Dent => Measure::Length,
+            Self::Descent
+            | Self::HalfWidth
+            | Self::ContactLength
+            | Self::Eccentricity
+            | Self::Dent => Measure::Length,
             Self::PeakMises
             | Self::MisesAway
             | Self::ElasticPeakMises

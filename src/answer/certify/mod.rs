@@ -86,6 +86,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         };
         claims.extend(contact.claims());
         claims.extend(other::horizontal_force(scene, interface, line));
+        claims.extend(other::eccentricity(scene, interface, line));
     }
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
@@ -193,6 +194,7 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
         Quantity::HalfWidth
         | Quantity::ContactArea
         | Quantity::ContactLength
+        | Quantity::Eccentricity
         | Quantity::HertzPressure
         | Quantity::LineLoad
         | Quantity::HorizontalForce => (peak > 0.0).then(|| claim.value * stress / peak),

@@ -1,12 +1,13 @@
-//! Bores, horizontal forces and dents.
+//! Bores, horizontal forces, eccentricities and dents.
 
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
+use super::pressure::load_error;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::direction;
 use crate::ground::geometry::{dot, norm, scale, sub};
-use crate::model::scene::Scene;
+use crate::model::scene::{RigidPlane, Scene};
 
 /// What the strain of the surface of a bore misses of the stress there, of itself, for elements as deep as the bore's
 /// radius: the stress falls from the wall as fast as the wall is curved.
@@ -93,6 +94,30 @@ pub(super) fn horizontal_force(
             ..Errors::default()
         },
         ..figure_of(Quantity::HorizontalForce, &interface.name, across)
+    })
+}
+
+/// How far from the middle of the carrier the most heavily loaded line has its force, where a plane is turned by a given
+/// angle: without one symmetry or statics says where.
+///
+/// Loads that are all off by a share e of themselves at most, and whose sum is right, act off their true place by no
+/// more than e ∫ q |x − x̄| / ∫ q.
+pub(super) fn eccentricity(
+    scene: &Scene,
+    interface: &Interface,
+    line: Option<&HeaviestLine>,
+) -> Option<Figure> {
+    let turned = |plane: &RigidPlane| plane.turns() && !plane.turns_freely();
+    let line = line.filter(|line| {
+        !scene.mirrors.contains(&line.axis) && scene.rigid_planes.iter().any(turned)
+    })?;
+    let (centre, spread) = line.line.eccentricity()?;
+    Some(Figure {
+        error: Errors {
+            discretisation: Some(load_error(line) * spread),
+            ..Errors::default()
+        },
+        ..figure_of(Quantity::Eccentricity, &interface.name, centre)
     })
 }
 

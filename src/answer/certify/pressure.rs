@@ -6,11 +6,11 @@
 //! stand, and what they read beyond that is an error that one sees.
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
-use crate::answer::results::contact_lines::StripRow;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
+use crate::answer::results::strip_row::StripRow;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
@@ -251,7 +251,7 @@ fn coarseness(row: &StripRow) -> f64 {
 }
 
 /// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
-fn load_error(line: &HeaviestLine) -> f64 {
+pub(super) fn load_error(line: &HeaviestLine) -> f64 {
     let edge = match line.departs {
         Some(Departure::LoadedEdge) => BESIDE_EDGE,
         _ => 0.0,

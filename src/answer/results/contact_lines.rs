@@ -1,6 +1,7 @@
 //! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
 
 use super::load::direction;
+use super::strip_row::StripRow;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -24,62 +25,6 @@ pub struct ContactLine {
     pub images: usize,
     /// The row that carries most per length.
     pub heaviest: StripRow,
-}
-
-/// The row of nodes across a line where it carries most.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct StripRow {
-    /// Its index among the rows of the line, and the coordinate along.
-    pub row: usize,
-    /// Coordinate of the row along the surface.
-    pub at: f64,
-    /// Distance of its nodes along the surface from the centre of pressure, ascending, and the
-    /// coefficients of their hat functions: from the open node on one side to that on the other, or
-    /// from the mirror plane that cuts the strip.
-    pub nodes: Vec<(f64, f64)>,
-    /// The centre of pressure, on the undeformed carrier.
-    pub centre: [f64; 3],
-    /// Does a mirror plane cut it?
-    pub mirrored: bool,
-    /// Half-width 2 sqrt(∫ p x² / ∫ p), p = Σ c N.
-    pub half_width: f64,
-}
-
-impl StripRow {
-    /// Distance between the last node in contact and the first open one, the larger of both sides:
-    /// the edge of the strip lies anywhere between them.
-    pub fn edge_spacing(&self) -> f64 {
-        let gaps = self
-            .nodes
-            .windows(2)
-            .filter(|w| (w[0].1 == 0.0) != (w[1].1 == 0.0));
-        let widest = gaps.map(|w| w[1].0 - w[0].0).fold(0.0, f64::max);
-        // All nodes press: to the end of the surface.
-        if widest > 0.0 {
-            widest
-        } else {
-            self.middle_spacing()
-        }
-    }
-
-    /// The larger of both.
-    pub fn spacing(&self) -> f64 {
-        self.middle_spacing().max(self.edge_spacing())
-    }
-
-    /// The larger distance from the node next to the centre to its neighbours.
-    pub fn middle_spacing(&self) -> f64 {
-        let middle = (0..self.nodes.len()).min_by(|a, b| {
-            let off = |i: &usize| self.nodes[*i].0.abs();
-            off(a).total_cmp(&off(b))
-        });
-        let Some(middle) = middle else { return 0.0 };
-        let apart = |a: usize, b: usize| match (self.nodes.get(a), self.nodes.get(b)) {
-            (Some(a), Some(b)) => b.0 - a.0,
-            _ => 0.0,
-        };
-        apart(middle.wrapping_sub(1), middle).max(apart(middle, middle + 1))
-    }
 }
 
 impl ContactLine {
@@ -106,17 +51,43 @@ impl ContactLine {
         }
     }
 
+    /// Where its force acts along the carrier, from the middle of that, and how far from there its loads act in the
+    /// mean: ∫ q x / ∫ q and ∫ q |x − x̄| / ∫ q. Of the modelled part; `None` where nothing is carried.
+    pub fn eccentricity(&self) -> Option<(f64, f64)> {
+        let middle = 0.5 * (self.at.first()? + self.at.last()?);
+        let force = self.force();
+        let of_load = |distance: &dyn Fn(f64) -> f64| {
+            let moments = self.row_forces().map(|(at, f)| f * distance(at - middle));
+            moments.sum::<f64>() / force
+        };
+        let centre = of_load(&|x| x);
+        (force > 0.0).then(|| (centre, of_load(&|x| (x - centre).abs())))
+    }
+
     /// Load per length, spread evenly over the whole length of the carrier.
     pub fn mean(&self) -> f64 {
-        let rows = || self.at.windows(2).zip(self.load.windows(2));
-        let force: f64 = rows()
-            .map(|(at, q)| 0.5 * (q[0] + q[1]) * (at[1] - at[0]))
-            .sum();
         match (self.at.first(), self.at.last()) {
-            (Some(first), Some(last)) if last > first => force / (last - first),
+            (Some(first), Some(last)) if last > first => self.force() / (last - first),
             _ => 0.0,
         }
     }
+
+    fn force(&self) -> f64 {
+        self.row_forces().map(|(_, force)| force).sum()
+    }
+
+    /// Place and force of every row.
+    fn row_forces(&self) -> impl Iterator<Item = (f64, f64)> {
+        let rows = self.at.iter().zip(&self.load).zip(lengths(&self.at));
+        rows.map(|((at, load), length)| (*at, load * length))
+    }
+}
+
+/// The length that each row stands for, to the middles between it and its neighbours.
+fn lengths(at: &[f64]) -> Vec<f64> {
+    let last = at.len().saturating_sub(1);
+    let length = |i: usize| 0.5 * (at[(i + 1).min(last)] - at[i.saturating_sub(1)]);
+    (0..at.len()).map(length).collect()
 }
 
 /// Adjacent nodes of a row that press.
@@ -207,20 +178,11 @@ impl Rows {
             row.retain(|i| field.gap[*i].is_finite());
             row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
         }
-        let middle = |i: usize| 0.5 * (at[i] + at[i + 1]);
-        let end = at.len() - 1;
-        let length = (0..=end)
-            .map(|i| {
-                let low = if i == 0 { at[0] } else { middle(i - 1) };
-                let high = if i == end { at[end] } else { middle(i) };
-                high - low
-            })
-            .collect();
         Some(Self {
             axis,
             across,
+            length: lengths(&at),
             at,
-            length,
             members,
             same,
         })

@@ -5,10 +5,11 @@
 //! form turns it into the pressure.
 
 use super::bore::circle_centre;
-use super::contact_lines::{ContactLine, StripRow, across, contact_lines};
+use super::contact_lines::{ContactLine, across, contact_lines};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
 use super::line_load::Slices;
+use super::strip_row::StripRow;
 use crate::analytic::hertz::LineContact;
 use crate::ground::geometry::{dot, norm, sub};
 use crate::model::mesh::shape::fit;

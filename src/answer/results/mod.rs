@@ -25,4 +25,5 @@ pub mod recovery;
 pub mod strain;
 pub mod strip;
 pub mod strip_profile;
+pub mod strip_row;
 pub mod tensor;

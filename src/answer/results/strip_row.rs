@@ -1,0 +1,57 @@
+//! The nodes across a line of contact, and how closely they stand.
+
+/// The row of nodes across a line where it carries most.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StripRow {
+    /// Its index among the rows of the line, and the coordinate along.
+    pub row: usize,
+    /// Coordinate of the row along the surface.
+    pub at: f64,
+    /// Distance of its nodes along the surface from the centre of pressure, ascending, and the
+    /// coefficients of their hat functions: from the open node on one side to that on the other, or
+    /// from the mirror plane that cuts the strip.
+    pub nodes: Vec<(f64, f64)>,
+    /// The centre of pressure, on the undeformed carrier.
+    pub centre: [f64; 3],
+    /// Does a mirror plane cut it?
+    pub mirrored: bool,
+    /// Half-width 2 sqrt(∫ p x² / ∫ p), p = Σ c N.
+    pub half_width: f64,
+}
+
+impl StripRow {
+    /// Distance between the last node in contact and the first open one, the larger of both sides:
+    /// the edge of the strip lies anywhere between them.
+    pub fn edge_spacing(&self) -> f64 {
+        let gaps = self
+            .nodes
+            .windows(2)
+            .filter(|w| (w[0].1 == 0.0) != (w[1].1 == 0.0));
+        let widest = gaps.map(|w| w[1].0 - w[0].0).fold(0.0, f64::max);
+        // All nodes press: to the end of the surface.
+        if widest > 0.0 {
+            widest
+        } else {
+            self.middle_spacing()
+        }
+    }
+
+    /// The larger of both.
+    pub fn spacing(&self) -> f64 {
+        self.middle_spacing().max(self.edge_spacing())
+    }
+
+    /// The larger distance from the node next to the centre to its neighbours.
+    pub fn middle_spacing(&self) -> f64 {
+        let middle = (0..self.nodes.len()).min_by(|a, b| {
+            let off = |i: &usize| self.nodes[*i].0.abs();
+            off(a).total_cmp(&off(b))
+        });
+        let Some(middle) = middle else { return 0.0 };
+        let apart = |a: usize, b: usize| match (self.nodes.get(a), self.nodes.get(b)) {
+            (Some(a), Some(b)) => b.0 - a.0,
+            _ => 0.0,
+        };
+        apart(middle.wrapping_sub(1), middle).max(apart(middle, middle + 1))
+    }
+}

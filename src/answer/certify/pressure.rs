@@ -251,7 +251,7 @@ fn coarseness(row: &StripRow) -> f64 {
 }
 
 /// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
-pub(super) fn load_error(line: &HeaviestLine) -> f64 {
+fn load_error(line: &HeaviestLine) -> f64 {
     let edge = match line.departs {
         Some(Departure::LoadedEdge) => BESIDE_EDGE,
         _ => 0.0,

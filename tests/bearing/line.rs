@@ -1,6 +1,7 @@
 //! Parallel rollers: the template against its geometry, bad geometry, and solutions against Hertz and each other.
 
 use brinell::answer::InterfaceFigures;
+use brinell::answer::certify::Quantity;
 use brinell::case::{Case, CaseError, Kind, parse};
 use brinell::product::job::{self, Options, Outcome};
 use brinell::solver::solve::Silent;
@@ -432,6 +433,44 @@ fn a_tilted_top_drags_no_roller_along() {
     let [upper, lower] = [moment(upper), moment(lower)];
     assert!(upper < -1e5, "{upper}");
     assert!((upper / lower - 1.0).abs() < 1e-3, "{upper} {lower}");
+}
+
+/// What tells where the force of a tilted roller acts: the sum of nodal forces agrees, a finer mesh lies within both bars;
+/// one that is not turned by a given angle has no such figure.
+#[test]
+fn a_given_tilt_has_an_eccentricity() {
+    let text = |top: &str, preset: &str| {
+        let keys = format!("solid = true\n{top}");
+        let text = with(&[("solid = true", keys.as_str())]);
+        format!("{text}\n[mesh]\npreset = \"{preset}\"\n")
+    };
+    let on = |top: &str, preset: &str| {
+        let outcome = solved(&read(&text(top, preset)).unwrap());
+        let found = outcome
+            .summary
+            .answer
+            .figure(Quantity::Eccentricity, "upper_plate-roller")
+            .cloned();
+        let centre = interface(&outcome, "upper_plate-roller").centre_of_force;
+        (found, centre.unwrap()[1])
+    };
+    let tilt = "top = { tilt = [\"0.1 mrad\", 0] }";
+    let [coarse, fine] = ["h025", "h0125"].map(|preset| {
+        let (found, centre) = on(tilt, preset);
+        let found = found.expect("an eccentricity");
+        assert!(
+            (found.value / centre - 1.0).abs() < 1e-3,
+            "{found:?} {centre}"
+        );
+        (found.value, found.bar().expect("a bar"))
+    });
+    assert!(
+        (coarse.0 - fine.0).abs() < coarse.1 + fine.1,
+        "{coarse:?} {fine:?}"
+    );
+    assert!(fine.1 < coarse.1 && fine.1 < 0.1 * fine.0.abs(), "{fine:?}");
+    assert_eq!(on("", "h025").0, None);
+    assert_eq!(on("top = \"free\"", "h025").0, None);
 }
 
 /// Both bridge rollers, on their own meshes: seconds, and p0 as Hertz has it.

@@ -132,7 +132,7 @@ pub enum Quantity {
     ContactArea,
     /// Length in contact of the most heavily loaded line.
     ContactLength,
-    /// How far from the middle of the carrier the force of the most heavily loaded line acts, along the line.
+    /// How far from the middle of the carrier the force of a contact acts, along its lines.
     Eccentricity,
     /// Mises stress on the inner wall below the load.
     BoreMises,

@@ -12,6 +12,7 @@ mod mises;
 mod other;
 mod pressure;
 
+use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
@@ -88,7 +89,13 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         };
         claims.extend(contact.claims());
         claims.extend(other::horizontal_force(scene, interface, line));
-        claims.extend(other::eccentricity(scene, interface, line, too_stiff));
+        let centre = centre_of_force(scene, state, pair);
+        claims.extend(other::eccentricity(
+            scene,
+            (interface, centre),
+            line,
+            too_stiff,
+        ));
     }
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
@@ -203,7 +210,7 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
         | Quantity::Eccentricity
         | Quantity::HertzPressure
         | Quantity::LineLoad
-        | Quantity::HorizontalForce => (peak > 0.0).then(|| claim.value * stress / peak),
+        | Quantity::HorizontalForce => (peak > 0.0).then(|| claim.value.abs() * stress / peak),
         Quantity::PeakPlasticStrain => Some(strain),
         Quantity::Dent => None,
     }

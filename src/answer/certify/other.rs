@@ -5,7 +5,7 @@ use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::direction;
-use crate::ground::geometry::{dot, norm, scale, sub};
+use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::{RigidPlane, Scene};
 
 /// What the strain of the surface of a bore misses of the stress there, of itself, for elements as deep as the bore's
@@ -96,8 +96,8 @@ pub(super) fn horizontal_force(
     })
 }
 
-/// How far from the middle of the carrier the most heavily loaded line has its force, where a plane is turned by a given
-/// angle: without one symmetry or statics says where.
+/// How far from the middle of the carrier the force of a contact along lines acts, where a plane is turned by a given angle:
+/// without one symmetry or statics says where.
 ///
 /// A mesh that is too stiff by a share turns the load per length by that share too far from even, so that its force is
 /// as far off. Where the line lifts off, a load that falls evenly to zero acts a third of its length from the end,
@@ -105,7 +105,7 @@ pub(super) fn horizontal_force(
 /// their resultant.
 pub(super) fn eccentricity(
     scene: &Scene,
-    interface: &Interface,
+    (interface, centre): (&Interface, Option<Vec3>),
     line: Option<&HeaviestLine>,
     too_stiff: Option<f64>,
 ) -> Option<Figure> {
@@ -113,15 +113,16 @@ pub(super) fn eccentricity(
     let line = line.filter(|line| {
         !scene.mirrors.contains(&line.axis) && scene.rigid_planes.iter().any(turned)
     })?;
-    let (centre, spread) = line.line.eccentricity()?;
-    let error = too_stiff.map(|share| share * centre.abs().min(spread));
+    let value = centre?[line.axis] - line.line.middle()?;
+    let spread = line.line.spread()?;
+    let error = too_stiff.map(|share| share * value.abs().min(spread));
     Some(Figure {
         error: Errors {
             discretisation: error,
             ..Errors::default()
         },
         note: error.is_none().then_some(UNKNOWN_STIFFNESS),
-        ..figure_of(Quantity::Eccentricity, &interface.name, centre)
+        ..figure_of(Quantity::Eccentricity, &interface.name, value)
     })
 }
 

@@ -51,17 +51,21 @@ impl ContactLine {
         }
     }
 
-    /// Where its force acts along the carrier, from the middle of that, and how far from there its loads act in the
-    /// mean: ∫ q x / ∫ q and ∫ q |x − x̄| / ∫ q. Of the modelled part; `None` where nothing is carried.
-    pub fn eccentricity(&self) -> Option<(f64, f64)> {
-        let middle = 0.5 * (self.at.first()? + self.at.last()?);
+    /// The middle of the carrier, along it.
+    pub fn middle(&self) -> Option<f64> {
+        Some(0.5 * (self.at.first()? + self.at.last()?))
+    }
+
+    /// How far from its resultant its loads act in the mean, ∫ q |x − x̄| / ∫ q, of the modelled part; `None` where
+    /// nothing is carried.
+    pub fn spread(&self) -> Option<f64> {
         let force = self.force();
-        let of_load = |distance: &dyn Fn(f64) -> f64| {
-            let moments = self.row_forces().map(|(at, f)| f * distance(at - middle));
+        let mean = |distance: &dyn Fn(f64) -> f64| {
+            let moments = self.row_forces().map(|(at, f)| f * distance(at));
             moments.sum::<f64>() / force
         };
-        let centre = of_load(&|x| x);
-        (force > 0.0).then(|| (centre, of_load(&|x| (x - centre).abs())))
+        let centre = mean(&|x| x);
+        (force > 0.0).then(|| mean(&|x| (x - centre).abs()))
     }
 
     /// Load per length, spread evenly over the whole length of the carrier.

@@ -69,8 +69,12 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         interfaces,
         ..
     } = *evidence;
-    let too_stiff = too_stiff(evidence);
-    let mut claims: Vec<Figure> = descent_claim(evidence, too_stiff).into_iter().collect();
+    let missing_energy =
+        MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
+    let too_stiff = too_stiff(evidence, missing_energy);
+    let mut claims: Vec<Figure> = descent_claim(evidence, missing_energy)
+        .into_iter()
+        .collect();
     let flowing = mises::claims(
         peaks,
         (evidence.elastic, evidence.elastic_claims),
@@ -119,18 +123,23 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
 /// below, by a hundredth on problem H.
 const MARGIN: f64 = 1.05;
 
-/// Travel of the loaded plane.
-fn descent_claim(evidence: &Evidence, too_stiff: Option<f64>) -> Option<Figure> {
+/// Travel of the loaded plane. A displacement method finds too little of it: the work of the load
+/// on what is missing is the energy of the error. The smoothed stress sees the share of it that it sees of the energy
+/// of the whole solution, which is itself too little by the same share.
+fn descent_claim(evidence: &Evidence, missing_energy: f64) -> Option<Figure> {
     let Evidence { scene, state, .. } = *evidence;
     let value = descent(scene, state)?;
+    let load = applied(scene, state);
     let driven = |m: &PlaneMotion| matches!(m, PlaneMotion::Driven(_));
     let by_force = !scene.tractions.is_empty()
         || (scene.rigid_planes.iter()).any(|plane| plane.motion.iter().any(driven));
+    let error = missing(missing_energy / load, value) + unseen_approach(evidence);
     Some(Figure {
         error: Errors {
             // What is prescribed is known.
             discretisation: match by_force {
-                true => too_stiff.map(|share| share * value.abs()),
+                true => Some(error)
+                    .filter(|error| error.is_finite() && *error <= MOST_MISSING * value.abs()),
                 false => Some(0.0),
             },
             ..Errors::default()
@@ -140,17 +149,19 @@ fn descent_claim(evidence: &Evidence, too_stiff: Option<f64>) -> Option<Figure> 
     })
 }
 
-/// By which share the mesh is too stiff under the load; `None` where nothing is known of it. A displacement method finds
-/// too little of the load's travel: the work of the load on what is missing is the energy of the error. The smoothed
-/// stress sees the share of it that it sees of the energy of the whole solution, which is itself too little by the same
-/// share.
-fn too_stiff(evidence: &Evidence) -> Option<f64> {
-    let Evidence { scene, state, .. } = *evidence;
-    let travel = descent(scene, state)?;
-    let load = applied(scene, state);
-    let energy = MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
-    let error = missing(energy / load, travel) + unseen_approach(evidence);
-    Some(error / travel.abs()).filter(|share| share.is_finite() && *share <= MOST_MISSING)
+/// By which share the mesh is too stiff; `None` where nothing is known of it. What [`descent_claim`] says of a travel holds
+/// of the energy of the whole, whatever a given angle adds to the travel.
+fn too_stiff(evidence: &Evidence, missing_energy: f64) -> Option<f64> {
+    let Evidence {
+        scene,
+        state,
+        recovered,
+        ..
+    } = *evidence;
+    let energy = energy::of_solution(scene, state, recovered) * copies(scene);
+    let unseen = unseen_approach(evidence) * applied(scene, state).abs();
+    let share = (missing(missing_energy, energy) + unseen) / energy;
+    Some(share).filter(|share| share.is_finite() && *share <= MOST_MISSING)
 }
 
 /// What is missing of a travel of which the smoothed stress finds `estimate` missing: the share of the true travel

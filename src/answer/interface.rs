@@ -3,7 +3,6 @@
 use super::inputs::AnswerInputs;
 use super::named::Named;
 use super::patch::PatchFigures;
-use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::contact_lines::{ContactLine, contact_lines};
 use crate::answer::results::hertz::{HeaviestLine, line_contact};
 use crate::answer::results::interface::{Interface, StatusCounts};
@@ -158,7 +157,7 @@ fn interface(
         q: slices
             .and_then(|s| line_load(scene, state, pair, &s))
             .map(LineLoadFigures::from),
-        centre_of_force: centre_of_force(scene, state, pair),
+        centre_of_force: measured.centre_of_force,
         lines: lines.collect(),
         not_hertz: heaviest.and_then(HeaviestLine::not_hertz),
         patch: PatchFigures::find(scene, state, pair, measured),

@@ -12,7 +12,6 @@ mod mises;
 mod other;
 mod pressure;
 
-use crate::answer::results::balance::centre_of_force;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
@@ -20,7 +19,7 @@ use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{applied, copies, descent};
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
-use crate::model::scene::{ContactPair, PlaneMotion, Scene};
+use crate::model::scene::{ContactPair, PlaneMotion, RigidPlane, Scene};
 use crate::model::state::State;
 use increments::Memory;
 use mises::Strip;
@@ -71,7 +70,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     } = *evidence;
     let missing_energy =
         MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
-    let too_stiff = too_stiff(evidence, missing_energy);
+    let tilted = scene.rigid_planes.iter().any(RigidPlane::is_turned);
+    let too_stiff = tilted
+        .then(|| too_stiff(evidence, missing_energy))
+        .flatten();
     let mut claims: Vec<Figure> = descent_claim(evidence, missing_energy)
         .into_iter()
         .collect();
@@ -93,13 +95,9 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         };
         claims.extend(contact.claims());
         claims.extend(other::horizontal_force(scene, interface, line));
-        let centre = centre_of_force(scene, state, pair);
-        claims.extend(other::eccentricity(
-            scene,
-            (interface, centre),
-            line,
-            too_stiff,
-        ));
+        if tilted {
+            claims.extend(other::eccentricity(scene, interface, line, too_stiff));
+        }
     }
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);

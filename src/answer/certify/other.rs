@@ -5,8 +5,8 @@ use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::direction;
-use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
-use crate::model::scene::{RigidPlane, Scene};
+use crate::ground::geometry::{dot, norm, scale, sub};
+use crate::model::scene::Scene;
 
 /// What the strain of the surface of a bore misses of the stress there, of itself, for elements as deep as the bore's
 /// radius: the stress falls from the wall as fast as the wall is curved.
@@ -105,15 +105,12 @@ pub(super) fn horizontal_force(
 /// their resultant.
 pub(super) fn eccentricity(
     scene: &Scene,
-    (interface, centre): (&Interface, Option<Vec3>),
+    interface: &Interface,
     line: Option<&HeaviestLine>,
     too_stiff: Option<f64>,
 ) -> Option<Figure> {
-    let turned = |plane: &RigidPlane| plane.turns() && !plane.turns_freely();
-    let line = line.filter(|line| {
-        !scene.mirrors.contains(&line.axis) && scene.rigid_planes.iter().any(turned)
-    })?;
-    let value = centre?[line.axis] - line.line.middle()?;
+    let line = line.filter(|line| !scene.mirrors.contains(&line.axis))?;
+    let value = interface.centre_of_force?[line.axis] - line.line.middle()?;
     let spread = line.line.spread()?;
     let error = too_stiff.map(|share| share * value.abs().min(spread));
     Some(Figure {

@@ -1,5 +1,6 @@
 //! Scalars of each contact interface, for the whole bearing.
 
+use super::balance::centre_of_force;
 use super::hex::distance;
 use super::load::{along, cutting_pair, times, whole_of};
 use crate::ground::geometry::{dot, norm};
@@ -26,6 +27,8 @@ pub struct Interface {
     pub force: [f64; 3],
     /// Component of `force` along the applied load, compression positive.
     pub normal_force: f64,
+    /// Where the force along the load acts, see [`centre_of_force`].
+    pub centre_of_force: Option<[f64; 3]>,
     /// Integral of the pressure over the area.
     pub pressure_integral: f64,
     /// Largest consistent nodal pressure and the undeformed position of its node.
@@ -66,6 +69,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
         name: contact.name.clone(),
         max_penetration: field.penetration,
         unexplained_penetration: field.unexplained,
+        centre_of_force: centre_of_force(scene, state, pair),
         ..Interface::default()
     };
     let mut force = [0.0; 3];

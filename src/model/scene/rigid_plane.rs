@@ -60,6 +60,11 @@ impl RigidPlane {
         self.turn.iter().any(|t| matches!(t, PlaneTurn::Driven(_)))
     }
 
+    /// Is it turned by a given angle, and by no other?
+    pub fn is_turned(&self) -> bool {
+        self.turns() && !self.turns_freely()
+    }
+
     /// The point that it turns about, in `mesh`, which is mirrored along the axes `mirrors`.
     pub fn point(&self, mesh: &Mesh, mirrors: &[usize]) -> Vec3 {
         let middle = || mesh.middle_of(&self.surface, mirrors);

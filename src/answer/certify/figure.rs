@@ -147,6 +147,9 @@ pub enum Quantity {
 pub struct Errors {
     /// Of the mesh.
     pub discretisation: Option<f64>,
+    /// Beyond that, where a peak lies next to what belongs to a loaded edge: elements along the line of contact decide it.
+    /// `None` elsewhere.
+    pub beside_edge: Option<f64>,
     /// Of the penetration that is left.
     pub penetration: Option<f64>,
     /// Of the size of the increments in plastic flow, what friction remembers meanwhile included: zero
@@ -158,7 +161,13 @@ impl Errors {
     /// Their sum, as far as they are known; `None` where the error of the mesh is not.
     pub fn total(&self) -> Option<f64> {
         let rest = self.penetration.unwrap_or(0.0) + self.increment.unwrap_or(0.0);
-        self.discretisation.map(|mesh| mesh + rest)
+        self.of_mesh().map(|mesh| mesh + rest)
+    }
+
+    /// What the mesh does; `None` where nothing is known of it.
+    pub fn of_mesh(&self) -> Option<f64> {
+        let beside_edge = self.beside_edge.unwrap_or(0.0);
+        self.discretisation.map(|mesh| mesh + beside_edge)
     }
 }
 

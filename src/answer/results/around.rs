@@ -1,6 +1,6 @@
 //! How the Mises stress is around the node with the largest one: what tells whether the mesh resolves it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::edges::LoadedEdges;
 use super::hex::GaussRule;
@@ -18,8 +18,7 @@ pub struct Around {
     /// By how much the smallest nodal value of these elements is below that of the node.
     pub fall: f64,
     /// Of a peak away from loaded edges, where one of these elements reaches beside an edge: by how much the largest
-    /// nodal value there is above that of the node, or the largest of the nodes that share no element with what is
-    /// beside an edge is below it, whichever is more. Zero elsewhere.
+    /// nodal value there is above that of the node. Zero elsewhere.
     pub border: f64,
 }
 
@@ -55,33 +54,13 @@ pub(super) fn border(
     body: &Body,
     recovered: &Recovered,
     edges: &LoadedEdges,
-    (peak_node, peak): (usize, f64),
+    (node, peak): (usize, f64),
 ) -> f64 {
-    let node = |point: u32| recovered.points.node[point as usize] as usize;
-    let value = |point: u32| recovered.mises_nodal[point as usize];
-    // Half of the peak is doubt enough: smaller values, which most elements have, are not looked at.
-    let least = 0.5 * peak;
+    let node_of = |point: &u32| recovered.points.node[*point as usize] as usize;
     let cells = recovered.points.cells[body.elements.clone()].iter();
-    let stressed: Vec<&[u32; 8]> = cells
-        .filter(|points| points.iter().any(|point| value(*point) > least))
-        .collect();
-    let points: BTreeSet<u32> = stressed.iter().copied().flatten().copied().collect();
-    let beside: BTreeMap<u32, bool> = (points.iter())
-        .map(|point| (*point, edges.are_near(&mesh.points[node(*point)])))
-        .collect();
-    let reaching = stressed
-        .iter()
-        .filter(|points| points.iter().any(|point| beside[point]));
-    let reaching: Vec<&[u32; 8]> = reaching.copied().collect();
-    let around_peak = (reaching.iter().copied())
-        .filter(|points| points.iter().any(|point| node(*point) == peak_node))
-        .flatten();
-    let largest = |points: &mut dyn Iterator<Item = u32>| points.map(value).reduce(f64::max);
-    let mut inside = around_peak.copied().filter(|point| beside[point]);
-    let Some(inside) = largest(&mut inside) else {
-        return 0.0;
-    };
-    let blurred: BTreeSet<u32> = reaching.iter().copied().flatten().copied().collect();
-    let clear = largest(&mut points.difference(&blurred).copied()).unwrap_or(least);
-    (inside - peak).max(peak - clear.max(least))
+    let around = cells.filter(|points| points.iter().any(|point| node_of(point) == node));
+    let points = around.flatten().collect::<BTreeSet<_>>().into_iter();
+    let beside = points.filter(|point| edges.are_near(&mesh.points[node_of(point)]));
+    let values = beside.map(|point| recovered.mises_nodal[*point as usize]);
+    values.fold(0.0, |largest: f64, value| largest.max(value - peak))
 }

@@ -18,6 +18,8 @@ pub struct Figure {
     pub value: f64,
     /// The certificate's error; `None` where none can be given.
     pub estimate: Option<f64>,
+    /// Of a peak next to a loaded edge: what of that the edge does, which elements along the line of contact decide.
+    pub beside_edge: Option<f64>,
     /// Difference from the mesh before.
     pub change: Option<f64>,
     /// Does it lie at a loaded edge?
@@ -114,6 +116,7 @@ impl Level {
                 place: claim.place.clone(),
                 value: claim.value,
                 estimate: claim.bar(),
+                beside_edge: claim.error.beside_edge,
                 change: old.map(|old| claim.value - old),
                 at_edge: claim.at_edge,
                 of: None,

@@ -26,12 +26,17 @@ const SAME: f64 = 0.97;
 pub(super) fn next(level: &Level, target: &Target, counts: impl Fn(Goal) -> bool) -> Scales {
     let mut scales = Scales::default();
     for figure in level.figures.iter().filter(|f| counts(f.goal)) {
+        let excess = |bar: f64| (MARGIN * bar.abs() / figure.allowed(target)).max(1.0);
         let own = match figure.estimate {
             _ if figure.meets(target, true) => continue,
-            Some(bar) => of_figure(
-                figure.goal,
-                (MARGIN * bar.abs() / figure.allowed(target)).max(1.0),
-            ),
+            Some(bar) => {
+                let of_edge = figure.beside_edge;
+                let own = of_figure(figure.goal, excess(bar - of_edge.unwrap_or(0.0)));
+                Scales {
+                    along: own.along.min(of_edge.map_or(1.0, |_| 1.0 / excess(bar))),
+                    ..own
+                }
+            }
             None => Scales::all(WITHOUT_BAR),
         };
         scales.contact = scales.contact.min(own.contact);

@@ -10,7 +10,7 @@ pub fn certificate(summary: &Summary) -> Table {
     let mut table = Table::new("")
         .words("Certificate")
         .words("where")
-        .figures(["value", "± error", "mesh", "penetration", "increments"])
+        .figures(["value", "± error", "mesh", "beside an edge", "penetration", "increments"])
         .about(
             "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a loaded edge \
              gets a remark in place of an error.",
@@ -34,6 +34,7 @@ pub fn certificate(summary: &Summary) -> Table {
             Cell::certified(figure.value, Some(figure)),
             error,
             off(figure.error.discretisation),
+            off(figure.error.beside_edge),
             off(figure.error.penetration),
             off(figure.error.increment),
         ]);

@@ -92,11 +92,11 @@ impl Way<'_> {
                 }
                 let counts = |goal: Goal| !flows || !goal.is_elastic();
                 let foreseen = foreseen(&level, flows);
-                let scales = plan::next(&foreseen, self.target, counts);
+                let scales = plan::next(&foreseen, None, self.target, counts);
                 widen(&mut case, &outcome);
                 case.refine_mesh(&self.affordable(&case, &scales, level.unknowns))?;
             }
-            let scales = plan::next(&level, self.target, Goal::is_elastic);
+            let scales = plan::next(&level, self.levels.last(), self.target, Goal::is_elastic);
             let next = self.affordable(&twin, &scales, level.unknowns);
             self.tell(level);
             // One more level is of the case itself.
@@ -128,7 +128,8 @@ impl Way<'_> {
                 level.take_elastic(before);
             }
             let counts = |goal: Goal| twin.is_none() || !goal.is_elastic();
-            let scales = plan::next(&level, self.target, counts);
+            let before = self.levels.last().filter(|before| !before.twin);
+            let scales = plan::next(&level, before, self.target, counts);
             let (met, nothing) = (level.meets(self.target), level.figures.is_empty());
             let unknowns = level.unknowns;
             self.tell(level);

@@ -66,6 +66,12 @@ impl Figure {
         }
     }
 
+    /// The estimated error over the figure.
+    pub(super) fn relative_bar(&self) -> Option<f64> {
+        let share = self.estimate? / self.value.abs();
+        share.is_finite().then_some(share)
+    }
+
     /// What and where, with its error.
     fn in_words(&self) -> String {
         let (what, place) = (self.what.name(), &self.place);

@@ -1,7 +1,7 @@
 //! The next mesh of a bearing, from the bars of the last one: which figure misses, by how much, and what moves it.
 
 use super::goal::{Goal, Target};
-use super::level::Level;
+use super::level::{Figure, Level};
 use crate::case::bearing::Scales;
 
 /// Bars should come out this much below the target: they are foreseen, not known.
@@ -15,6 +15,8 @@ const BY_ROUND: f64 = 0.45;
 const LEAST: f64 = 0.3;
 /// Where a figure has no bar, nothing says which sizes decide it: all shrink to this.
 const WITHOUT_BAR: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// A bar that is more than this of what it was on the mesh before has not come down.
+const STUCK: f64 = 0.9;
 /// Sizes that are to change by less than this stay.
 const SAME: f64 = 0.97;
 
@@ -23,22 +25,23 @@ const SAME: f64 = 0.97;
 /// Measured on a displaced bearing, one group of sizes changed at a time: half the size at the contact takes the bar of
 /// the pressure to 0.57 of it and that of the Mises stress to 0.28; 2/3 around and through the wall that of the bore to
 /// 0.45 and that of the descent to 0.69; 2/3 along that of the line load to 0.74. All else moved none by a tenth.
-pub(super) fn next(level: &Level, target: &Target, counts: impl Fn(Goal) -> bool) -> Scales {
+///
+/// Where a bar has not come down since the level `before`, what was made smaller for it does not decide it: all sizes are.
+pub(super) fn next(
+    level: &Level,
+    before: Option<&Level>,
+    target: &Target,
+    counts: impl Fn(Goal) -> bool,
+) -> Scales {
     let mut scales = Scales::default();
+    let old = |figure: &Figure| {
+        let figures = before.iter().flat_map(|level| &level.figures);
+        figures
+            .filter(|f| f.goal == figure.goal)
+            .find_map(Figure::relative_bar)
+    };
     for figure in level.figures.iter().filter(|f| counts(f.goal)) {
-        let excess = |bar: f64| (MARGIN * bar.abs() / figure.allowed(target)).max(1.0);
-        let own = match figure.estimate {
-            _ if figure.meets(target, true) => continue,
-            Some(bar) => {
-                let of_edge = figure.beside_edge;
-                let own = of_figure(figure.goal, excess(bar - of_edge.unwrap_or(0.0)));
-                Scales {
-                    along: own.along.min(of_edge.map_or(1.0, |_| 1.0 / excess(bar))),
-                    ..own
-                }
-            }
-            None => Scales::all(WITHOUT_BAR),
-        };
+        let own = needed(figure, old(figure), target);
         scales.contact = scales.contact.min(own.contact);
         scales.round = scales.round.min(own.round);
         scales.along = scales.along.min(own.along);
@@ -48,6 +51,30 @@ pub(super) fn next(level: &Level, target: &Target, counts: impl Fn(Goal) -> bool
         contact: bounded(scales.contact),
         round: bounded(scales.round),
         along: bounded(scales.along),
+    }
+}
+
+/// The sizes that should bring one figure within the target, where its bar was `old` of it on the mesh before.
+fn needed(figure: &Figure, old: Option<f64>, target: &Target) -> Scales {
+    if figure.meets(target, true) {
+        return Scales::default();
+    }
+    let Some(bar) = figure.estimate else {
+        return Scales::all(WITHOUT_BAR);
+    };
+    let excess = |bar: f64| (MARGIN * bar.abs() / figure.allowed(target)).max(1.0);
+    let now = figure.relative_bar();
+    if old.zip(now).is_some_and(|(old, now)| now > STUCK * old) {
+        return Scales::all(excess(bar).sqrt().recip());
+    }
+    let own = of_figure(figure.goal, excess(bar - figure.beside_edge.unwrap_or(0.0)));
+    match figure.beside_edge {
+        None => own,
+        // Next to an edge the stress falls along the line as fast as below it.
+        Some(_) => Scales {
+            along: own.along.min(1.0 / excess(bar)),
+            ..own
+        },
     }
 }
 
@@ -89,6 +116,7 @@ fn of_figure(goal: Goal, excess: f64) -> Scales {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::certify::Quantity;
 
     #[test]
     fn a_figure_moves_the_sizes_that_decide_it() {
@@ -102,5 +130,40 @@ mod tests {
         let much = of_figure(Goal::Descent, 4.0);
         assert_eq!([much.round, much.contact, much.along], [0.5; 3]);
         assert_eq!(of_figure(Goal::Mises, 1.0), same);
+    }
+
+    #[test]
+    fn a_peak_next_to_an_edge_moves_the_sizes_along() {
+        let target = Target {
+            goal: Goal::ElasticMises,
+            within: 0.03,
+        };
+        let figure = |estimate: f64, beside_edge: Option<f64>| Figure {
+            goal: Goal::ElasticMises,
+            what: Quantity::MisesAway,
+            place: "roller".into(),
+            value: 100.0,
+            estimate: Some(estimate),
+            beside_edge,
+            change: None,
+            at_edge: false,
+            of: None,
+        };
+        let of = |estimate, beside_edge| needed(&figure(estimate, beside_edge), None, &target);
+        let inside = of(6.0, None);
+        assert!(inside.contact < 1.0 && inside.along == 1.0);
+        // The edge is all that misses.
+        let edge = of(6.0, Some(4.0));
+        assert!((edge.along - 3.0 / (MARGIN * 6.0)).abs() < 1e-12 && edge.contact == 1.0);
+        let both = of(6.0, Some(0.0));
+        assert_eq!((both.contact, both.along), (inside.contact, edge.along));
+        assert_eq!(of(2.9, Some(1.0)), Scales::default());
+        // What has not come down by finer elements at the contact is not theirs alone.
+        let stuck = needed(&figure(6.0, None), Some(0.061), &target);
+        assert_eq!(
+            [stuck.contact, stuck.round, stuck.along],
+            [inside.contact; 3]
+        );
+        assert_eq!(needed(&figure(6.0, None), Some(0.12), &target), inside);
     }
 }

@@ -44,8 +44,11 @@ impl Run<'_, '_> {
             self.held_back = true;
             return Ok(self.hold_back(step, target));
         }
+        // A load that is taken off opens contact and turns friction round. Half of what was too much at once needs a few
+        // iterations, with caution it takes many, and so do all increments that follow.
+        let halves = self.unloads(step) && !smallest && !self.cut;
         // Caution with friction does not help where steel gives way.
-        if !self.point.cautious && (floats || smallest) {
+        if !(self.point.cautious || halves) && (floats || smallest) {
             self.point.cautious = true;
             return Ok(true);
         }

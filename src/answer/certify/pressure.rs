@@ -40,8 +40,10 @@ const UNSEEN: f64 = 0.04;
 const WELL: f64 = 0.67;
 /// Beside a loaded edge, in addition.
 const BESIDE_EDGE: f64 = 0.02;
-/// Share of the kink at the peak of a line load that is its error.
+/// Share of the kink at the peak of a line load that is its error,
 const KINK: f64 = 0.2;
+/// and beside a loaded edge, where loads rise with a power of the distance and the last rows of the mesh cut that off.
+const KINK_AT_EDGE: f64 = 0.5;
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
 /// The same of a half-width, for a spacing of a at the edge; it falls with the square of the spacing.
@@ -184,10 +186,19 @@ impl Contact<'_> {
     }
 
     fn line_load(&self, line: &HeaviestLine) -> Figure {
-        let error = Some(load_error(line)).filter(|_| line.departs != Some(Departure::Width));
+        let at_edge = line.departs == Some(Departure::LoadedEdge);
+        let (error, why) = match line.departs {
+            Some(Departure::Width) => (None, MERGED),
+            // Where the mesh hides what presses there it hides what that carries, too.
+            Some(Departure::LoadedEdge) if self.edges.unseen_pressure(self.pair) > 0.0 => {
+                (None, FILLET)
+            }
+            Some(Departure::LoadedEdge) => (Some(load_error(line)), EDGE),
+            _ => (Some(load_error(line)), COARSE),
+        };
         Figure {
-            at_edge: line.departs == Some(Departure::LoadedEdge),
-            ..self.claim(Quantity::LineLoad, line.line_load, error, MERGED)
+            at_edge,
+            ..self.claim(Quantity::LineLoad, line.line_load, error, why)
         }
     }
 
@@ -253,10 +264,10 @@ fn coarseness(row: &StripRow) -> f64 {
 /// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
 fn load_error(line: &HeaviestLine) -> f64 {
     let edge = match line.departs {
-        Some(Departure::LoadedEdge) => BESIDE_EDGE,
-        _ => 0.0,
+        Some(Departure::LoadedEdge) => BESIDE_EDGE + KINK_AT_EDGE * line.kink,
+        _ => KINK * line.kink,
     };
-    coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge + KINK * line.kink
+    coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge
 }
 
 /// See [`UNSEEN`].

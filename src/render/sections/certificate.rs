@@ -7,15 +7,19 @@ use crate::render::table::{Cell, Number, Table};
 
 /// Every certified figure.
 pub fn certificate(summary: &Summary) -> Table {
+    let certificate = &summary.answer.certificate;
+    let beside_edges = (certificate.iter()).any(|figure| figure.error.beside_edge.is_some());
     let mut table = Table::new("")
         .words("Certificate")
         .words("where")
-        .figures(["value", "± error", "mesh", "beside an edge", "penetration", "increments"])
+        .figures(["value", "± error", "mesh"])
+        .figures(beside_edges.then_some("beside an edge"))
+        .figures(["penetration", "increments"])
         .about(
             "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a loaded edge \
              gets a remark in place of an error.",
         );
-    for figure in &summary.answer.certificate {
+    for figure in certificate {
         let unit = match summary.units.of_measure(figure.what.measure()) {
             unit if unit.is_empty() => unit,
             unit => format!(", {unit}"),
@@ -28,19 +32,26 @@ pub fn certificate(summary: &Summary) -> Table {
             Some(error) => Cell::Figure(Number::new(error, MESH_DIGITS)),
             None => Cell::Care("unresolved".to_string()),
         };
-        table.row([
+        let first = [
             format!("{}{unit}", figure.what.name()).into(),
             (&figure.place).into(),
             Cell::certified(figure.value, Some(figure)),
             error,
-            off(figure.error.discretisation),
-            off(figure.error.beside_edge),
-            off(figure.error.penetration),
-            off(figure.error.increment),
-        ]);
+        ];
+        let causes = [
+            Some(figure.error.discretisation),
+            beside_edges.then_some(figure.error.beside_edge),
+            Some(figure.error.penetration),
+            Some(figure.error.increment),
+        ];
+        table.row(
+            first
+                .into_iter()
+                .chain(causes.into_iter().flatten().map(off)),
+        );
     }
     table.note("The error in the unit of the figure, its causes relative to the figure.");
-    table.notes.extend(remarks(&summary.answer.certificate));
+    table.notes.extend(remarks(certificate));
     table
 }
 

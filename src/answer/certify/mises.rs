@@ -234,9 +234,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
         let share = strip.map_or(1.0, |strip| strip.share(&nodal.at));
         let (error, note) = match strip {
-            Some(strip) if strip.spacing > COARSEST * share * strip.half_width => {
-                (None, Some(COARSE))
-            }
+            Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
             _ if is_next_to_edge => (Some(spread), None),
             Some(strip) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second

@@ -1,12 +1,9 @@
 //! How the Mises stress is around the node with the largest one: what tells whether the mesh resolves it.
 
-use std::collections::BTreeSet;
-
-use super::edges::LoadedEdges;
 use super::hex::GaussRule;
 use super::recovery::Recovered;
 use super::tensor::mises;
-use crate::model::mesh::{Body, Mesh};
+use crate::model::mesh::Body;
 use crate::model::state::State;
 
 /// How the Mises stress is around a node with the largest one.
@@ -22,45 +19,35 @@ pub struct Around {
     pub border: f64,
 }
 
-/// What is around the nodal peak of `body`, a node and its value, wherever loaded edges are.
+/// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which nodes are beside an edge.
 pub(super) fn around(
     body: &Body,
     state: &State,
     recovered: &Recovered,
     rule: &GaussRule,
     (node, peak): (usize, f64),
+    is_beside: impl Fn(usize) -> bool,
 ) -> Around {
-    let is_at_node = |point: &u32| recovered.points.node[*point as usize] as usize == node;
-    let (mut largest, mut smallest) = (peak, peak);
+    let node_of = |point: u32| recovered.points.node[point as usize] as usize;
+    let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
     for element in body.elements.clone() {
         let points = &recovered.points.cells[element];
-        let Some(corner) = points.iter().position(is_at_node) else {
+        let Some(corner) = points.iter().position(|point| node_of(*point) == node) else {
             continue;
         };
-        largest = largest.max(mises(&rule.extrapolate(&state.stress[element])[corner]));
-        let nodal = points.iter().map(|p| recovered.mises_nodal[*p as usize]);
-        smallest = nodal.fold(smallest, f64::min);
+        let at_node = mises(&rule.extrapolate(&state.stress[element])[corner]);
+        extrapolated = extrapolated.max(at_node);
+        for point in points {
+            let value = recovered.mises_nodal[*point as usize];
+            smallest = smallest.min(value);
+            if is_beside(node_of(*point)) {
+                beside = beside.max(value);
+            }
+        }
     }
     Around {
-        jump: largest - peak,
+        jump: extrapolated - peak,
         fall: peak - smallest,
-        border: 0.0,
+        border: beside - peak,
     }
-}
-
-/// [`Around::border`] of the nodal peak of `body` away from `edges`, a node and its value.
-pub(super) fn border(
-    mesh: &Mesh,
-    body: &Body,
-    recovered: &Recovered,
-    edges: &LoadedEdges,
-    (node, peak): (usize, f64),
-) -> f64 {
-    let node_of = |point: &u32| recovered.points.node[*point as usize] as usize;
-    let cells = recovered.points.cells[body.elements.clone()].iter();
-    let around = cells.filter(|points| points.iter().any(|point| node_of(point) == node));
-    let points = around.flatten().collect::<BTreeSet<_>>().into_iter();
-    let beside = points.filter(|point| edges.are_near(&mesh.points[node_of(point)]));
-    let values = beside.map(|point| recovered.mises_nodal[*point as usize]);
-    values.fold(0.0, |largest: f64, value| largest.max(value - peak))
 }

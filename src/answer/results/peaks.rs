@@ -1,6 +1,6 @@
 //! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
 
-use super::around::{Around, around, border};
+use super::around::{Around, around};
 use super::edges::LoadedEdges;
 use super::hex::{GaussRule, centre};
 use super::load::{cutting, times};
@@ -123,22 +123,22 @@ pub fn peaks(
     };
     let body_peaks = |(index, body): (usize, &Body)| {
         let nodal = nodal[index];
-        let around = |peak: &Peak| match peak.place {
-            Place::Node(node) => around(body, state, recovered, &rule, (node, peak.value)),
+        let around = |peak: &Peak, is_beside: &dyn Fn(&[f64; 3]) -> bool| match peak.place {
+            Place::Node(node) => {
+                let of_node = |node: usize| is_beside(&mesh.points[node]);
+                let peak = (node, peak.value);
+                around(body, state, recovered, &rule, peak, of_node)
+            }
             _ => Around::default(),
         };
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
         let centroid = centroid_peak(body, &|_| true);
         let away = away[index].filter(|_| at_edge[index]).and_then(|nodal| {
-            let mut around = around(&nodal);
-            if let Place::Node(node) = nodal.place {
-                around.border = border(mesh, body, recovered, edges, (node, nodal.value));
-            }
             Some(MisesPeaks {
                 nodal,
                 centroid: centroid_peak(body, &far)?,
-                around,
+                around: around(&nodal, &|at| edges.are_near(at)),
             })
         });
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
@@ -167,7 +167,9 @@ pub fn peaks(
             centroid,
             integration_point,
             nodal,
-            around: nodal.as_ref().map(around).unwrap_or_default(),
+            around: (nodal.as_ref())
+                .map(|peak| around(peak, &|_| false))
+                .unwrap_or_default(),
             away,
             peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
             peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),

@@ -66,12 +66,6 @@ impl Figure {
         }
     }
 
-    /// The estimated error over the figure.
-    pub(super) fn relative_bar(&self) -> Option<f64> {
-        let share = self.estimate? / self.value.abs();
-        share.is_finite().then_some(share)
-    }
-
     /// What and where, with its error.
     fn in_words(&self) -> String {
         let (what, place) = (self.what.name(), &self.place);
@@ -171,9 +165,13 @@ impl Level {
     }
 
     /// The figure that answers `goal` on this mesh.
+    pub(super) fn figure_of(&self, goal: Goal) -> Option<&Figure> {
+        self.figures.iter().find(|f| f.goal == goal)
+    }
+
+    /// Its value.
     pub fn value_of(&self, goal: Goal) -> Option<f64> {
-        let same = self.figures.iter().find(|f| f.goal == goal);
-        same.map(|f| f.value)
+        self.figure_of(goal).map(|f| f.value)
     }
 
     /// Is all that was asked for, and that there is, as good as asked for?

@@ -34,14 +34,9 @@ pub(super) fn next(
     counts: impl Fn(Goal) -> bool,
 ) -> Scales {
     let mut scales = Scales::default();
-    let old = |figure: &Figure| {
-        let figures = before.iter().flat_map(|level| &level.figures);
-        figures
-            .filter(|f| f.goal == figure.goal)
-            .find_map(Figure::relative_bar)
-    };
     for figure in level.figures.iter().filter(|f| counts(f.goal)) {
-        let own = needed(figure, old(figure), target);
+        let old = before.and_then(|level| level.figure_of(figure.goal));
+        let own = needed(figure, old, target);
         scales.contact = scales.contact.min(own.contact);
         scales.round = scales.round.min(own.round);
         scales.along = scales.along.min(own.along);
@@ -54,17 +49,18 @@ pub(super) fn next(
     }
 }
 
-/// The sizes that should bring one figure within the target, where its bar was `old` of it on the mesh before.
-fn needed(figure: &Figure, old: Option<f64>, target: &Target) -> Scales {
+/// The sizes that should bring one figure within the target; `old` is the figure on the mesh before.
+fn needed(figure: &Figure, old: Option<&Figure>, target: &Target) -> Scales {
     if figure.meets(target, true) {
         return Scales::default();
     }
     let Some(bar) = figure.estimate else {
         return Scales::all(WITHOUT_BAR);
     };
-    let excess = |bar: f64| (MARGIN * bar.abs() / figure.allowed(target)).max(1.0);
-    let now = figure.relative_bar();
-    if old.zip(now).is_some_and(|(old, now)| now > STUCK * old) {
+    let over = |figure: &Figure, bar: f64| bar.abs() / figure.allowed(target);
+    let excess = |bar: f64| (MARGIN * over(figure, bar)).max(1.0);
+    let was = old.and_then(|old| Some(over(old, old.estimate?)));
+    if was.is_some_and(|was| over(figure, bar) > STUCK * was) {
         return Scales::all(excess(bar).sqrt().recip());
     }
     let own = of_figure(figure.goal, excess(bar - figure.beside_edge.unwrap_or(0.0)));
@@ -159,11 +155,12 @@ mod tests {
         assert_eq!((both.contact, both.along), (inside.contact, edge.along));
         assert_eq!(of(2.9, Some(1.0)), Scales::default());
         // What has not come down by finer elements at the contact is not theirs alone.
-        let stuck = needed(&figure(6.0, None), Some(0.061), &target);
+        let stuck = needed(&figure(6.0, None), Some(&figure(6.1, None)), &target);
         assert_eq!(
             [stuck.contact, stuck.round, stuck.along],
             [inside.contact; 3]
         );
-        assert_eq!(needed(&figure(6.0, None), Some(0.12), &target), inside);
+        let halved = needed(&figure(6.0, None), Some(&figure(12.0, None)), &target);
+        assert_eq!(halved, inside);
     }
 }

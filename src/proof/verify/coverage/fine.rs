@@ -85,9 +85,12 @@ fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseE
     let size = narrow / fineness.across;
     let far = fineness.far * geometry.diameter();
     let wall = geometry.wall().unwrap_or(radius);
-    let roller = geometry.roller();
-    let on_fillet = roller.end.radius().map_or(f64::INFINITY, |r| r / 3.0);
-    let at_ends = (AT_ENDS * roller.length).min(on_fillet);
+    let preset = MeshRequest {
+        preset: Preset::H0125,
+        ..MeshRequest::default()
+    };
+    let at_ends = AT_ENDS * geometry.roller().length;
+    let at_ends = at_ends.min(preset.sizes(bearing.layout()).end_size);
     let overrides = [
         ("roller_size", size),
         ("end_size", at_ends),
@@ -99,13 +102,12 @@ fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseE
         ("wall_cap", far.min(wall / 6.0)),
     ];
     bearing.mesh = MeshRequest {
-        preset: Preset::H0125,
         overrides: overrides
             .map(|(key, value)| (key.to_owned(), value))
             .to_vec(),
         scale,
         full: bearing.mesh.full,
-        ..MeshRequest::default()
+        ..preset
     };
     let fits = bearing.mesh.check(bearing.layout());
     fits.map_err(|error| wrong(error.to_string()))?;

@@ -3,8 +3,12 @@
 use crate::ground::memory::available;
 use crate::model::scene::{Scene, SolverKind};
 use crate::solver::fem::dofs::{DofMap, FIXED};
-use crate::solver::solve::condensed::cost::{condensation_work, seconds_direct, seconds_divided};
+use crate::solver::solve::condensed::cost::{
+    factor_entries, factor_work, seconds_condensed, seconds_divided, seconds_sparse,
+    worth_condensing,
+};
 use crate::solver::solve::params::FACTOR_MEMORY_SHARE;
+use std::ops::Range;
 
 /// What a model will take, and how it is to be solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,51 +30,79 @@ impl Size {
         needed: &[bool],
         (flow, large): (&[u32], bool),
     ) -> Self {
+        let bodies = bodies(scene, dofs, needed, flow);
         let divided = match scene.controls.solver {
             SolverKind::Auto => {
                 let short = |available| {
-                    memory_of(scene, dofs, needed, false) > FACTOR_MEMORY_SHARE * available
+                    memory(&bodies, dofs.len(), false) > FACTOR_MEMORY_SHARE * available
                 };
-                large || is_large(scene, dofs, needed, flow) || available().is_some_and(short)
+                let quicker = |b: &Body| b.seconds().into_iter().fold(f64::INFINITY, f64::min);
+                let seconds: f64 = bodies.iter().map(quicker).sum();
+                large || seconds > seconds_divided(dofs.len()) || available().is_some_and(short)
             }
             SolverKind::Direct => false,
             SolverKind::Divided => true,
         };
         Self {
             divided,
-            memory: memory_of(scene, dofs, needed, divided),
+            memory: memory(&bodies, dofs.len(), divided),
             kept: kept_unknowns(dofs, needed),
         }
     }
 }
 
-/// Is it certainly better to divide the model than to condense its bodies? Seen from the unknowns that are needed of
-/// its elastic elements each body is dense: more than that its factor cannot be spared.
-fn is_large(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> bool {
-    let vertex_of = dofs.vertices();
-    let bodies = scene.mesh.bodies.iter().map(|body| {
-        let elastic = |e: &usize| flow.binary_search(&(*e as u32)).is_err();
-        let elements = body.elements.clone().filter(elastic);
-        let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e).all());
-        let mut dense: Vec<u32> = equations
-            .filter(|e| *e != FIXED && needed[vertex_of[*e as usize] as usize])
-            .collect();
-        dense.sort_unstable();
-        dense.dedup();
-        let condensing = condensation_work(factor_entries(body.elements.len()));
-        ((dense.len() as f64).powi(3) / 6.0, condensing)
-    });
-    let (dense, condensing) = bodies.fold((0.0, 0.0), |sum, b| (sum.0 + b.0, sum.1 + b.1));
-    seconds_direct(dense, 0.0, condensing) > seconds_divided(dofs.len())
+/// What counts of a body before it is condensed, or left sparse.
+struct Body {
+    elements: usize,
+    /// Unknowns that contact or flow acts on,
+    kept: usize,
+    /// and those among them of elastic elements: seen from there a condensed body is dense.
+    dense: usize,
 }
 
-/// Bytes that a model takes, from runs of 50 to 200 thousand unknowns (within a quarter).
-fn memory_of(scene: &Scene, dofs: &DofMap, needed: &[bool], divided: bool) -> f64 {
-    let unknowns = dofs.len() as f64;
+impl Body {
+    /// Of an iteration with it condensed and sparse.
+    fn seconds(&self) -> [f64; 2] {
+        let condensing = factor_work(factor_entries(self.elements));
+        [
+            seconds_condensed(self.dense, condensing),
+            seconds_sparse(self.elements),
+        ]
+    }
+}
+
+fn bodies(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> Vec<Body> {
+    let vertex_of = dofs.vertices();
+    let kept = |elements: &mut dyn Iterator<Item = usize>| {
+        let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e).all());
+        let mut kept: Vec<u32> = equations
+            .filter(|e| *e != FIXED && needed[vertex_of[*e as usize] as usize])
+            .collect();
+        kept.sort_unstable();
+        kept.dedup();
+        kept.len()
+    };
+    let elastic = |e: &usize| flow.binary_search(&(*e as u32)).is_err();
+    let of = |elements: Range<usize>| Body {
+        elements: elements.len(),
+        kept: kept(&mut elements.clone()),
+        dense: kept(&mut elements.filter(elastic)),
+    };
+    let bodies = scene.mesh.bodies.iter();
+    bodies.map(|body| of(body.elements.clone())).collect()
+}
+
+/// Bytes that a model of so many unknowns takes, from runs of 50 to 200 thousand (within a quarter).
+fn memory(bodies: &[Body], unknowns: usize, divided: bool) -> f64 {
+    let unknowns = unknowns as f64;
     if divided {
         return 6e3 * unknowns;
     }
-    2e3 * unknowns + 14.4 * body_factor_entries(scene) + 1.6 * kept_unknowns(dofs, needed).powi(2)
+    let entries: f64 = bodies.iter().map(|b| factor_entries(b.elements)).sum();
+    let seconds: Vec<_> = bodies.iter().map(Body::seconds).collect();
+    let condensed = (bodies.iter().zip(worth_condensing(&seconds))).filter(|(_, worth)| *worth);
+    let kept: f64 = condensed.map(|(b, _)| b.kept as f64).sum();
+    2e3 * unknowns + 14.4 * entries + 1.6 * kept.powi(2)
 }
 
 /// Unknowns of the needed vertices.
@@ -78,16 +110,4 @@ fn kept_unknowns(dofs: &DofMap, needed: &[bool]) -> f64 {
     let starts = dofs.vertex_start.windows(2).zip(needed);
     let kept: u32 = starts.filter(|(_, n)| **n).map(|(s, _)| s[1] - s[0]).sum();
     f64::from(kept)
-}
-
-/// Entries of the factors of all bodies.
-fn body_factor_entries(scene: &Scene) -> f64 {
-    let bodies = scene.mesh.bodies.iter();
-    bodies.map(|b| factor_entries(b.elements.len())).sum()
-}
-
-/// About how many entries the factor of a compact body has, ordered by METIS (73 million for a cube
-/// of 30 elements a side, 241 million for one of 40).
-fn factor_entries(elements: usize) -> f64 {
-    73e6 * (elements as f64 / 27e3).powf(1.4)
 }

@@ -105,6 +105,9 @@ pub const CORRECTION_TOLERANCE: f64 = 0.05;
 pub const TIGHTEST_CORRECTION: f64 = 1e-12;
 /// The largest. What a factor solves to is exact but for its age;
 pub const LOOSEST_CORRECTION: f64 = 1e-4;
+/// where steel flows, iterations leave more than this themselves until the last few, and solving closer is lost work: a
+/// displaced bearing of 136 thousand unknowns takes 298 iterations instead of 293, and 79 s instead of 94 (1e-2: 324);
+pub const FLOWING_CORRECTION: f64 = 1e-3;
 /// parts of a divided model that are put together leave what hardly resists.
 pub const LOOSEST_DIVIDED_CORRECTION: f64 = 1e-6;
 /// Share of all elements that flow from which a failure is one of the plastic limit, and not of a body that is free.

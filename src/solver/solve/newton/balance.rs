@@ -28,8 +28,9 @@ use crate::solver::solve::newton::violation::{count_statuses, violation, violati
 use crate::solver::solve::observer::{Iteration, Observer};
 use crate::solver::solve::params::{
     CAUTIOUS_SHEAR_RESIDUAL, CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE,
-    ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION,
-    PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
+    FLOWING_CORRECTION, ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION,
+    LOOSEST_DIVIDED_CORRECTION, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, RUNAWAY_EXTENTS,
+    TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
 
@@ -88,8 +89,11 @@ pub fn balance_increment(
         // 1. The correction, as exact as the residual will need it.
         let residual = norm(&evaluation.residual) / reference;
         let begun = *progress.begun.get_or_insert(residual);
-        let tolerance = (CORRECTION_TOLERANCE * controls.residual / residual)
+        let mut tolerance = (CORRECTION_TOLERANCE * controls.residual / residual)
             .clamp(TIGHTEST_CORRECTION, loosest);
+        if !flowing.is_empty() && !model.is_divided() {
+            tolerance = tolerance.max(FLOWING_CORRECTION);
+        }
         let Correction {
             dx,
             directions,

@@ -14,6 +14,7 @@ mod supernode;
 #[cfg(test)]
 pub(super) mod tests;
 mod tree;
+mod triangles;
 
 use super::ordering::{self, Block};
 use super::pages::Pages;
@@ -22,6 +23,7 @@ pub(super) use analysis::{analyse, structure, supernodal_work};
 pub use error::FactorError;
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 pub use number::Number;
+use numeric::order;
 pub(super) use numeric::{numeric, numeric_alone, solve};
 use rayon::prelude::*;
 use scaling::{scale, scaled};
@@ -93,9 +95,26 @@ impl Symbolic {
         Ok(Factor { values, scale })
     }
 
-    /// Solves A x = b in place.
+    /// Solves A x = b in place, on all threads of the pool where that pays.
     pub fn solve<T: Number>(&self, factor: &Factor<T>, x: &mut [f64]) {
-        self.solve_many(factor, x, 1);
+        /// Entries of a factor that are worth several threads.
+        const LEAST_ENTRIES_FOR_THREADS: usize = 1 << 20;
+        let (SymbolicCholeskyRaw::Supernodal(nodes), Some(plan)) =
+            (self.inner.raw(), self.plan.get())
+        else {
+            return self.solve_many(factor, x, 1);
+        };
+        if self.factor_entries() < LEAST_ENTRIES_FOR_THREADS {
+            return self.solve_many(factor, x, 1);
+        }
+        let order = order(&self.inner).iter().map(|e| *e as usize);
+        let mut y: Vec<T> = (order.clone())
+            .map(|e| T::rounded(x[e] * factor.scale[e]))
+            .collect();
+        plan.solve(nodes, &factor.values, &mut y);
+        for (e, y) in order.zip(y) {
+            x[e] = y.widened() * factor.scale[e];
+        }
     }
 
     /// Solves A X = B in place, for `count` columns one after the other, on all threads of the pool.

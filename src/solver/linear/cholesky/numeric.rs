@@ -57,7 +57,7 @@ pub(in crate::solver::linear) fn numeric_alone<T: RealField>(
 }
 
 /// Equations in the order of elimination.
-fn order(symbolic: &sparse::SymbolicCholesky<u32>) -> &[u32] {
+pub(super) fn order(symbolic: &sparse::SymbolicCholesky<u32>) -> &[u32] {
     symbolic.perm().map_or(&[], |p| p.arrays().0)
 }
 

@@ -26,6 +26,7 @@ use super::entries::Entries;
 use super::number::Number;
 use super::supernode::{Pivot, Scratch, Work};
 use super::tree::Tree;
+use super::triangles::Triangles;
 use crate::solver::linear::sparse::Pattern;
 use faer::Par;
 use faer::prelude::ReborrowMut;
@@ -70,6 +71,22 @@ impl Plan {
             values: entries,
         };
         work.factorise(values, rayon::current_num_threads())
+    }
+
+    /// Replaces b by x with L Lᵀ x = b, both in the order of elimination; `values` are those of L.
+    pub(super) fn solve<T: Number>(
+        &self,
+        symbolic: &SymbolicSupernodalCholesky<u32>,
+        values: &[T],
+        x: &mut [T],
+    ) {
+        let tree = &self.tree;
+        let triangles = Triangles {
+            symbolic,
+            tree,
+            values,
+        };
+        triangles.solve(x, rayon::current_num_threads());
     }
 }
 

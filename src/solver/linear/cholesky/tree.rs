@@ -17,8 +17,10 @@ pub(super) struct Tree {
     pub first: Vec<usize>,
     /// how many it has,
     size: Vec<usize>,
-    /// and their work, in multiplications but for a factor.
+    /// their work, in multiplications but for a factor,
     pub work: Vec<f64>,
+    /// and their values.
+    entries: Vec<f64>,
 }
 
 impl Tree {
@@ -45,6 +47,7 @@ impl Tree {
             first: (0..count).collect(),
             size: vec![1; count],
             work: vec![0.0; count],
+            entries: vec![0.0; count],
             begin,
         };
         for s in 0..count {
@@ -60,12 +63,14 @@ impl Tree {
             let height = columns + rows.len();
             let own: f64 = (0..columns).map(|c| ((height - c) as f64).powi(2)).sum();
             tree.work[s] += own;
+            tree.entries[s] += (tree.value[s + 1] - tree.value[s]) as f64;
             let Some(parent) = rows.first().map(|r| owner[*r as usize] as usize) else {
                 tree.roots.push(s);
                 continue;
             };
             tree.children[parent].push(s);
             tree.work[parent] += tree.work[s];
+            tree.entries[parent] += tree.entries[s];
             tree.size[parent] += tree.size[s];
             tree.first[parent] = tree.first[parent].min(tree.first[s]);
         }
@@ -78,36 +83,52 @@ impl Tree {
     }
 
     /// Roots of the subtrees that threads factor by themselves, and the supernodes above them, both ascending.
+    pub fn split(&self, threads: usize) -> (Vec<usize>, Vec<usize>) {
+        let (shares, top) = self.divide(threads, &self.work);
+        let mut subtrees: Vec<usize> = shares.into_iter().flatten().collect();
+        subtrees.sort_unstable();
+        (subtrees, top)
+    }
+
+    /// The same for a solution: of each thread the roots of its subtrees, about even in entries.
+    pub fn shares(&self, threads: usize) -> (Vec<Vec<usize>>, Vec<usize>) {
+        self.divide(threads, &self.entries)
+    }
+
+    /// Roots of subtrees, a list for each thread, and the supernodes above them, ascending; `load` is that of the subtree
+    /// below each supernode.
     ///
     /// From the roots of the whole tree down: as long as the threads have not about the same to do, the heaviest
     /// subtree is opened, which puts its root above and its children in its place (Geist and Ng, Int. J. Parallel
     /// Programming 18 (1989) 291).
-    pub fn split(&self, threads: usize) -> (Vec<usize>, Vec<usize>) {
+    fn divide(&self, threads: usize, load: &[f64]) -> (Vec<Vec<usize>>, Vec<usize>) {
         /// What the busiest thread may have to do above the mean, over all work below the roots.
         const MOST_UNEVEN: f64 = 0.005;
-        let sum = |list: &[usize]| list.iter().map(|s| self.work[*s]).sum::<f64>();
+        let sum = |list: &[usize]| list.iter().map(|s| load[*s]).sum::<f64>();
         let total = sum(&self.roots);
         let (mut subtrees, mut top): (Vec<usize>, Vec<usize>) = (self.roots.clone(), Vec::new());
-        loop {
-            subtrees.sort_by(|a, b| self.work[*b].total_cmp(&self.work[*a]));
-            let mut loads = vec![0.0f64; threads];
+        let shares = loop {
+            subtrees.sort_by(|a, b| load[*b].total_cmp(&load[*a]));
+            let mut shares = vec![(0.0f64, Vec::new()); threads];
             for s in &subtrees {
-                let least = loads.iter_mut().min_by(|a, b| a.total_cmp(b));
-                least.into_iter().for_each(|load| *load += self.work[*s]);
+                let least = shares.iter_mut().min_by(|a, b| a.0.total_cmp(&b.0));
+                if let Some((sum, share)) = least {
+                    *sum += load[*s];
+                    share.push(*s);
+                }
             }
-            let most = loads.into_iter().fold(0.0, f64::max);
+            let most = shares.iter().map(|share| share.0).fold(0.0, f64::max);
             let even = most - sum(&subtrees) / threads as f64 <= MOST_UNEVEN * total;
             let opened = match subtrees.iter().position(|s| !self.is_run(*s)) {
                 Some(scattered) => scattered,
-                None if even => break,
+                None if even => break shares,
                 None => 0,
             };
             let opened = subtrees.remove(opened);
             subtrees.extend(&self.children[opened]);
             top.push(opened);
-        }
-        subtrees.sort_unstable();
+        };
         top.sort_unstable();
-        (subtrees, top)
+        (shares.into_iter().map(|share| share.1).collect(), top)
     }
 }

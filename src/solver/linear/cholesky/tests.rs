@@ -76,6 +76,31 @@ fn threads_do_not_change_the_factor() {
 }
 
 #[test]
+fn subtrees_side_by_side_solve_as_faer_does() {
+    let (pattern, m) = plate(60, held);
+    let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+    let factor = threads(2, || symbolic.factorise::<f64>(&pattern, &m, None).unwrap());
+    let SymbolicCholeskyRaw::Supernodal(nodes) = symbolic.inner.raw() else {
+        panic!("no supernodes");
+    };
+    let b: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
+    let mut expected = b.clone();
+    symbolic.solve_many(&factor, &mut expected, 1);
+    let order = order(&symbolic.inner);
+    for count in [1, 2, 3, 7] {
+        let mut x: Vec<f64> = (order.iter())
+            .map(|e| b[*e as usize] * factor.scale[*e as usize])
+            .collect();
+        let plan = symbolic.plan.get().unwrap();
+        threads(count, || plan.solve(nodes, &factor.values, &mut x));
+        for (e, x) in order.iter().zip(x) {
+            let e = *e as usize;
+            assert!((x * factor.scale[e] - expected[e]).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
 fn single_precision_solves_to_its_own_rounding() {
     let (pattern, mut m) = plate(60, held);
     // Far beyond what single precision can tell from nothing.

@@ -23,22 +23,9 @@ impl Case {
             );
             CaseError::new(ErrorKind::Value, message).help(advice(name, names()))
         })?;
-        self.mesh_by(preset)
-    }
-
-    /// Meshes a bearing by the coarsest mesh of the series that the study and `--target` refine.
-    ///
-    /// # Errors
-    /// As [`set_preset`](Self::set_preset).
-    pub fn set_series(&mut self) -> Result<(), CaseError> {
-        self.mesh_by(Preset::Series)
-    }
-
-    fn mesh_by(&mut self, preset: Preset) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a mesh preset")?;
-        // The coarsest mesh of a series is no preset of users, and all templates have it.
         let offered = bearing.geometry.presets();
-        if !offered.contains(&preset) && preset != Preset::Series {
+        if !offered.contains(&preset) {
             let table = bearing.geometry.table();
             let names = list(offered.iter().map(|preset| preset.name()));
             let message = format!("the preset `{preset}` does not go with [{table}]");

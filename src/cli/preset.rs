@@ -10,7 +10,6 @@ pub fn parser() -> PossibleValuesParser {
             Preset::Auto => "three elements or more across every half-width of contact",
             Preset::H025 => "0.025 in across the lines of contact of a roller of 3 in",
             Preset::H0125 => "half of that",
-            Preset::Series => "the coarsest mesh of a series for convergence",
             Preset::ReportLike => "the uniform coarse mesh of the reference study, to compare with",
         };
         PossibleValue::new(preset.name()).help(help)

@@ -101,7 +101,7 @@ mod tests {
         let mut solid = initial();
         solid.wall = None;
         seen.push(fingerprint(&solid, &request));
-        for preset in [Preset::H025, Preset::H0125, Preset::Series] {
+        for preset in [Preset::H025, Preset::H0125] {
             let request = MeshRequest {
                 preset,
                 ..MeshRequest::default()

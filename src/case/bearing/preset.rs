@@ -17,10 +17,6 @@ pub enum Preset {
     H025,
     /// 0.0125 in across the contact lines.
     H0125,
-    /// The coarsest mesh of the series that [`study`](crate::proof::study) and
-    /// [`target`](crate::product::target) refine: 0.025 in, the grading everywhere the same. No user asks
-    /// for it by name.
-    Series,
     /// The uniform coarse mesh of the reference study, for comparison only.
     ReportLike,
 }
@@ -35,7 +31,6 @@ impl Preset {
             Self::Auto => "auto",
             Self::H025 => "h025",
             Self::H0125 => "h0125",
-            Self::Series => "series",
             Self::ReportLike => "report-like",
         }
     }
@@ -75,6 +70,5 @@ mod tests {
         }
         assert!("h05".parse::<Preset>().is_err());
         assert_eq!(Preset::default(), Preset::Auto);
-        assert!("series".parse::<Preset>().is_err(), "no preset of users");
     }
 }

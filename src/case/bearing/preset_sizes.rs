@@ -18,7 +18,6 @@ pub(super) fn sizes(preset: Preset, geometry: &BearingGeometry, strips: &Strips)
         Preset::Auto => auto::sizes(&roller, auto_own(geometry), strips),
         Preset::H025 => graded(&roller, own(geometry), 0.025 * unit, [2.0, 1.0]),
         Preset::H0125 => graded(&roller, own(geometry), 0.0125 * unit, [3.0, 1.0]),
-        Preset::Series => series(geometry),
         Preset::ReportLike => report_like(geometry),
     }
 }
@@ -87,27 +86,6 @@ pub(super) fn graded(
         sizes.end_size = sizes.end_size.min(radius / 3.0);
     }
     sizes
-}
-
-fn series(geometry: &BearingGeometry) -> Sizes {
-    let roller = geometry.roller();
-    let size = 0.025 * unit(geometry.diameter);
-    let base = graded(&roller, own(geometry), size, [2.0, 1.0]);
-    Sizes {
-        crossing_size: 1.2 * base.crossing_size,
-        growth: 2.25,
-        depth_growth: 2.25,
-        along_growth: 1.8,
-        around_cap: 1.5 * base.around_cap,
-        along_cap: 1.2 * base.along_cap,
-        wall_cap: roller.nominal_wall() * 4.0 / 15.0,
-        plan_cap: 1.5 * base.plan_cap,
-        middle_cap: 1.5 * base.middle_cap,
-        depth_cap: 1.3 * base.depth_cap,
-        wall_least: 4.0,
-        depth_least: 4.0,
-        ..base
-    }
 }
 
 /// Rollers: 24 elements around, 2 through the wall, 0.5 in along; plates: 0.3 in, 3 layers.

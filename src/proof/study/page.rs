@@ -5,6 +5,7 @@ use super::compare;
 use super::member::SolvedMember;
 use super::quantities::ROWS;
 use crate::ground::file::{FileError, write_atomically};
+use crate::product::target::{Figure, Level};
 use crate::render::Summary;
 use crate::render::page::{PageError, insert};
 use crate::render::text::significant;
@@ -59,7 +60,7 @@ fn series(solved: &[SolvedMember]) -> String {
     let mut text = String::new();
     for case in solved {
         let meshes = case.resolved.iter();
-        let columns = meshes.map(|l| (format!("{} unknowns", l.unknowns), Some(&l.summary)));
+        let columns = meshes.map(|level| (name(level), Some(&level.summary)));
         let verdict = match &case.missed {
             None => "The target is met.".to_owned(),
             Some(why) => format!("The target: {why}."),
@@ -84,38 +85,67 @@ fn quantities<'s>(columns: impl Iterator<Item = (String, Option<&'s Summary>)>) 
     text
 }
 
-/// Error against run time.
+/// Of a level, in a heading.
+fn name(level: &Level) -> String {
+    let twin = if level.twin { ", elastic" } else { "" };
+    format!("{} unknowns{twin}", level.unknowns)
+}
+
+/// Error against run time: what each mesh took, and the figure asked for that it knows worst.
 fn cost(solved: &[SolvedMember]) -> String {
     let headings = [
         "case",
-        "unknowns",
-        "figure",
+        "mesh",
+        "known worst",
         "value",
         "± estimate",
-        "change",
         "wall, s",
         "CPU, s",
         "memory, MB",
     ];
     let mut text = head(headings);
+    let mut row = |cells: [String; 8]| text.push_str(&format!("| {} |\n", cells.join(" | ")));
+    let seconds = |s: f64| significant(s, 3);
     for case in solved {
         for level in &case.resolved {
-            for figure in &level.figures {
-                let memory = level.cost.peak_memory_bytes;
-                text.push_str(&format!(
-                    "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-                    case.name,
-                    level.unknowns,
-                    figure.what.name(),
+            let relative = |f: &Figure| f.estimate.map_or(f64::INFINITY, |e| e / f.value.abs());
+            let figures = level.figures.iter();
+            let worst = figures.max_by(|a, b| relative(a).total_cmp(&relative(b)));
+            let [what, value, estimate] = worst.map_or_else(Default::default, |figure| {
+                let estimate = figure.estimate.map(|_| figure.share(figure.estimate));
+                [
+                    figure.what.name().to_owned(),
                     significant(figure.value, DIGITS),
-                    figure.share(figure.estimate),
-                    figure.share(figure.change),
-                    significant(level.cost.wall_s, 3),
-                    significant(level.cost.cpu_s, 3),
-                    memory.map_or_else(|| "-".into(), |b| format!("{:.0}", b as f64 / 1e6)),
-                ));
-            }
+                    estimate.unwrap_or_else(|| "unresolved".to_owned()),
+                ]
+            });
+            let memory = level.cost.peak_memory_bytes;
+            row([
+                case.name.to_owned(),
+                name(level),
+                what,
+                value,
+                estimate,
+                seconds(level.cost.wall_s),
+                seconds(level.cost.cpu_s),
+                memory.map_or_else(|| "-".into(), |b| format!("{:.0}", b as f64 / 1e6)),
+            ]);
         }
+        let sum = |of: fn(&Level) -> f64| seconds(case.resolved.iter().map(of).sum());
+        row([
+            format!("**{}**", case.name),
+            "all".to_owned(),
+            if case.missed.is_none() {
+                "target met".to_owned()
+            } else {
+                "target not met".to_owned()
+            },
+            String::new(),
+            String::new(),
+            sum(|level| level.cost.wall_s),
+            sum(|level| level.cost.cpu_s),
+            String::new(),
+        ]);
     }
     text
 }

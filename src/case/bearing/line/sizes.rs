@@ -29,7 +29,7 @@ pub(super) fn sizes(preset: Preset, geometry: &LineGeometry, strips: &Strips) ->
         }
         Preset::H025 => graded(&roller, own, 0.025 * unit, [2.0, 1.0]),
         Preset::H0125 => graded(&roller, own, 0.0125 * unit, [3.0, 1.0]),
-        Preset::Series | Preset::ReportLike => Sizes {
+        Preset::ReportLike => Sizes {
             growth: 2.25,
             depth_growth: 2.25,
             wall_least: 4.0,

@@ -35,11 +35,15 @@ pub fn worth_condensing(seconds: &[[f64; 2]]) -> Vec<bool> {
     let sum = |of: &dyn Fn(&[f64; 2]) -> f64| seconds.iter().map(of).sum::<f64>();
     let (all, none) = (sum(&|s| s[0]), sum(&|s| s[1]));
     let mixed = sum(&|s| s[0].min(s[1]));
-    let of_each = |[condensed, sparse]: &[f64; 2]| match 2.0 * mixed < all.min(none) {
-        true => condensed <= sparse,
-        false => all <= none,
+    let by_each = 2.0 * mixed < all.min(none);
+    let worth = |[condensed, sparse]: &[f64; 2]| {
+        if by_each {
+            condensed <= sparse
+        } else {
+            all <= none
+        }
     };
-    seconds.iter().map(of_each).collect()
+    seconds.iter().map(worth).collect()
 }
 
 /// Of a divided model.

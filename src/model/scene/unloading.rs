@@ -48,6 +48,11 @@ impl Scene {
         (loaded < last && all(&off)).then_some(loaded)
     }
 
+    /// Do a step and all that follow take the loads off?
+    pub fn unloads(&self, step: usize) -> bool {
+        self.before_unloading().is_some_and(|full| step > full)
+    }
+
     /// The step whose end is reported: the last, or the last before unloading.
     pub fn reported_step(&self) -> usize {
         let last = self.steps.len().saturating_sub(1);

@@ -46,7 +46,7 @@ impl Run<'_, '_> {
         }
         // A load that is taken off opens contact and turns friction round. Half of what was too much at once needs a few
         // iterations, with caution it takes many, and so do all increments that follow.
-        let halves = self.unloads(step) && !smallest && !self.cut;
+        let halves = self.model.scene.unloads(step) && !smallest && !self.cut;
         // Caution with friction does not help where steel gives way.
         if !(self.point.cautious || halves) && (floats || smallest) {
             self.point.cautious = true;

@@ -24,7 +24,7 @@ impl Run<'_, '_> {
     /// What is known in `step` of the flow to come, where loads grow by the share `next` in the next increment.
     pub(super) fn ahead(&self, step: usize, next: f64) -> Ahead {
         let seen = self.beside.elastic.as_ref();
-        if self.unloads(step) {
+        if self.model.scene.unloads(step) {
             Ahead::Less
         } else if seen.is_some_and(|end| end.state.step == step) {
             Ahead::Known

@@ -18,12 +18,6 @@ impl Run<'_, '_> {
         }
     }
 
-    /// Do this step and all that follow take the loads off?
-    pub(super) fn unloads(&self, step: usize) -> bool {
-        let full = self.model.scene.before_unloading();
-        full.is_some_and(|full| step > full)
-    }
-
     /// Where the next increment has to end at the latest.
     pub(super) fn planned_end(&self, step: usize, time: f64) -> f64 {
         let plan = self.beside.plan.iter().filter(|plan| plan.step == step);

@@ -31,7 +31,7 @@ impl Run<'_, '_> {
             self.point.cautious = false;
             self.counters.effort.before_step = self.counters.iterations;
         }
-        let unloads = self.unloads(step);
+        let unloads = self.model.scene.unloads(step);
         if unloads && time == 0.0 && !self.history.is_virgin() {
             self.settle()?;
         }
@@ -103,8 +103,9 @@ impl Run<'_, '_> {
                 }) => return Ok(false),
                 Err(stopped) => {
                     self.counters.effort.given_up += iterations;
-                    if !self.model.spare.is_empty() {
-                        // Perhaps a body is held by contact that was left out.
+                    if !self.model.spare.is_empty() && (!unloads || self.cut) {
+                        // Perhaps a body is held by contact that was left out. As a load is taken off that is the last to
+                        // be thought of.
                         self.expected.contact = f64::INFINITY;
                         self.rebuild(false, None)?;
                     }

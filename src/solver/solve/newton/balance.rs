@@ -152,7 +152,8 @@ pub fn balance_increment(
             return Err(stop(Failure::Cancelled));
         }
         let patient = last.iteration < patience || progress.goes_on();
-        let lost = much_flows(model, &flowing) && progress.is_lost();
+        let unloads = model.scene.unloads(point.step) && !cautious;
+        let lost = (unloads || much_flows(model, &flowing)) && progress.is_lost();
         if lost || !patient || last.iteration >= CONVERGING_ITERATIONS_FACTOR * controls.iterations
         {
             return Err(stop(gave_up(model, point, &evaluation, &last)));

@@ -62,3 +62,18 @@ pub fn factor_entries(elements: usize) -> f64 {
 pub fn factor_work(entries: f64) -> f64 {
     1.7 * entries.powf(4.0 / 3.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_bodies_are_condensed_or_none_unless_a_mixture_is_far_quicker() {
+        assert_eq!(worth_condensing(&[[0.1, 1.0], [0.3, 0.2]]), [true, true]);
+        assert_eq!(
+            worth_condensing(&[[1.0, 0.5], [0.04, 0.06]]),
+            [false, false]
+        );
+        assert_eq!(worth_condensing(&[[0.1, 10.0], [10.0, 0.1]]), [true, false]);
+    }
+}

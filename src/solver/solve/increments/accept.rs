@@ -1,7 +1,7 @@
 //! What an accepted increment leaves.
 
+use crate::model::state::Energy;
 use crate::model::state::turn::{TOO_FAR, largest_turn};
-use crate::model::state::{Energy, State};
 use crate::solver::solve::checkpoint::kept::Kept;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::checkpoint::timers::Phase;
@@ -34,7 +34,6 @@ impl Run<'_, '_> {
             state
         });
         self.counters.timers = timers;
-        self.refuse_far(&state)?;
         self.observer
             .increment(&state)
             .map_err(SolveError::Observer)?;
@@ -47,25 +46,20 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    /// Refuses contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror
-    /// planes leave also turns where the whole only bends.
-    fn refuse_far(&self, state: &State) -> Result<(), SolveError> {
+    /// Contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror planes leave
+    /// also turns where the whole only bends.
+    pub(super) fn turns_far(&self, trial: &Point) -> Option<SolveError> {
         let scene = self.model.scene;
         if scene.contacts.is_empty() || !scene.mirrors.is_empty() {
-            return Ok(());
+            return None;
         }
-        match largest_turn(&scene.mesh, &state.displacement) {
-            Some((body, angle)) if angle > TOO_FAR => Err(SolveError::TurnsFar {
-                step: scene.steps[state.step].name.clone(),
-                percent: if self.last.step == state.step {
-                    100.0 * self.last.time
-                } else {
-                    0.0
-                },
-                body: body.to_owned(),
-                angle,
-            }),
-            _ => Ok(()),
-        }
+        let displacement = self.model.displacement(trial, &self.history.settled);
+        let (body, angle) = largest_turn(&scene.mesh, &displacement)?;
+        (angle > TOO_FAR).then(|| SolveError::TurnsFar {
+            step: scene.steps[trial.step].name.clone(),
+            percent: 100.0 * self.stands(trial.step),
+            body: body.to_owned(),
+            angle,
+        })
     }
 }

@@ -84,6 +84,14 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
+                    if let Some(error) = self.turns_far(&trial) {
+                        // Friction may hold a body in many places: with caution the nearest is found.
+                        if trial.cautious {
+                            return Err(error);
+                        }
+                        self.point.cautious = true;
+                        continue;
+                    }
                     self.accept(trial, &evaluation, target >= 1.0)?;
                     (self.asked, self.held_back) = (false, false);
                     time = target;

@@ -2,7 +2,7 @@
 
 use crate::solver::solve::params::{
     DIRECTIONS_PER_ITERATION, DOUBLE_FACTOR_RATE, FACTORS_PER_ITERATION,
-    ITERATIONS_PER_CONDENSATION, SECONDS_PER_DIVIDED_UNKNOWN, SECONDS_PER_FACTOR_ENTRY,
+    ITERATIONS_PER_CONDENSATION, MIXED_FILL, SECONDS_PER_DIVIDED_UNKNOWN, SECONDS_PER_FACTOR_ENTRY,
     SINGLE_FACTOR_RATE,
 };
 
@@ -29,13 +29,12 @@ pub fn seconds_sparse(elements: usize) -> f64 {
 
 /// Which bodies are to be condensed, where an iteration takes so many seconds of each if it is `[condensed, sparse]`.
 ///
-/// All or none of them, unless a mixture takes less than half of either: beside a condensed body the factor of a sparse
-/// one fills in (a quarter more entries on a displaced bearing of 136 thousand unknowns).
+/// All or none of them, unless a mixture is quicker though beside a condensed body the factor of a sparse one fills in.
 pub fn worth_condensing(seconds: &[[f64; 2]]) -> Vec<bool> {
     let sum = |of: &dyn Fn(&[f64; 2]) -> f64| seconds.iter().map(of).sum::<f64>();
     let (all, none) = (sum(&|s| s[0]), sum(&|s| s[1]));
     let mixed = sum(&|s| s[0].min(s[1]));
-    let by_each = 2.0 * mixed < all.min(none);
+    let by_each = MIXED_FILL * mixed < all.min(none);
     let worth = |[condensed, sparse]: &[f64; 2]| {
         if by_each {
             condensed <= sparse
@@ -69,7 +68,7 @@ mod tests {
 
     #[test]
     fn all_bodies_are_condensed_or_none_unless_a_mixture_is_far_quicker() {
-        assert_eq!(worth_condensing(&[[0.1, 1.0], [0.3, 0.2]]), [true, true]);
+        assert_eq!(worth_condensing(&[[0.1, 1.0], [0.3, 0.25]]), [true, true]);
         assert_eq!(
             worth_condensing(&[[1.0, 0.5], [0.04, 0.06]]),
             [false, false]

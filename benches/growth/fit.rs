@@ -9,12 +9,15 @@ pub const LEAST: f64 = 50e3;
 /// Counts of elements are whole numbers: what is meant to be the least may fall a little short.
 const SHORT: f64 = 0.95;
 
+/// What is read of a run.
+type Reading = Box<dyn Fn(&Record, &Run) -> f64>;
+
 /// Something that grows with the unknowns.
 pub struct Quantity {
     pub name: String,
     /// The exponent that is to be kept.
     pub bound: Option<f64>,
-    value: Box<dyn Fn(&Record, &Run) -> f64>,
+    value: Reading,
 }
 
 /// The exponent of a quantity, with its value at the largest size.

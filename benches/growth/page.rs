@@ -153,9 +153,9 @@ pub fn picture(series: &Series, path: &Path) -> Result<(), Failure> {
             largest(b).total_cmp(&largest(a))
         });
         phases.truncate(DRAWN);
-        let lines = phases.iter().enumerate().map(|(k, phase)| Line {
-            style: legend.len() + k,
-            points: phase.points(rows),
+        let lines = phases.iter().enumerate().map(|(k, phase)| {
+            let style = legend.len() + k;
+            Line::dotted(style, phase.points(rows))
         });
         panels.push(Panel {
             title: format!("longest phases ({}), wall s", model.name()),
@@ -177,10 +177,7 @@ pub fn picture(series: &Series, path: &Path) -> Result<(), Failure> {
 fn panel(quantity: &Quantity, series: &Series) -> Panel {
     let mut lines: Vec<Line> = Vec::new();
     for (style, (_, rows)) in series.iter().enumerate() {
-        lines.push(Line {
-            style,
-            points: quantity.points(rows),
-        });
+        lines.push(Line::dotted(style, quantity.points(rows)));
     }
     // From the first fitted point of the first series on.
     let fitted = lines.first().map(|l| {
@@ -189,10 +186,8 @@ fn panel(quantity: &Quantity, series: &Series) -> Panel {
     });
     if let (Some(bound), Some([first, .., last])) = (quantity.bound, fitted.as_deref()) {
         let end = first.1 * (last.0 / first.0).powf(bound);
-        lines.push(Line {
-            style: series.len(),
-            points: vec![*first, (last.0, end)],
-        });
+        let bound = vec![*first, (last.0, end)];
+        lines.push(Line::smooth(series.len(), bound));
     }
     Panel {
         title: quantity.name.clone(),

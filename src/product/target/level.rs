@@ -66,6 +66,14 @@ impl Figure {
         }
     }
 
+    /// The estimated error over the figure in words, or that there is none.
+    pub fn estimate_in_words(&self) -> String {
+        match self.estimate {
+            None => "unresolved".to_owned(),
+            error => self.share(error),
+        }
+    }
+
     /// What and where, with its error.
     fn in_words(&self) -> String {
         let (what, place) = (self.what.name(), &self.place);
@@ -229,7 +237,6 @@ pub fn table(levels: &[Level]) -> String {
         .figures(["± estimate", "change", "wall s", "CPU s"]);
     for level in levels {
         for figure in &level.figures {
-            let estimate = figure.estimate.map(|_| figure.share(figure.estimate));
             let (number, unknowns) = match figure.of {
                 Some(twin) => (twin.level, twin.unknowns),
                 None => (level.level, level.unknowns),
@@ -243,7 +250,7 @@ pub fn table(levels: &[Level]) -> String {
                 figure.what.name().into(),
                 (&figure.place).into(),
                 Cell::figure(figure.value),
-                estimate.map_or("unresolved".into(), Cell::Text),
+                Cell::Text(figure.estimate_in_words()),
                 figure.share(figure.change).into(),
                 Cell::rough(level.cost.wall_s),
                 Cell::rough(level.cost.cpu_s),

@@ -112,11 +112,10 @@ fn cost(solved: &[SolvedMember]) -> String {
             let figures = level.figures.iter();
             let worst = figures.max_by(|a, b| relative(a).total_cmp(&relative(b)));
             let [what, value, estimate] = worst.map_or_else(Default::default, |figure| {
-                let estimate = figure.estimate.map(|_| figure.share(figure.estimate));
                 [
                     figure.what.name().to_owned(),
                     significant(figure.value, DIGITS),
-                    estimate.unwrap_or_else(|| "unresolved".to_owned()),
+                    figure.estimate_in_words(),
                 ]
             });
             let memory = level.cost.peak_memory_bytes;

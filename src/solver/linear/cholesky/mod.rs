@@ -99,14 +99,11 @@ impl Symbolic {
     pub fn solve<T: Number>(&self, factor: &Factor<T>, x: &mut [f64]) {
         /// Entries of a factor that are worth several threads.
         const LEAST_ENTRIES_FOR_THREADS: usize = 1 << 20;
-        let (SymbolicCholeskyRaw::Supernodal(nodes), Some(plan)) =
-            (self.inner.raw(), self.plan.get())
-        else {
+        let pays = self.factor_entries() >= LEAST_ENTRIES_FOR_THREADS;
+        let plan = self.plan.get().filter(|_| pays);
+        let (SymbolicCholeskyRaw::Supernodal(nodes), Some(plan)) = (self.inner.raw(), plan) else {
             return self.solve_many(factor, x, 1);
         };
-        if self.factor_entries() < LEAST_ENTRIES_FOR_THREADS {
-            return self.solve_many(factor, x, 1);
-        }
         let order = order(&self.inner).iter().map(|e| *e as usize);
         let mut y: Vec<T> = (order.clone())
             .map(|e| T::rounded(x[e] * factor.scale[e]))

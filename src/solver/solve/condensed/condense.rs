@@ -32,8 +32,8 @@ pub struct Condensed {
 
 /// A group, and how its inner unknowns would be eliminated if that is possible and may pay.
 pub struct Candidate {
-    pub group: Group,
-    pub condensing: Option<(Pattern, Condensation)>,
+    group: Group,
+    condensing: Option<(Pattern, Condensation)>,
 }
 
 impl Candidate {

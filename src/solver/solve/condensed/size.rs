@@ -36,8 +36,8 @@ impl Size {
                 let short = |available| {
                     memory(&bodies, dofs.len(), false) > FACTOR_MEMORY_SHARE * available
                 };
-                let quicker = |b: &Body| b.seconds().into_iter().fold(f64::INFINITY, f64::min);
-                let seconds: f64 = bodies.iter().map(quicker).sum();
+                let quicker = |[condensed, sparse]: [f64; 2]| condensed.min(sparse);
+                let seconds: f64 = bodies.iter().map(|b| quicker(b.seconds())).sum();
                 large || seconds > seconds_divided(dofs.len()) || available().is_some_and(short)
             }
             SolverKind::Direct => false,

@@ -6,7 +6,7 @@
 //! S = K_kk − K_ki K_ii⁻¹ K_ik,    g = f_k − K_ki K_ii⁻¹ f_i,    u_i = K_ii⁻¹ (f_i − K_ik u_k)
 //! ```
 //! give the same kept displacements as the whole system: S u_k = g (Guyan 1965; Irons 1965). K_ii is factored once, and
-//! iterations see S only, about a tenth of the unknowns. Bodies of which most nodes are kept are left sparse, and so are all
+//! iterations see S only, about a tenth of the unknowns. Bodies of which most nodes are kept are left sparse, and so are those
 //! where iterations with dense S would take longer than with the sparse factor of the whole (`condensed/cost.rs`): a
 //! displaced bearing of 136 thousand unknowns of which 31 thousand flow takes 1.4 s for a new factor and some directions
 //! with S, 0.9 s without, and 14 s less for condensing.

@@ -1,5 +1,6 @@
 //! What an accepted increment leaves.
 
+use crate::ground::geometry::Vec3;
 use crate::model::state::Energy;
 use crate::model::state::turn::{TOO_FAR, largest_turn};
 use crate::solver::solve::checkpoint::kept::Kept;
@@ -48,16 +49,15 @@ impl Run<'_, '_> {
 
     /// Contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror planes leave
     /// also turns where the whole only bends.
-    pub(super) fn turns_far(&self, trial: &Point) -> Option<SolveError> {
+    pub(super) fn turns_far(&self, step: usize, displacement: &[Vec3]) -> Option<SolveError> {
         let scene = self.model.scene;
         if scene.contacts.is_empty() || !scene.mirrors.is_empty() {
             return None;
         }
-        let displacement = self.model.displacement(trial, &self.history.settled);
-        let (body, angle) = largest_turn(&scene.mesh, &displacement)?;
+        let (body, angle) = largest_turn(&scene.mesh, displacement)?;
         (angle > TOO_FAR).then(|| SolveError::TurnsFar {
-            step: scene.steps[trial.step].name.clone(),
-            percent: 100.0 * self.stands(trial.step),
+            step: scene.steps[step].name.clone(),
+            percent: 100.0 * self.stands(step),
             body: body.to_owned(),
             angle,
         })

@@ -56,14 +56,17 @@ impl Run<'_, '_> {
         end.cautious = trial.cautious;
         if let Ok(evaluation) = &balanced {
             let model = &self.model;
-            let contact = Unforeseen::new(model, &self.history, &self.sights, &end, Ahead::Less);
+            let settled = &self.history.settled;
+            let u = model.displacement(&end, settled);
+            let looked_at = (&end, u.as_slice());
+            let contact =
+                Unforeseen::new(model, &self.history, &self.sights, looked_at, Ahead::Less);
             if contact.is_flow_only() {
-                let settled = &self.history.settled;
-                let shares = |p| {
-                    let u = model.displacement(p, settled);
-                    shares_of_yield(model, settled, (&u, (p.step, p.time)))
+                let shares = |p: &Point, u: &[[f64; 3]]| {
+                    shares_of_yield(model, settled, (u, (p.step, p.time)))
                 };
-                let [now, then] = [trial, &end].map(shares);
+                let now = shares(trial, &model.displacement(trial, settled));
+                let then = shares(&end, &u);
                 unforeseen.flow = flow_to_come(&then);
                 let corners = |element| model.scene.mesh.corners(element as usize);
                 let growth = now.iter().zip(&then).map(|((element, now), (_, then))| {

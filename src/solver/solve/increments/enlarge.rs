@@ -4,6 +4,7 @@
 //! the model is prepared anew: with more contact, after integrating it farther, or with more elements that may flow. If
 //! nothing but flow was missed, and no node of these elements was condensed, it is enough to watch them.
 
+use crate::ground::geometry::Vec3;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::checkpoint::timers::Phase;
 use crate::solver::solve::error::SolveError;
@@ -13,11 +14,15 @@ use crate::solver::solve::working_set::unforeseen::Unforeseen;
 
 impl Run<'_, '_> {
     /// Checks a converged increment: what happens where the model was not prepared for it, now or in the next increment,
-    /// which will be larger by the share `next` of the load.
-    pub(super) fn look(&mut self, trial: &Point, next: f64) -> Unforeseen {
+    /// which will be larger by the share `next` of the load. Also returns the displacements of all nodes.
+    pub(super) fn look(&mut self, trial: &Point, next: f64) -> (Unforeseen, Vec<Vec3>) {
         let (model, history) = (&self.model, &self.history);
         let ahead = self.ahead(trial.step, next);
-        let look = || Unforeseen::new(model, history, &self.sights, trial, ahead);
+        let look = || {
+            let u = model.displacement(trial, &history.settled);
+            let unforeseen = Unforeseen::new(model, history, &self.sights, (trial, &u), ahead);
+            (unforeseen, u)
+        };
         self.counters.timers.time(Phase::Recover, look)
     }
 

@@ -74,7 +74,7 @@ impl Run<'_, '_> {
                             .min(LARGEST_INCREMENT * self.first_increment());
                     }
                     // The working set may have been too small: then this increment is solved once more.
-                    let mut unforeseen = self.look(&trial, self.size / target);
+                    let (mut unforeseen, u) = self.look(&trial, self.size / target);
                     if !self.look_ahead(&mut unforeseen, &trial) {
                         return Ok(false);
                     }
@@ -84,12 +84,14 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
-                    if let Some(error) = self.turns_far(&trial) {
+                    if let Some(error) = self.turns_far(step, &u) {
                         // Friction may hold a body in many places: with caution the nearest is found.
                         if trial.cautious {
                             return Err(error);
                         }
+                        self.counters.effort.given_up += iterations;
                         self.point.cautious = true;
+                        self.size = target - time;
                         continue;
                     }
                     self.accept(trial, &evaluation, target >= 1.0)?;

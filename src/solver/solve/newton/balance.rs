@@ -68,6 +68,7 @@ pub fn balance_increment(
     } else {
         controls.iterations.min(ITERATIONS_BEFORE_CAUTION)
     };
+    let unloads = model.scene.unloads(point.step) && !cautious;
     let loosest = if model.is_divided() && !model.is_soft() {
         LOOSEST_DIVIDED_CORRECTION
     } else {
@@ -152,7 +153,6 @@ pub fn balance_increment(
             return Err(stop(Failure::Cancelled));
         }
         let patient = last.iteration < patience || progress.goes_on();
-        let unloads = model.scene.unloads(point.step) && !cautious;
         let lost = (unloads || much_flows(model, &flowing)) && progress.is_lost();
         if lost || !patient || last.iteration >= CONVERGING_ITERATIONS_FACTOR * controls.iterations
         {

@@ -35,28 +35,27 @@ pub struct Unforeseen {
 }
 
 impl Unforeseen {
-    /// Checks all of the solution `x` of `model`, inner unknowns included; `ahead` says how far flow is to be foreseen.
+    /// Checks all of the solution `x` of `model`, whose displacements of all nodes are `u`; `ahead` says how far flow is to
+    /// be foreseen.
     pub fn new(
         model: &Model,
         history: &History,
         sights: &[Vec<Sight>],
-        x: &Point,
+        (x, u): (&Point, &[[f64; 3]]),
         ahead: Ahead,
     ) -> Self {
-        let settled = &history.settled;
-        let u = model.displacement(x, settled);
         let least = least_gaps(model.rows.iter());
         // A row that was left out is penetrated where the relative displacement exceeds its gap.
-        let beyond = |r: &&ContactRow| r.relative(&u)[0] > r.row.gap;
+        let beyond = |r: &&ContactRow| r.relative(u)[0] > r.row.gap;
         let closing = model.spare.iter().filter(beyond);
         let closing = closing.map(|r| r.row.gap - least[r.pair]);
-        let overlap = Overlap::find(model, sights, &u);
+        let overlap = Overlap::find(model, sights, u);
         let narrow = closed_throughout(model, x).map(|r| r.row.gap - least[r.pair]);
         let contact = closing
             .chain(overlap.left_out)
             .chain(narrow)
             .reduce(f64::max);
-        let (flow, yields) = unexpected_flow(model, settled, (x, &u), ahead);
+        let (flow, yields) = unexpected_flow(model, &history.settled, (x, u), ahead);
         Self {
             approach: overlap.not_integrated,
             contact,

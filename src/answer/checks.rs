@@ -4,7 +4,7 @@ use super::inputs::AnswerInputs;
 use super::named::Named;
 use crate::answer::results::balance::balances;
 use crate::answer::results::interface::Interface;
-use crate::answer::results::levels;
+use crate::answer::results::{levels, load};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use serde::Serialize;
@@ -26,12 +26,8 @@ pub struct Checks {
 }
 
 /// The checks of the answer.
-pub fn checks(
-    solved: &AnswerInputs,
-    measured: &[Interface],
-    load: f64,
-    descent: Option<f64>,
-) -> Checks {
+pub fn checks(solved: &AnswerInputs, measured: &[Interface], load: f64) -> Checks {
+    let descent = load::descent(solved.scene, solved.state);
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
     let passing = levels::passing(solved.scene, solved.state, measured);
     let off = passing.iter().map(|force| (force - load).abs());

@@ -1,8 +1,6 @@
 //! Descent against load.
 
-use crate::answer::results::load;
-use crate::model::scene::Scene;
-use crate::model::state::State;
+use super::steps::StepFigures;
 use serde::Serialize;
 
 /// The end of a step.
@@ -16,15 +14,12 @@ pub struct LoadPoint {
     pub descent: Option<f64>,
 }
 
-/// One point for each of `states`, which are at the ends of steps.
-pub fn points(scene: &Scene, states: &[State]) -> Vec<LoadPoint> {
-    let point = |state: &State| LoadPoint {
-        step: scene
-            .steps
-            .get(state.step)
-            .map_or_else(String::new, |step| step.name.clone()),
-        load: load::applied(scene, state),
-        descent: load::descent(scene, state),
+/// One point for each of the steps.
+pub fn points(steps: &[StepFigures]) -> Vec<LoadPoint> {
+    let point = |step: &StepFigures| LoadPoint {
+        step: step.name.clone(),
+        load: step.load,
+        descent: step.descent,
     };
-    states.iter().map(point).collect()
+    steps.iter().map(point).collect()
 }

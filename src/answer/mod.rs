@@ -36,7 +36,7 @@ pub use unloaded::{DentFigures, Unloaded};
 
 use crate::ground::geometry::{add, sub};
 use crate::model::state::{Energy, Misfit};
-use certify::{Evidence, Figure, Quantity, certify, figure, unresolved};
+use certify::{Contacts, Evidence, Figure, Quantity, Travel, certify, figure, unresolved};
 use results::bore::{BoreStress, bore_stress};
 use results::edges::LoadedEdges;
 use results::hertz::HeaviestLine;
@@ -67,8 +67,10 @@ pub struct Answer {
     pub applied_force: [f64; 3],
     /// The size of that load.
     pub applied_load: f64,
-    /// Travel of what is loaded, along the load.
+    /// Travel of what is loaded, along the load, with what the mesh is likely to miss of it.
     pub descent: Option<f64>,
+    /// That of its nodes.
+    pub descent_of_mesh: Option<f64>,
     /// Largest principal strain by size.
     pub max_strain: Option<f64>,
     /// Every body, in the order of the mesh.
@@ -127,11 +129,17 @@ impl Answer {
         let dents: Vec<_> = (unloaded.iter().flat_map(|unloaded| &unloaded.dents.0))
             .map(|(surface, dent)| (surface.clone(), dent.body.clone(), dent.depth))
             .collect();
+        let contacts = Contacts {
+            interfaces: &measured,
+            lines: &lines,
+        };
+        let travel = Travel::of(scene, state, solved.recovered, contacts);
         let doubled = doubled(solved);
         let certificate = certify(&Evidence {
             scene,
             state,
             recovered: solved.recovered,
+            travel,
             peaks: &peaks,
             interfaces: &measured,
             lines: &lines,
@@ -143,7 +151,8 @@ impl Answer {
             doubled: doubled.as_deref(),
         });
         let load = load::applied(scene, state);
-        let descent = load::descent(scene, state);
+        let descent = travel.map(|travel| travel.value());
+        let steps = steps::steps(solved, &peaks, travel);
         let step = scene.steps.get(state.step);
         let rollers = bores
             .iter()
@@ -153,13 +162,15 @@ impl Answer {
             converged: solved.converged,
             step: step.map_or_else(String::new, |step| step.name.clone()),
             step_done: state.time,
-            steps: steps::steps(solved, &peaks),
+            load_line: load_line::points(&steps),
+            steps,
             plasticity: scene.controls.plasticity
                 && scene.materials.iter().any(|m| !m.is_elastic()),
             elements: scene.mesh.hexes.len(),
             applied_force: load::resultant(scene, state),
             applied_load: load,
             descent,
+            descent_of_mesh: travel.map(|travel| travel.of_mesh),
             max_strain: strain.map(|(value, _)| value),
             bodies: body::bodies(solved, &peaks, &edges),
             interfaces: interface::all(solved, &measured, &lines),
@@ -167,10 +178,9 @@ impl Answer {
             rollers: Named(rollers.collect()),
             balance: checks::balance(scene, state),
             stiffness: descent.filter(|d| *d != 0.0).map(|d| load / d),
-            load_line: load_line::points(scene, solved.steps),
             unloaded,
             energy: state.energy.map(|e| e.times(load::copies(scene))),
-            checks: checks::checks(solved, &measured, load, descent),
+            checks: checks::checks(solved, &measured, load),
             certificate,
         }
     }

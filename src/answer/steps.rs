@@ -3,9 +3,13 @@
 use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
 use super::plane::{PlaneFigures, planes};
+use crate::answer::certify::{Contacts, Travel};
+use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{StatusCounts, interfaces};
 use crate::answer::results::load;
-use crate::answer::results::peaks::{BodyPeaks, Peak, peaks_in};
+use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
+use crate::answer::results::recovery::recover;
 use crate::model::state::State;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -21,7 +25,7 @@ pub struct StepFigures {
     pub force: [f64; 3],
     /// Size of that load.
     pub load: f64,
-    /// Travel of what is loaded, along the load.
+    /// Travel of what is loaded, along the load, with what the mesh is likely to miss of it.
     pub descent: Option<f64>,
     /// The largest of all bodies.
     pub mises_max: Three<Option<f64>>,
@@ -61,20 +65,41 @@ impl StepFigures {
 }
 
 /// One entry for the end of each step that is done, in their order.
-pub fn steps(solved: &AnswerInputs, peaks: &[BodyPeaks]) -> Vec<StepFigures> {
+pub fn steps(
+    solved: &AnswerInputs,
+    peaks: &[BodyPeaks],
+    travel: Option<Travel>,
+) -> Vec<StepFigures> {
     let one = |state: &State| {
         let reported = state.step == solved.state.step && state.time == solved.state.time;
-        step(solved, state, reported.then_some(peaks))
+        step(solved, state, reported.then_some((peaks, travel)))
     };
     solved.steps.iter().map(one).collect()
 }
 
-/// The figures of a step; `reported` are the peaks of the bodies where they are known.
-fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) -> StepFigures {
+/// The figures of a step; `reported` are the peaks of the bodies and the travel where they are known.
+fn step(
+    solved: &AnswerInputs,
+    state: &State,
+    reported: Option<(&[BodyPeaks], Option<Travel>)>,
+) -> StepFigures {
     let scene = solved.scene;
-    let bodies = match reported {
-        Some(peaks) => Cow::from(peaks),
-        None => Cow::from(peaks_in(scene, state)),
+    let measured = interfaces(scene, state);
+    let (bodies, travel) = match reported {
+        Some((peaks, travel)) => (Cow::from(peaks), travel),
+        None => {
+            let recovered = recover(scene, state);
+            let edges = LoadedEdges::find(scene, state);
+            let peaks = peaks(scene, state, &recovered, &edges);
+            let line = |pair| HeaviestLine::find(scene, state, pair, &edges);
+            let lines: Vec<_> = (0..scene.contacts.len()).map(line).collect();
+            let contacts = Contacts {
+                interfaces: &measured,
+                lines: &lines,
+            };
+            let travel = Travel::of(scene, state, &recovered, contacts);
+            (Cow::from(peaks), travel)
+        }
     };
     let largest = |peak: &dyn Fn(usize) -> Option<Peak>| {
         let values = (0..bodies.len()).filter_map(peak).map(|p| p.value);
@@ -88,7 +113,7 @@ fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) ->
         let factor = scene.factor(name, state.step, state.time);
         (name.clone(), factor)
     };
-    let interfaces = interfaces(scene, state).into_iter().map(|i| {
+    let interfaces = measured.into_iter().map(|i| {
         let summary = StepInterface {
             force: i.force,
             max_pressure: i.max_pressure,
@@ -102,7 +127,7 @@ fn step(solved: &AnswerInputs, state: &State, reported: Option<&[BodyPeaks]>) ->
         factors: Named(names.map(factor).collect()),
         force: load::resultant(scene, state),
         load: load::applied(scene, state),
-        descent: load::descent(scene, state),
+        descent: travel.map(|travel| travel.value()),
         mises_max: Three {
             centroid: largest(&|i| bodies[i].centroid),
             integration_point: largest(&|i| bodies[i].integration_point),

@@ -45,7 +45,7 @@ fn h025_balances_yields_and_descends_as_the_study_says() {
     let outcome = run("h025");
     let summary = &outcome.summary;
     check_forces(summary);
-    let descent = summary.answer.descent.expect("a descent");
+    let descent = summary.answer.descent_of_mesh.expect("a descent");
     assert!((0.0105..=0.0113).contains(&descent), "{descent}");
     let bodies = summary.answer.bodies.0.iter();
     let peak = bodies

@@ -5,6 +5,7 @@
 //! ([`energy`]), from readings that tend to the same value (`mises`), and from how well the nodes
 //! resolve the pressure (`pressure`). A bar is meant to hold in 95 of 100 cases.
 
+mod descent;
 pub mod energy;
 mod figure;
 mod increments;
@@ -16,17 +17,15 @@ use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
-use crate::answer::results::load::{applied, copies, descent};
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
-use crate::model::scene::{ContactPair, PlaneMotion, RigidPlane, Scene};
+use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
 use increments::Memory;
 use mises::Strip;
 use pressure::Contact;
-use std::f64::consts::PI;
 
-use figure::figure_of;
+pub use descent::{Contacts, Travel};
 pub use figure::{Errors, Figure, Quantity, figure, unresolved};
 pub use increments::DOUBLING;
 
@@ -39,6 +38,8 @@ pub struct Evidence<'a> {
     pub state: &'a State,
     /// Stresses at nodes and in elements of that state.
     pub recovered: &'a Recovered,
+    /// Of what is loaded, in that state.
+    pub travel: Option<Travel>,
     /// Peaks of every body and scalars of every contact pair, in their orders.
     pub peaks: &'a [BodyPeaks],
     /// Scalars of every contact pair, in their order.
@@ -68,15 +69,14 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         interfaces,
         ..
     } = *evidence;
-    let missing_energy =
-        MARGIN * energy::of_error(scene, state, evidence.recovered) * copies(scene);
     let tilted = scene.rigid_planes.iter().any(RigidPlane::is_turned);
-    let too_stiff = tilted
-        .then(|| too_stiff(evidence, missing_energy))
-        .flatten();
-    let mut claims: Vec<Figure> = descent_claim(evidence, missing_energy)
-        .into_iter()
-        .collect();
+    let contacts = Contacts {
+        interfaces,
+        lines: evidence.lines,
+    };
+    let too_stiff = || descent::too_stiff(scene, state, evidence.recovered, contacts);
+    let too_stiff = tilted.then(too_stiff).flatten();
+    let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     let flowing = mises::claims(
         peaks,
         (evidence.elastic, evidence.elastic_claims),
@@ -117,79 +117,6 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims
 }
 
-/// The smoothed stress is not the true one: of incompatible modes the estimate tends to the error from
-/// below, by a hundredth on problem H.
-const MARGIN: f64 = 1.05;
-
-/// Travel of the loaded plane. A displacement method finds too little of it: the work of the load
-/// on what is missing is the energy of the error. The smoothed stress sees the share of it that it sees of the energy
-/// of the whole solution, which is itself too little by the same share.
-fn descent_claim(evidence: &Evidence, missing_energy: f64) -> Option<Figure> {
-    let Evidence { scene, state, .. } = *evidence;
-    let value = descent(scene, state)?;
-    let load = applied(scene, state);
-    let driven = |m: &PlaneMotion| matches!(m, PlaneMotion::Driven(_));
-    let by_force = !scene.tractions.is_empty()
-        || (scene.rigid_planes.iter()).any(|plane| plane.motion.iter().any(driven));
-    let error = missing(missing_energy / load, value) + unseen_approach(evidence);
-    Some(Figure {
-        error: Errors {
-            // What is prescribed is known.
-            discretisation: match by_force {
-                true => Some(error)
-                    .filter(|error| error.is_finite() && *error <= MOST_MISSING * value.abs()),
-                false => Some(0.0),
-            },
-            ..Errors::default()
-        },
-        note: (!by_force).then_some("prescribed"),
-        ..figure_of(Quantity::Descent, "overall", value)
-    })
-}
-
-/// By which share the mesh is too stiff; `None` where nothing is known of it. What [`descent_claim`] says of a travel holds
-/// of the energy of the whole, whatever a given angle adds to the travel.
-fn too_stiff(evidence: &Evidence, missing_energy: f64) -> Option<f64> {
-    let Evidence {
-        scene,
-        state,
-        recovered,
-        ..
-    } = *evidence;
-    let energy = energy::of_solution(scene, state, recovered) * copies(scene);
-    let unseen = unseen_approach(evidence) * applied(scene, state).abs();
-    let share = (missing(missing_energy, energy) + unseen) / energy;
-    Some(share).filter(|share| share.is_finite() && *share <= MOST_MISSING)
-}
-
-/// What is missing of a travel of which the smoothed stress finds `estimate` missing: the share of the true travel
-/// that the estimate is of the computed one, x / (1 − x) of that. Infinite where all of it would be.
-fn missing(estimate: f64, travel: f64) -> f64 {
-    let share = estimate / travel.abs();
-    match share < 1.0 {
-        true => estimate / (1.0 - share),
-        false => f64::INFINITY,
-    }
-}
-
-/// Of the travel, beyond which nothing is known of it.
-const MOST_MISSING: f64 = 0.5;
-
-/// How much closer bodies come below strips that the mesh is too coarse for. A line load q presses two half
-/// spaces of the compliance C together by 2 q C/π times the logarithm of a length over the half-width a (Johnson,
-/// Contact Mechanics, section 5.6); the mesh has its node spacing for a where that is more. The smoothed stress
-/// knows nothing of it.
-fn unseen_approach(evidence: &Evidence) -> f64 {
-    let pairs = evidence.scene.contacts.iter().zip(evidence.lines);
-    let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
-        let line = line.as_ref()?;
-        let (hertz, compliance) = (line.contact?, evidence.scene.compliance(pair).ok()?);
-        let seen = line.line.heaviest.middle_spacing() / hertz.half_width;
-        Some(2.0 * line.line_load * compliance / PI * seen.ln().max(0.0))
-    };
-    pairs.filter_map(of_pair).sum()
-}
-
 /// What penetration does to a figure: all of it to the descent, and to stresses and pressures the
 /// stress of a strain of penetration over element size.
 fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<f64> {
@@ -222,23 +149,5 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
         | Quantity::HorizontalForce => (peak > 0.0).then(|| claim.value.abs() * stress / peak),
         Quantity::PeakPlasticStrain => Some(strain),
         Quantity::Dent => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// An estimate that is the same share of a computed travel and of the true one finds what is missing whole.
-    #[test]
-    fn what_is_missing_is_a_share_of_the_true_travel() {
-        let truth = 1.0;
-        for share in [0.01, 0.2, 0.4] {
-            let computed = (1.0 - share) * truth;
-            let found = missing(share * computed, computed);
-            assert!((computed + found - truth).abs() < 1e-12, "{share}: {found}");
-        }
-        assert!(missing(1.0, 1.0).is_infinite());
-        assert!(missing(f64::NAN, 1.0).is_infinite());
     }
 }

@@ -52,6 +52,25 @@ fn largest_of(
     best
 }
 
+/// Strain xx yy zz xy yz zx of the displacements, with engineering shears, from natural gradients, positions and
+/// displacements of the corners.
+pub fn strain(
+    gradients: &[[f64; 3]; 8],
+    corners: &[[f64; 3]; 8],
+    moved: &[[f64; 3]; 8],
+) -> [f64; 6] {
+    let e = strain_tensor(gradients, corners, moved);
+    let shears = [e[(0, 1)], e[(1, 2)], e[(2, 0)]].map(|shear| 2.0 * shear);
+    [
+        e[(0, 0)],
+        e[(1, 1)],
+        e[(2, 2)],
+        shears[0],
+        shears[1],
+        shears[2],
+    ]
+}
+
 /// Small-strain tensor from natural gradients, corner positions and corner displacements; zero in
 /// an element without volume.
 fn strain_tensor(

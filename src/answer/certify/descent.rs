@@ -1,0 +1,197 @@
+//! The travel of what is loaded, and how much of it the mesh misses.
+
+use super::energy;
+use super::figure::{Errors, Figure, Quantity, figure_of};
+use crate::answer::results::hertz::HeaviestLine;
+use crate::answer::results::interface::Interface;
+use crate::answer::results::load::{applied, copies, cutting_pair, descent, times};
+use crate::answer::results::recovery::Recovered;
+use crate::model::scene::{PlaneMotion, Scene};
+use crate::model::state::State;
+use std::f64::consts::PI;
+
+/// Of what the smoothed stress finds missing, what is missing: where bodies end nothing is averaged, and the error looks
+/// larger than it is. Measured on bearings (docs/coverage.md).
+const LIKELY: f64 = 0.7;
+
+/// Of the same, how far off that may be.
+const SPREAD: f64 = 0.5;
+
+/// Of the travel, beyond which nothing is known of what is missing.
+const MOST_MISSING: f64 = 0.5;
+
+/// How far what is loaded moves along the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Travel {
+    /// That of the nodes.
+    pub of_mesh: f64,
+    /// What the mesh misses; `None` where it is prescribed and so known.
+    missing: Option<Missing>,
+}
+
+/// What a mesh misses of a travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Missing {
+    /// As the smoothed stress and the strips have it; not a number, or infinite, where they say nothing.
+    estimate: f64,
+    /// Is it known to be missing, and not too much? A load on its way up, on bodies that are not warmed, moves too little.
+    is_less: bool,
+}
+
+impl Travel {
+    /// In `state`, `contacts` being what every pair carries; `None` where nothing loads the scene.
+    ///
+    /// A displacement method finds too little of it: the work of the load on what is missing is the
+    /// [energy of the error](energy::missing_work).
+    pub fn of(
+        scene: &Scene,
+        state: &State,
+        recovered: &Recovered,
+        contacts: Contacts,
+    ) -> Option<Self> {
+        let of_mesh = descent(scene, state)?;
+        let driven = |m: &PlaneMotion| matches!(m, PlaneMotion::Driven(_));
+        let mut planes = scene.rigid_planes.iter();
+        let by_force =
+            !scene.tractions.is_empty() || planes.any(|plane| plane.motion.iter().any(driven));
+        let missing = by_force.then(|| {
+            let energy = energy::missing_work(scene, state, recovered) * copies(scene);
+            let seen = missing(energy / applied(scene, state), of_mesh);
+            Missing {
+                estimate: seen + contacts.unseen_approach(scene) / applied(scene, state),
+                is_less: scene.temperatures.is_empty() && !scene.unloads(state.step),
+            }
+        });
+        Some(Self { of_mesh, missing })
+    }
+
+    /// With what the mesh is likely to miss, where that is known.
+    pub fn value(&self) -> f64 {
+        let missing = self.known().filter(|missing| missing.is_less);
+        self.of_mesh + missing.map_or(0.0, |missing| LIKELY * missing.estimate)
+    }
+
+    /// How far the value may be off; `None` where nothing is known of it.
+    fn error(&self) -> Option<f64> {
+        if self.missing.is_none() {
+            return Some(0.0);
+        }
+        self.known().map(|missing| match missing.is_less {
+            true => SPREAD * missing.estimate.abs(),
+            false => (LIKELY + SPREAD) * missing.estimate.abs(),
+        })
+    }
+
+    fn known(&self) -> Option<Missing> {
+        let most = MOST_MISSING * self.of_mesh.abs();
+        self.missing
+            .filter(|missing| missing.estimate.abs() <= most)
+    }
+}
+
+/// The claim of the travel.
+pub(super) fn claim(travel: Travel) -> Figure {
+    Figure {
+        error: Errors {
+            discretisation: travel.error(),
+            ..Errors::default()
+        },
+        note: travel.missing.is_none().then_some("prescribed"),
+        ..figure_of(Quantity::Descent, "overall", travel.value())
+    }
+}
+
+/// By which share the mesh is too stiff at most; `None` where nothing is known of it. What holds of a [`Travel`] holds
+/// of the energy of the whole, whatever a given angle adds to the travel.
+pub(super) fn too_stiff(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    contacts: Contacts,
+) -> Option<f64> {
+    let of_whole = |energy: f64| energy * copies(scene);
+    let energy = of_whole(energy::of_solution(scene, state, recovered));
+    let work = of_whole(energy::missing_work(scene, state, recovered));
+    let unseen = contacts.unseen_approach(scene).abs();
+    let share = (LIKELY + SPREAD) * (missing(work, energy).abs() + unseen) / energy;
+    Some(share).filter(|share| share.is_finite() && *share <= MOST_MISSING)
+}
+
+/// What is missing of a travel of which the smoothed stress finds `estimate` missing: the share of the true travel
+/// that the estimate is of the computed one, x / (1 − x) of that. Infinite where all of it would be.
+fn missing(estimate: f64, travel: f64) -> f64 {
+    let share = estimate / travel.abs();
+    match share < 1.0 {
+        true => estimate / (1.0 - share),
+        false => f64::INFINITY,
+    }
+}
+
+/// What the contact pairs of a scene carry, in their order.
+#[derive(Debug, Clone, Copy)]
+pub struct Contacts<'a> {
+    /// Forces on the whole.
+    pub interfaces: &'a [Interface],
+    /// The heaviest line of each, where it has lines.
+    pub lines: &'a [Option<HeaviestLine>],
+}
+
+impl Contacts<'_> {
+    /// Work of the forces of the contacts on how much closer bodies come below strips that the mesh is too coarse for.
+    /// A line load q presses two half spaces of the compliance C together by 2 q C/π times the logarithm of a length over
+    /// the half-width a (Johnson, Contact Mechanics, section 5.6); the mesh has its node spacing for a where that is
+    /// more. The smoothed stress knows nothing of it.
+    fn unseen_approach(&self, scene: &Scene) -> f64 {
+        let work = |index: usize| {
+            let (pair, interface) = (scene.contacts.get(index)?, self.interfaces.get(index)?);
+            let line = self.lines.get(index)?.as_ref()?;
+            let (hertz, compliance) = (line.contact?, scene.compliance(pair).ok()?);
+            let seen = line.line.heaviest.middle_spacing() / hertz.half_width;
+            let closer = 2.0 * line.line_load * compliance / PI * seen.ln().max(0.0);
+            // Images of a pair beside a mirror plane carry as much.
+            let images = copies(scene) / times(&cutting_pair(scene, index));
+            Some(closer * interface.normal_force.abs() * images)
+        };
+        (0..scene.contacts.len()).filter_map(work).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An estimate that is the same share of a computed travel and of the true one finds what is missing whole.
+    #[test]
+    fn what_is_missing_is_a_share_of_the_true_travel() {
+        let truth = 1.0;
+        for share in [0.01, 0.2, 0.4] {
+            let computed = (1.0 - share) * truth;
+            let found = missing(share * computed, computed);
+            assert!((computed + found - truth).abs() < 1e-12, "{share}: {found}");
+        }
+        assert!(missing(1.0, 1.0).is_infinite());
+        assert!(missing(f64::NAN, 1.0).is_infinite());
+    }
+
+    #[test]
+    fn what_is_likely_is_added_only_where_the_sign_is_known() {
+        let travel = |estimate: f64, is_less: bool| Travel {
+            of_mesh: 1.0,
+            missing: Some(Missing { estimate, is_less }),
+        };
+        let loaded = travel(0.1, true);
+        assert_eq!(loaded.value(), 1.0 + LIKELY * 0.1);
+        assert_eq!(loaded.error(), Some(SPREAD * 0.1));
+        let unloaded = travel(0.1, false);
+        assert_eq!(unloaded.value(), 1.0);
+        assert_eq!(unloaded.error(), Some((LIKELY + SPREAD) * 0.1));
+        for unknown in [travel(0.6, true), travel(f64::INFINITY, true)] {
+            assert_eq!((unknown.value(), unknown.error()), (1.0, None));
+        }
+        let prescribed = Travel {
+            of_mesh: 1.0,
+            missing: None,
+        };
+        assert_eq!((prescribed.value(), prescribed.error()), (1.0, Some(0.0)));
+    }
+}

@@ -291,7 +291,7 @@ fn away(ours: &Outcome, theirs: &frd::Fields) -> Vec<bool> {
 
 /// The average of a stress at `point` with its images in the planes of symmetry that go through it,
 /// as Brinell averages: shear across such a plane vanishes.
-fn mirrored(scene: &Scene, point: &[f64; 3], mut stress: [f64; 6]) -> [f64; 6] {
+pub fn mirrored(scene: &Scene, point: &[f64; 3], mut stress: [f64; 6]) -> [f64; 6] {
     // Of xx yy zz xy yz zx.
     const ACROSS: [[usize; 2]; 3] = [[3, 5], [3, 4], [4, 5]];
     for axis in scene.mirrors_through(point) {

@@ -9,6 +9,7 @@
 
 mod bearing;
 mod ccx;
+mod convergence;
 mod fields;
 mod frd;
 mod page;
@@ -32,6 +33,8 @@ cargo bench --bench against-calculix -- SCENARIO... [--write] [--repeat N] [--no
   problem-h    which mesh reaches 1 % and 0.3 % on problem H, and at what cost
   slice        problem H extruded to 181 thousand unknowns, elastic
   all          all four
+  centre-convergence, displaced-convergence
+               errors of a bearing against seconds and memory, elastic: presets, targets, CalculiX
   centre-fields, offset-fields
                displacements, reactions and Mises stresses of the exported bearing, node by node;
                fails where they differ by more than is allowed
@@ -69,6 +72,8 @@ impl Options {
 }
 
 const SCENARIOS: [&str; 4] = ["centre", "centre-100k", "problem-h", "slice"];
+/// Error against run time.
+const CONVERGENCE: [&str; 2] = ["centre-convergence", "displaced-convergence"];
 /// What is compared node by node.
 const FIELDS: [&str; 3] = ["centre-fields", "offset-fields", "tie-fields"];
 /// Element sizes of about 100 thousand unknowns, over those of `h0125`.
@@ -110,7 +115,12 @@ fn read_arguments() -> Result<(Options, Vec<&'static str>), String> {
                 options.stiffness = Some(words.next().ok_or(wanted)?);
             }
             "all" => scenarios.extend(SCENARIOS),
-            word => match SCENARIOS.into_iter().chain(FIELDS).find(|s| *s == word) {
+            word => match SCENARIOS
+                .into_iter()
+                .chain(FIELDS)
+                .chain(CONVERGENCE)
+                .find(|s| *s == word)
+            {
                 Some(scenario) => scenarios.push(scenario),
                 None => return Err(format!("`{word}` is not understood\n\n{USAGE}")),
             },
@@ -139,16 +149,30 @@ fn run(options: &Options, scenarios: &[&str]) -> Result<(), String> {
             "centre-fields" => fields::run(options, &folder, &fields::CENTRE)?,
             "offset-fields" => fields::run(options, &folder, &fields::OFFSET)?,
             "tie-fields" => tied::run(&folder)?,
+            "centre-convergence" => converged(options, &folder, &convergence::CENTRE)?,
+            "displaced-convergence" => converged(options, &folder, &convergence::DISPLACED)?,
             _ => slice::run(options, &folder)?,
         };
         println!("\n{tables}");
         if options.write {
-            let page = match FIELDS.contains(scenario) {
-                true => page::CROSS_CHECK,
-                false => page::PERFORMANCE,
+            let page = match *scenario {
+                scenario if FIELDS.contains(&scenario) => page::CROSS_CHECK,
+                scenario if CONVERGENCE.contains(&scenario) => page::CONVERGENCE,
+                _ => page::PERFORMANCE,
             };
             page::write(page, scenario, &format!("{machine}\n\n{tables}"))?;
         }
     }
     Ok(())
+}
+
+/// Tables of a bearing, and its picture where pages are written.
+fn converged(
+    options: &Options,
+    folder: &Path,
+    subject: &convergence::Subject,
+) -> Result<String, String> {
+    let name = format!("docs/images/convergence-{}.svg", subject.bearing);
+    let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    convergence::run(folder, subject, options.write.then_some(picture.as_path()))
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 /// The pages, from the root of the project.
 pub const PERFORMANCE: &str = "docs/performance.md";
+pub const CONVERGENCE: &str = "docs/convergence.md";
 pub const CROSS_CHECK: &str = "docs/cross-check.md";
 
 /// A Markdown table.

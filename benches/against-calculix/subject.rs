@@ -37,10 +37,34 @@ pub fn run(
         command.args(["--threads", &threads, "--quiet"]);
         process::run(&mut command, &out.join("brinell.log"))
     })?;
-    let path = out.join("summary.json");
-    let bytes = std::fs::read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let summary = serde_json::from_slice(&bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+    let summary = read(&out.join("summary.json"))?;
     Ok(Run { cost, summary })
+}
+
+/// Runs `case` to a target into `out`: what all levels cost, and what the last one says.
+///
+/// # Errors
+/// Where the program fails or misses the target.
+pub fn run_levels(
+    case: &Path,
+    out: &Path,
+    more: &[&str],
+    threads: usize,
+) -> Result<(Cost, Value), String> {
+    std::fs::create_dir_all(out).map_err(|e| format!("{}: {e}", out.display()))?;
+    let mut command = command(["run"]);
+    command.arg(case).arg("--out").arg(out).args(more);
+    command.args(["--threads", &threads.to_string(), "--quiet"]);
+    let cost = process::run(&mut command, &out.join("brinell.log"))?;
+    let levels = (0..).map(|level| out.join(format!("level-{level}")).join("summary.json"));
+    let last = levels.take_while(|path| path.exists()).last();
+    let last = last.ok_or("no level wrote a summary")?;
+    Ok((cost, read(&last)?))
+}
+
+fn read(path: &Path) -> Result<Value, String> {
+    let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+    serde_json::from_slice(&bytes).map_err(|e| format!("{}: {e}", path.display()))
 }
 
 impl Run {

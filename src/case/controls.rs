@@ -49,6 +49,9 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     if let Some(field) = table.get("plasticity") {
         controls.plasticity = field.boolean()?.value;
     }
+    if let Some(field) = table.get("half_turn") {
+        controls.half_turn = field.boolean()?.value;
+    }
     if let Some(field) = table.get("element") {
         let name = field.string()?;
         controls.element = match name.value.as_str() {

@@ -294,6 +294,12 @@ pub const CONTROLS: Keys = Keys {
             "false keeps every body elastic",
         ),
         key(
+            "half_turn",
+            "true or false",
+            "true",
+            "of a scene that is its own image under a half turn one half is solved; false solves both",
+        ),
+        key(
             "element",
             "`bbar`, `enhanced` or `full`",
             "`bbar`",

@@ -16,13 +16,19 @@ use std::path::Path;
 pub const PAGE: &str = "docs/convergence.md";
 pub const PICTURE: &str = "docs/images/problem-h.svg";
 
-/// Writes page and picture.
+/// How the part about bearings begins, which `cargo bench --bench against-calculix` writes.
+const BEARINGS: &str = "\n# Bearings\n";
+
+/// Writes page and picture; the part about bearings stays.
 ///
 /// # Errors
 /// Where the picture cannot be drawn or a file cannot be written.
 pub fn write_page(study: &Study, peers: &Peers) -> Result<(), ConvergeError> {
     write(&figure_with_peers(study, peers), Path::new(PICTURE))?;
-    let text = page(study, peers);
+    let old = std::fs::read_to_string(PAGE).unwrap_or_default();
+    // Another command keeps what it measured of bearings there.
+    let bearings = old.find(BEARINGS).map_or("", |at| &old[at..]);
+    let text = page(study, peers) + bearings;
     Ok(write_atomically(Path::new(PAGE), |out| {
         out.write_all(text.as_bytes())
     })?)

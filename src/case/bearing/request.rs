@@ -200,6 +200,7 @@ mod tests {
         let base = MeshRequest::default();
         let scales = Scales {
             contact: 0.5,
+            transition: 0.25,
             round: 0.25,
             along: 0.5,
         };
@@ -213,6 +214,8 @@ mod tests {
         assert_eq!(ratio(|s| s.plan_cap), 0.5);
         assert_eq!(ratio(|s| s.end_size), 0.5);
         assert_eq!(after.along_growth, before.along_growth.sqrt());
+        assert_eq!(after.growth, before.growth.sqrt());
+        assert_eq!(after.depth_growth, before.depth_growth.sqrt());
         let none = base.refined(&scales.part(0.0)).sizes(&initial());
         assert_eq!(none, before);
     }

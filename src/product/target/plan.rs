@@ -38,12 +38,14 @@ pub(super) fn next(
         let old = before.and_then(|level| level.figure_of(figure.goal));
         let own = needed(figure, old, target);
         scales.contact = scales.contact.min(own.contact);
+        scales.transition = scales.transition.min(own.transition);
         scales.round = scales.round.min(own.round);
         scales.along = scales.along.min(own.along);
     }
     let bounded = |scale: f64| if scale > SAME { 1.0 } else { scale.max(LEAST) };
     Scales {
         contact: bounded(scales.contact),
+        transition: bounded(scales.transition),
         round: bounded(scales.round),
         along: bounded(scales.along),
     }
@@ -97,12 +99,12 @@ fn of_figure(goal: Goal, excess: f64) -> Scales {
             ..same
         },
         Goal::Descent => Scales::all(second),
-        Goal::Mises
-        | Goal::ElasticMises
-        | Goal::PlasticStrain
-        | Goal::HalfWidth
-        | Goal::Area
-        | Goal::Certified => Scales {
+        Goal::Mises | Goal::ElasticMises | Goal::PlasticStrain => Scales {
+            contact: second,
+            transition: second,
+            ..same
+        },
+        Goal::HalfWidth | Goal::Area | Goal::Certified => Scales {
             contact: second,
             ..same
         },
@@ -121,6 +123,9 @@ mod tests {
         assert_eq!((bore.round, bore.contact, bore.along), (0.5, 1.0, 1.0));
         let pressure = of_figure(Goal::Pressure, 2.0);
         assert_eq!((pressure.contact, pressure.round), (0.5, 1.0));
+        assert_eq!(pressure.transition, 1.0);
+        let mises = of_figure(Goal::ElasticMises, 4.0);
+        assert_eq!((mises.contact, mises.transition), (0.5, 0.5));
         let little = of_figure(Goal::Descent, 1.2);
         assert!(little.round < 1.0 && little.contact == 1.0);
         let much = of_figure(Goal::Descent, 4.0);

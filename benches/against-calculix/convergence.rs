@@ -26,7 +26,8 @@ pub struct Subject {
     /// Its name there, and of the picture.
     pub bearing: &'static str,
     targets: &'static [&'static str],
-    /// Sizes of CalculiX's meshes, over those of `h025`.
+    /// Of CalculiX's meshes: the preset, and their sizes over those of it.
+    preset: &'static str,
     scales: [f64; 4],
     /// First increment of the load there, and the share of the descent that its closing step makes by motion.
     increment: &'static str,
@@ -36,7 +37,8 @@ pub struct Subject {
 pub const CENTRE: Subject = Subject {
     bearing: "centre",
     targets: &["10%", "5%", "3%", "2%", "1%"],
-    scales: [1.4, 1.0, 0.71, 0.5],
+    preset: "h0125",
+    scales: [2.0, 1.5, 1.2, 1.0],
     increment: "1",
     closing: Some(0.9),
 };
@@ -45,7 +47,8 @@ pub const CENTRE: Subject = Subject {
 pub const DISPLACED: Subject = Subject {
     bearing: "displaced",
     targets: &["10%", "5%", "3%", "2%"],
-    scales: [1.9, 1.5, 1.2, 1.0],
+    preset: "h025",
+    scales: [2.4, 1.9, 1.5, 1.2],
     increment: "0.25",
     closing: None,
 };
@@ -186,7 +189,8 @@ fn peer(
     let path = folder.join("case.toml");
     let text = std::fs::read_to_string(case).map_err(|e| format!("{}: {e}", case.display()))?;
     let more = format!(
-        "\n[mesh]\npreset = \"h025\"\nscale = {scale}\n[controls]\nelement = \"full\"\nplasticity = false\n"
+        "\n[mesh]\npreset = \"{}\"\nscale = {scale}\n[controls]\nelement = \"full\"\nplasticity = false\n",
+        subject.preset
     );
     std::fs::write(&path, text + &more).map_err(|e| format!("{}: {e}", path.display()))?;
     let ours = solved(&path, folder)?;
@@ -201,7 +205,7 @@ fn peer(
     let run = ccx::run(folder, "case", ours.scene.mesh.points.len(), 2, 1)?;
     let values = theirs(&ours, &run.fields)?;
     Ok(Row {
-        name: format!("CalculiX, `h025` times {scale}"),
+        name: format!("CalculiX, `{}` times {scale}", subject.preset),
         unknowns: run.equations as f64,
         cost: run.cost,
         errors: std::array::from_fn(|k| Some(values[k] / truths[k].value - 1.0)),

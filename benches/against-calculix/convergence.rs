@@ -113,13 +113,8 @@ pub fn run(folder: &Path, subject: &Subject, picture: Option<&Path>) -> Result<S
         }
     }
     for scale in subject.scales {
-        match peer(
-            subject,
-            &path,
-            &folder.join(scale.to_string()),
-            scale,
-            &truths,
-        ) {
+        let own_folder = folder.join(scale.to_string());
+        match peer(subject, &path, &own_folder, scale, &truths) {
             Ok(row) => keep(row),
             Err(error) => println!("CalculiX, {scale}: {error}"),
         }
@@ -160,11 +155,10 @@ fn case_file(subject: &Subject, folder: &Path) -> Result<PathBuf, String> {
 fn own(name: String, cost: Cost, summary: &Value, truths: &[Truth; 4]) -> Row {
     let claims = summary["certificate"].as_array();
     let claim = |(_, kinds, place): (&str, &[&str], &str)| {
-        let mut of_kinds = kinds.iter().filter_map(|kind| {
+        kinds.iter().find_map(|kind| {
             let is = |c: &&Value| c["what"] == *kind && c["where"] == place;
             claims?.iter().find(is)
-        });
-        of_kinds.next()
+        })
     };
     let claims = SHOWN.map(claim);
     let share = |key: &str, k: usize| Some(claims[k]?[key].as_f64()? / truths[k].value);

@@ -117,8 +117,7 @@ impl Answer {
         let edges = LoadedEdges::find(scene, state);
         let peaks = peaks(scene, state, solved.recovered, &edges);
         let measured = interfaces(scene, state);
-        let line = |pair| HeaviestLine::find(scene, state, pair, &edges);
-        let lines: Vec<Option<HeaviestLine>> = (0..measured.len()).map(line).collect();
+        let lines = HeaviestLine::of_pairs(scene, state, &edges);
         let bores: Vec<(String, BoreStress)> = (solved.bores.iter())
             .map(|bore| {
                 let stress = bore_stress(scene, state, solved.recovered, bore);

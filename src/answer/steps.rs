@@ -91,8 +91,7 @@ fn step(
             let recovered = recover(scene, state);
             let edges = LoadedEdges::find(scene, state);
             let peaks = peaks(scene, state, &recovered, &edges);
-            let line = |pair| HeaviestLine::find(scene, state, pair, &edges);
-            let lines: Vec<_> = (0..scene.contacts.len()).map(line).collect();
+            let lines = HeaviestLine::of_pairs(scene, state, &edges);
             let contacts = Contacts {
                 interfaces: &measured,
                 lines: &lines,

@@ -65,6 +65,12 @@ impl Departure {
 const MERGED: f64 = 0.9;
 
 impl HeaviestLine {
+    /// That of every contact pair, in their order; `None` where a pair has no lines.
+    pub fn of_pairs(scene: &Scene, state: &State, edges: &LoadedEdges) -> Vec<Option<Self>> {
+        let find = |pair| Self::find(scene, state, pair, edges);
+        (0..scene.contacts.len()).map(find).collect()
+    }
+
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
         let axis = Slices::equal(scene, pair, 1)?.axis;

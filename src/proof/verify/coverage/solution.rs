@@ -47,6 +47,8 @@ pub struct SolvedBearing {
     pub strips: BTreeMap<String, StripMesh>,
     /// Largest plastic strain of every body.
     pub flow: BTreeMap<String, f64>,
+    /// That of the nodes.
+    pub descent_of_mesh: Option<f64>,
     pub unknowns: usize,
     pub cpu_s: f64,
 }
@@ -108,6 +110,7 @@ pub fn solve(
         flow: (summary.answer.bodies.0.iter())
             .map(|(name, body)| (name.clone(), body.peeq_max))
             .collect(),
+        descent_of_mesh: summary.answer.descent_of_mesh,
         unknowns: summary.counters.dofs,
         cpu_s: meter.stop().cpu_s,
     })

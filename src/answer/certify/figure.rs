@@ -8,7 +8,7 @@ use std::borrow::Cow;
 /// A figure and what it is worth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// Such as "peak Mises, nodal".
+    /// Such as "peak Mises".
     pub what: Quantity,
     /// Body or interface; "overall" for the scene.
     pub place: String,
@@ -185,10 +185,10 @@ impl Quantity {
     pub fn name(self) -> &'static str {
         match self {
             Self::Descent => "descent",
-            Self::PeakMises => "peak Mises, nodal",
-            Self::MisesAway => "Mises away from edges, nodal",
-            Self::ElasticPeakMises => "peak Mises, elastic, nodal",
-            Self::ElasticMisesAway => "Mises away from edges, elastic, nodal",
+            Self::PeakMises => "peak Mises",
+            Self::MisesAway => "Mises away from edges",
+            Self::ElasticPeakMises => "peak Mises, elastic",
+            Self::ElasticMisesAway => "Mises away from edges, elastic",
             Self::PeakPlasticStrain => "peak plastic strain",
             Self::PeakPressure => "peak pressure",
             Self::HertzPressure => "Hertz's p0 of the line load",

@@ -1,9 +1,12 @@
 //! How the Mises stress is around the node with the largest one: what tells whether the mesh resolves it.
 
+use super::curvature::{Curvature, curvature};
 use super::hex::GaussRule;
 use super::recovery::Recovered;
 use super::tensor::mises;
+use crate::ground::geometry::Vec3;
 use crate::model::mesh::Body;
+use crate::model::scene::Scene;
 use crate::model::state::State;
 
 /// How the Mises stress is around a node with the largest one.
@@ -17,30 +20,34 @@ pub struct Around {
     /// Of a peak away from loaded edges, where one of these elements reaches beside an edge: by how much the largest
     /// nodal value there is above that of the node. Zero elsewhere.
     pub border: f64,
+    /// What is between the nodal value and the stress itself.
+    pub curvature: Curvature,
 }
 
-/// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which nodes are beside an edge.
+/// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which places are beside an edge.
 pub(super) fn around(
-    body: &Body,
+    (scene, body): (&Scene, &Body),
     state: &State,
     recovered: &Recovered,
     rule: &GaussRule,
     (node, peak): (usize, f64),
-    is_beside: impl Fn(usize) -> bool,
+    is_beside: impl Fn(&Vec3) -> bool,
 ) -> Around {
     let node_of = |point: u32| recovered.points.node[point as usize] as usize;
-    let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
-    for element in body.elements.clone() {
+    let at_node = |element: usize| {
         let points = &recovered.points.cells[element];
-        let Some(corner) = points.iter().position(|point| node_of(*point) == node) else {
-            continue;
-        };
-        let at_node = mises(&rule.extrapolate(&state.stress[element])[corner]);
+        let corner = points.iter().position(|point| node_of(*point) == node)?;
+        Some((element, corner))
+    };
+    let elements: Vec<(usize, usize)> = body.elements.clone().filter_map(at_node).collect();
+    let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
+    for (element, corner) in &elements {
+        let at_node = mises(&rule.extrapolate(&state.stress[*element])[*corner]);
         extrapolated = extrapolated.max(at_node);
-        for point in points {
+        for point in &recovered.points.cells[*element] {
             let value = recovered.mises_nodal[*point as usize];
             smallest = smallest.min(value);
-            if is_beside(node_of(*point)) {
+            if is_beside(&scene.mesh.points[node_of(*point)]) {
                 beside = beside.max(value);
             }
         }
@@ -49,5 +56,6 @@ pub(super) fn around(
         jump: extrapolated - peak,
         fall: peak - smallest,
         border: beside - peak,
+        curvature: curvature(scene, recovered, &elements, is_beside),
     }
 }

@@ -9,6 +9,7 @@ pub mod bore;
 pub mod contact_lines;
 pub mod dent;
 pub mod depth;
+pub mod curvature;
 pub mod edges;
 pub mod ending;
 pub mod fillet;

@@ -125,9 +125,8 @@ pub fn peaks(
         let nodal = nodal[index];
         let around = |peak: &Peak, is_beside: &dyn Fn(&[f64; 3]) -> bool| match peak.place {
             Place::Node(node) => {
-                let of_node = |node: usize| is_beside(&mesh.points[node]);
                 let peak = (node, peak.value);
-                around(body, state, recovered, &rule, peak, of_node)
+                around((scene, body), state, recovered, &rule, peak, is_beside)
             }
             _ => Around::default(),
         };

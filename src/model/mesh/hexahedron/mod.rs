@@ -7,6 +7,6 @@ mod numbering;
 mod orientation;
 mod trilinear;
 
-pub use numbering::{CORNERS, EDGES, FACES, faces_of, mirrored, side_of};
+pub use numbering::{CORNERS, EDGES, FACES, NEIGHBOURS, faces_of, mirrored, side_of};
 pub(super) use orientation::{Orientation, edge_lengths, orientation, scaled_jacobians};
 pub use trilinear::{GAUSS, jacobian_matrix, shape, shape_derivatives, volume};

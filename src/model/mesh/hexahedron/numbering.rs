@@ -40,7 +40,7 @@ pub const FACES: [[usize; 4]; 6] = [
 
 /// The three neighbours of each corner, ordered so that a sound element has positive triple
 /// products of the edges towards them.
-pub(super) const NEIGHBOURS: [[usize; 3]; 8] = [
+pub const NEIGHBOURS: [[usize; 3]; 8] = [
     [1, 3, 4],
     [2, 0, 5],
     [3, 1, 6],

@@ -106,6 +106,40 @@ fn stresses_are_not_averaged_across_bodies_that_share_nodes() {
     }
 }
 
+/// A uniaxial stress that is a parabola in x: at the node of the peak the average is above it by 2 c h²/12, which is found;
+/// and so is how much higher its vertex is. On a mirror plane half of it tells as much.
+#[test]
+fn averages_at_nodes_overshoot_a_parabola_by_a_twelfth_of_its_curvature() {
+    let (fall, size) = (40.0, 0.3);
+    for (x, mirrors, vertex) in [
+        (vec![-0.6, -0.3, 0.0, 0.3, 0.6], vec![], 0.05),
+        (vec![0.0, 0.3, 0.6], vec![0], 0.0),
+    ] {
+        let mut mesh = Mesh::default();
+        add_block(&mut mesh, "block", [&x, &[0.0, 1.0], &[0.0, 1.0]], |p| p);
+        let scene = Scene {
+            mirrors,
+            ..Scene::bare("parabola", mesh, stack().materials[0])
+        };
+        let mut state = State {
+            stress: vec![[[0.0; 6]; 8]; scene.mesh.hexes.len()],
+            peeq: vec![[0.0; 8]; scene.mesh.hexes.len()],
+            ..State::default()
+        };
+        let stress = |x: f64| 100.0 - fall * (x - vertex).powi(2);
+        fill_stress(&scene, &mut state, |p| {
+            [0.0, 0.0, stress(p[0]), 0.0, 0.0, 0.0]
+        });
+        let recovered = recover(&scene, &state);
+        let found = peaks(&scene, &state, &recovered, &LoadedEdges::default());
+        let (peak, around) = (found[0].nodal.unwrap(), found[0].around);
+        assert_eq!(peak.at[0], 0.0);
+        close(around.curvature.overshoot, fall * size * size / 6.0);
+        close(peak.value - around.curvature.overshoot, stress(0.0));
+        close(1.0 + around.curvature.vertex, 1.0 + 100.0 - stress(0.0));
+    }
+}
+
 #[test]
 fn peaks_are_found_per_body_and_ties_go_to_the_lowest_index() {
     let scene = stack();

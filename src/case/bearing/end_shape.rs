@@ -27,6 +27,11 @@ impl RollerEnd {
         }
     }
 
+    /// Does the profile drop all along the roller?
+    pub fn is_crowned(self) -> bool {
+        matches!(self, Self::Crown(_) | Self::CrownedRadius { .. })
+    }
+
     /// How far the profile of a roller of `length` and `radius` lies below the cylinder at the
     /// distance `along` from its middle.
     ///

@@ -2,7 +2,6 @@
 
 use super::geometry::LineGeometry;
 use crate::case::bearing::auto;
-use crate::case::bearing::end_shape::RollerEnd;
 use crate::case::bearing::layout::Layout;
 use crate::case::bearing::preset::Preset;
 use crate::case::bearing::preset_sizes::{graded, unit};
@@ -14,19 +13,7 @@ pub(super) fn sizes(preset: Preset, geometry: &LineGeometry, strips: &Strips) ->
     let (roller, own) = (geometry.roller(), own(geometry));
     let unit = unit(geometry.diameter);
     match preset {
-        Preset::Auto => {
-            let sizes = auto::sizes(&roller, own, strips);
-            Sizes {
-                along_cap: match geometry.end {
-                    // A crown changes all along the roller.
-                    RollerEnd::Crown(_) | RollerEnd::CrownedRadius { .. } => {
-                        geometry.length / 2.0 / 10.0
-                    }
-                    _ => sizes.along_cap,
-                },
-                ..sizes
-            }
-        }
+        Preset::Auto => auto::sizes(&roller, own, strips),
         Preset::H025 => graded(&roller, own, 0.025 * unit, [2.0, 1.0]),
         Preset::H0125 => graded(&roller, own, 0.0125 * unit, [3.0, 1.0]),
         Preset::ReportLike => Sizes {

@@ -140,7 +140,8 @@ mod tests {
     /// where some of it is added. Of another order they do not agree.
     #[test]
     fn the_descent_is_told_by_two_series() {
-        let on = |error: f64, order: f64| [1.4f64, 1.0].map(|h| 10.0 * (1.0 - error * h.powf(order)));
+        let on =
+            |error: f64, order: f64| [1.4f64, 1.0].map(|h| 10.0 * (1.0 - error * h.powf(order)));
         let truth = |pair: MeshPair| pair.truth(DESCENT, "overall", &BTreeMap::new()).unwrap();
         let nodes = truth(pair([(DESCENT_OF_MESH, on(0.01, 2.0))]));
         assert!((nodes.value - 10.0).abs() < 0.005 && nodes.uncertainty > 0.05);

@@ -1,7 +1,7 @@
 //! Do the bars hold? A sample of the bearings that `brinell verify --suite coverage` solves.
 
 use brinell::proof::verify::coverage::{
-    BarVerdict, Bearing, CoverageRun, Keep, References, Set, Tally,
+    BarVerdict, Bearing, CoverageAnswer, CoverageRun, Keep, References, Set, Tally,
 };
 use brinell::solver::solve::Silent;
 
@@ -15,14 +15,12 @@ const SAMPLE: [&str; 6] = [
     "displaced",
 ];
 
-/// At least nine of ten of the claims that can be decided: a bar is one of 95 in 100, of which six
-/// bearings are a small sample.
-#[test]
-fn bars_hold_on_a_sample() {
+/// Elastic bearings of a set on a preset, beside their true values.
+fn measured(set: Set, bearings: &[&str], preset: &str) -> CoverageAnswer {
     let mut suite = CoverageRun {
-        sets: vec![Set::Named],
-        only: SAMPLE.map(str::to_owned).to_vec(),
-        presets: vec!["h025".into()],
+        sets: vec![set],
+        only: bearings.iter().map(|name| (*name).to_owned()).collect(),
+        presets: vec![preset.into()],
         plastic: false,
         keep: Keep::default(),
         observer: &mut Silent,
@@ -31,6 +29,25 @@ fn bars_hold_on_a_sample() {
     let answer = suite.measure().expect("is solved");
     assert!(answer.unsolved.is_empty(), "{:?}", answer.unsolved);
     assert!(answer.unknown.is_empty(), "{:?}", answer.unknown);
+    answer
+}
+
+/// Facets as long as a sixth of half the roller cut its crown off: the line load was 3.3 % too large, the descent 1.7 %.
+#[test]
+fn auto_follows_the_crown_of_a_roller() {
+    let answer = measured(Set::Drawn(1), &["seed-1-04"], "auto");
+    let line_loads = (answer.records.iter()).filter(|r| r.reading.what == "line_load");
+    assert_eq!(line_loads.count(), 4);
+    for record in &answer.records {
+        assert_ne!(record.verdict, BarVerdict::Missed, "{record:?}");
+    }
+}
+
+/// At least nine of ten of the claims that can be decided: a bar is one of 95 in 100, of which six
+/// bearings are a small sample.
+#[test]
+fn bars_hold_on_a_sample() {
+    let answer = measured(Set::Named, &SAMPLE, "h025");
     let missed = answer
         .records
         .iter()

@@ -16,7 +16,9 @@ pub enum NoHalfTurn {
     #[error("nodes hang on edges or faces of larger elements")]
     Hanging,
     /// A body has no image.
-    #[error("no body as large, as far from mid-height and of the same steel is the image of `{body}`")]
+    #[error(
+        "no body as large, as far from mid-height and of the same steel is the image of `{body}`"
+    )]
     Body {
         /// The body.
         body: String,

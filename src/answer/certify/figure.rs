@@ -110,7 +110,7 @@ pub fn figure<'f>(figures: &'f [Figure], what: Quantity, place: &str) -> Option<
 pub enum Quantity {
     /// Travel of what loads the scene, along the load.
     Descent,
-    /// Largest nodal Mises stress of a body.
+    /// Largest nodal Mises stress of a body; below a strip that the mesh resolves, less what extrapolation overshoots by.
     PeakMises,
     /// Where that lies at a loaded edge: the largest away from such edges.
     MisesAway,

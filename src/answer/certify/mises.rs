@@ -63,10 +63,11 @@ const BESIDE: f64 = 0.5;
 /// Peak Mises stress of every body; where it has yielded also its peak plastic strain and the peak
 /// of the elastic solution.
 ///
-/// The nodal peak is claimed, below a strip that the mesh resolves less what extrapolation overshoots by. It and that of element centres tend to the same value from different
-/// sides of the error: extrapolation to nodes overshoots by the curvature of the stress over an
-/// element, while a centre lies close to it; the largest value at an integration point overshoots
-/// most; the elements that meet at a node differ by what none of them resolves. These differences are the
+/// The nodal peak is claimed; below a strip that the mesh resolves, less what extrapolation overshoots by. It and
+/// that of element centres tend to the same value from different sides of the error: extrapolation to nodes
+/// overshoots by the curvature of the stress over an element, while a centre lies close to it; the largest value at
+/// an integration point overshoots most; the elements that meet at a node differ by what none of them resolves. These
+/// differences are the
 /// estimate, the largest of them. Beside a loaded edge there is none, and the peak away
 /// from such edges is claimed, too; where it lies next to what is left out, the stress there counts in place of that of
 /// element centres.

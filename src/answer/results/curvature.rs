@@ -5,7 +5,7 @@
 //! these, of an element as long as h, is above a stress of the second derivative f'' by -f'' h²/12 at the ends of the
 //! element. So are averages at nodes, below a peak above it. The second derivative is that of the averages themselves.
 
-use super::recovery::Recovered;
+use super::recovery::{Recovered, mirrored};
 use super::tensor::mises;
 use crate::ground::geometry::{Vec3, dot, norm, sub};
 use crate::model::mesh::hexahedron::NEIGHBOURS;
@@ -64,7 +64,7 @@ pub(super) fn curvature(
 }
 
 /// The lines through a point from neighbour to neighbour, straight but for a little. On a mirror plane a neighbour off the
-/// plane is its own opposite.
+/// plane has its own image as opposite.
 fn lines(
     scene: &Scene,
     recovered: &Recovered,
@@ -83,15 +83,12 @@ fn lines(
         }
     }
     let towards = |point: u32| sub(at(point), centre);
-    let is_mirrored = |neighbour: u32| {
+    let mirror = |neighbour: u32| {
         let to = towards(neighbour);
         let mut mirrors = scene.mirrors_through(&centre);
-        mirrors.any(|axis| to[axis].abs() > -OPPOSITE * norm(to))
+        mirrors.find(|axis| to[*axis].abs() > -OPPOSITE * norm(to))
     };
     let opposite = |neighbour: u32, with: &[u32]| {
-        if is_mirrored(neighbour) {
-            return Some(neighbour);
-        }
         let mut others = neighbours.keys().filter(|other| !with.contains(other));
         let (only, more) = (others.next()?, others.next());
         let (a, b) = (towards(neighbour), towards(*only));
@@ -99,11 +96,20 @@ fn lines(
         // Each pair once.
         (more.is_none() && straight && neighbour < *only).then_some(*only)
     };
+    let stress = |point: u32| recovered.nodal_stress[point as usize];
     let line = |(neighbour, with): (&u32, &Vec<u32>)| {
-        let both = [*neighbour, opposite(*neighbour, with)?];
+        let own = stress(*neighbour);
+        let (other, image) = match mirror(*neighbour) {
+            Some(axis) => (*neighbour, mirrored(own, axis)),
+            None => {
+                let other = opposite(*neighbour, with)?;
+                (other, stress(other))
+            }
+        };
+        let both = [*neighbour, other];
         let counts = both.iter().all(|point| !is_beside(&at(*point)));
         counts.then(|| Line {
-            stress: both.map(|point| recovered.nodal_stress[point as usize]),
+            stress: [own, image],
             length: both.map(|point| norm(towards(point))),
         })
     };

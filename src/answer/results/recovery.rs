@@ -132,6 +132,14 @@ fn nodal_average(
     sum
 }
 
+/// A stress as the mirror plane across `axis` shows it.
+pub(super) fn mirrored(mut stress: [f64; 6], axis: usize) -> [f64; 6] {
+    for shear in SHEARS[axis] {
+        stress[shear] = -stress[shear];
+    }
+    stress
+}
+
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }

@@ -29,12 +29,17 @@ pub fn see_gaps(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
             nodes.for_each(|at| bend[at] = bend[at].max(off));
         }
     }
+    // A row weighs the gaps of all facets about its node: what one of them bends, as over the beginning of a fillet, may
+    // overlap in the next.
     let mut sagitta = vec![0.0f64; field.nodes.len()];
+    for sight in sights {
+        let nodes = sight.carrier.0.into_iter().filter_map(place);
+        nodes.for_each(|at| sagitta[at] = sagitta[at].max(sight.sagitta));
+    }
     for (sight, gap) in sights.iter().zip(&gaps) {
         let nodes = || sight.carrier.0.into_iter().filter_map(place);
-        nodes().for_each(|at| sagitta[at] = sagitta[at].max(sight.sagitta));
-        let bend = nodes().map(|at| bend[at]).fold(0.0, f64::max);
-        let explained = RIM_OVERLAP * (sight.sagitta + bend);
+        let of = |share: &[f64]| nodes().map(|at| share[at]).fold(0.0, f64::max);
+        let explained = RIM_OVERLAP * (of(&sagitta) + of(&bend));
         field.penetration = field.penetration.max(-gap);
         field.unexplained = field.unexplained.max(-gap - explained);
     }

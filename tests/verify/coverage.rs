@@ -43,6 +43,14 @@ fn auto_follows_the_crown_of_a_roller() {
     }
 }
 
+/// Where a facet of the plate lies over the beginning of a fillet, a row balances what opens there against what overlaps before
+/// it: the mesh explains that.
+#[test]
+fn auto_may_be_relied_upon_at_fillets() {
+    let answer = measured(Set::Named, &["fillet-small"], "auto");
+    assert!(!answer.records.is_empty());
+}
+
 /// At least nine of ten of the claims that can be decided: a bar is one of 95 in 100, of which six
 /// bearings are a small sample.
 #[test]

@@ -53,6 +53,13 @@ impl ClaimRecord {
     }
 }
 
+/// What an ordinary run claims, judged.
+pub struct Measured {
+    pub records: Vec<ClaimRecord>,
+    /// See [`SolvedBearing`].
+    pub beyond_limits: Vec<String>,
+}
+
 /// A claim holds if the value is within bar and uncertainty of the true one.
 pub fn judge(reading: &ClaimReading, truth: Option<Truth>) -> BarVerdict {
     let Some(bar) = reading.bar else {
@@ -81,7 +88,7 @@ pub fn measure(
     (stored, scatter): (&Stored, &BTreeMap<String, f64>),
     keep: &Keep,
     observer: &mut dyn Observer,
-) -> Result<Vec<ClaimRecord>, JobError> {
+) -> Result<Measured, JobError> {
     let mut case = if elastic {
         bearing.twin()?
     } else {
@@ -106,7 +113,10 @@ pub fn measure(
             cpu_s: solved.cpu_s,
         }
     };
-    Ok(solved.readings.iter().map(record).collect())
+    Ok(Measured {
+        records: solved.readings.iter().map(record).collect(),
+        beyond_limits: solved.beyond_limits,
+    })
 }
 
 /// The true value of what `reading` is about. Elastic peaks of a run that yields are those of the twin;

@@ -95,7 +95,7 @@ fn worst(records: &[ClaimRecord]) -> String {
     text
 }
 
-/// The page. `unsolved` says of the runs that failed why, `unknown` counts bearings without reference.
+/// The page. `unsolved` says of the runs that failed, or are beyond a limit, why, `unknown` counts bearings without reference.
 pub fn page(
     records: &[ClaimRecord],
     sets: &[Set],
@@ -114,7 +114,7 @@ pub fn page(
     let failed: String = unsolved.iter().map(|text| format!("- {text}\n")).collect();
     let failed = match failed.is_empty() {
         true => String::new(),
-        false => format!("\nNot solved:\n\n{failed}"),
+        false => format!("\nNot solved, or not to be relied upon:\n\n{failed}"),
     };
     format!(
         "# Do the bars hold?\n\n\

@@ -39,7 +39,7 @@ pub struct CoverageRun<'a> {
 #[derive(Debug, Default)]
 pub struct CoverageAnswer {
     pub records: Vec<ClaimRecord>,
-    /// Runs that failed, and why.
+    /// Runs that failed or are beyond a limit of every run, and why.
     pub unsolved: Vec<String>,
     /// Bearings without stored true values.
     pub unknown: Vec<String>,
@@ -133,9 +133,13 @@ impl CoverageRun<'_> {
                     let truths = (stored, &scatter);
                     let keep = &self.keep;
                     match measure::measure(&bearing, preset, elastic, truths, keep, self.observer) {
-                        Ok(records) => {
-                            (self.say)(&line(&name, &records));
-                            answer.records.extend(records);
+                        Ok(measured) => {
+                            (self.say)(&line(&name, &measured.records));
+                            let beyond = measured.beyond_limits.into_iter();
+                            answer
+                                .unsolved
+                                .extend(beyond.map(|limit| format!("{name}: {limit}")));
+                            answer.records.extend(measured.records);
                         }
                         Err(JobError::Interrupted) => {
                             answer.interrupted = true;

@@ -49,6 +49,8 @@ pub struct SolvedBearing {
     pub flow: BTreeMap<String, f64>,
     /// That of the nodes.
     pub descent_of_mesh: Option<f64>,
+    /// Limits of every run that it does not keep to, in words.
+    pub beyond_limits: Vec<String>,
     pub unknowns: usize,
     pub cpu_s: f64,
 }
@@ -110,6 +112,7 @@ pub fn solve(
         flow: (summary.answer.bodies.0.iter())
             .map(|(name, body)| (name.clone(), body.peeq_max))
             .collect(),
+        beyond_limits: outcome.missed_limits(case),
         descent_of_mesh: summary.answer.descent_of_mesh,
         unknowns: summary.counters.dofs,
         cpu_s: meter.stop().cpu_s,

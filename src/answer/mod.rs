@@ -201,6 +201,14 @@ impl Answer {
         away.or(peak)
     }
 
+    /// Share that Hertz's pressure of the lines of an interface may be off by: as the certificate has it, or, where it has
+    /// none, half of the share of the line load, with whose root it goes.
+    pub fn hertz_pressure_bar(&self, interface: &str) -> Option<f64> {
+        let share = |what| self.figure(what, interface)?.relative_bar();
+        let of_load = || Some(0.5 * share(Quantity::LineLoad)?);
+        share(Quantity::HertzPressure).or_else(of_load)
+    }
+
     /// The figures of which nothing can be said, and that nothing is said in place of.
     pub fn unresolved(&self) -> Vec<&Figure> {
         unresolved(&self.certificate)

@@ -1,6 +1,5 @@
 //! How much of what the steel can take is used: figure, limit, share and its error.
 
-use crate::answer::certify::Quantity;
 use crate::render::summary::{SizedPatch, Summary};
 use crate::render::text::significant;
 
@@ -88,7 +87,7 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
     for line in &sizing.lines {
         let Some(limit) = line.limit else { continue };
         let (at, unit) = (significant(line.across, 3), &summary.units.length);
-        let doubt = doubt_of_line(summary, &line.interface);
+        let doubt = summary.answer.hertz_pressure_bar(&line.interface);
         all.push(Utilisation {
             what: "Hertz p0 under the largest line load".to_string(),
             place: format!("{}, line at {at} {unit}", line.interface),
@@ -100,14 +99,6 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
         });
     }
     all
-}
-
-/// Share that Hertz's pressure of the lines of an interface may be off by: as the certificate has it, or, where steel has
-/// yielded below, half of the share of the line load, with whose root it goes.
-fn doubt_of_line(summary: &Summary, interface: &str) -> Option<f64> {
-    let share = |what| summary.answer.figure(what, interface)?.relative_bar();
-    let of_load = || Some(0.5 * share(Quantity::LineLoad)?);
-    share(Quantity::HertzPressure).or_else(of_load)
 }
 
 fn patches(summary: &Summary) -> Vec<Utilisation> {

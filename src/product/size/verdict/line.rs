@@ -3,7 +3,6 @@
 use super::check::{LimitCheck, LimitKind};
 use super::limits::Limits;
 use super::standing::Standing;
-use crate::answer::certify::Quantity;
 use crate::render::Summary;
 use crate::render::summary::SizedLine;
 
@@ -17,9 +16,8 @@ pub fn checks(limits: &Limits, summary: &Summary) -> Vec<LimitCheck> {
 
 fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
     let limit = limits.pressure;
-    // p0 goes with the root of the load per length.
-    let load = summary.answer.figure(Quantity::LineLoad, &line.interface);
-    let error = load.and_then(|load| Some(0.5 * line.hertz_pressure * load.bar()? / load.value));
+    let share = summary.answer.hertz_pressure_bar(&line.interface);
+    let error = share.map(|share| share * line.hertz_pressure);
     let mut remarks = Vec::new();
     let at_edge = line.from_end <= AT_THE_END * limits.radius;
     if at_edge {

@@ -82,8 +82,8 @@ fn moved_and_claimed([usual, fine]: [Summary; 2], least: f64) -> Vec<(f64, f64)>
 }
 
 /// Source: the same in smaller increments. What moves is at most twice what is claimed, and the claim four times
-/// what moves, in seven of ten figures (three of four when this was written): flow that begins corner by corner is not smooth,
-/// and a difference may vanish by chance.
+/// what moves, in three of four figures: flow that begins corner by corner is not smooth, and a difference may vanish
+/// by chance.
 #[test]
 fn increments_move_what_is_claimed_for_them() {
     let scenes = [
@@ -103,7 +103,7 @@ fn increments_move_what_is_claimed_for_them() {
     let within = |&&(moved, claimed): &&(f64, f64)| (0.5 * moved..=4.0 * moved).contains(&claimed);
     let held = all.iter().filter(within).count();
     println!("{held} of {}", all.len());
-    assert!(all.len() >= 40 && 10 * held >= 7 * all.len());
+    assert!(all.len() >= 40 && 4 * held >= 3 * all.len());
 }
 
 /// The same of friction alone, which remembers how contact grew: the displaced bearing, elastic. A companion of one

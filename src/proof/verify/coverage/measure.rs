@@ -54,7 +54,7 @@ impl ClaimRecord {
 }
 
 /// What an ordinary run claims, judged.
-pub struct Measured {
+pub struct JudgedRun {
     pub records: Vec<ClaimRecord>,
     /// See [`SolvedBearing`].
     pub beyond_limits: Vec<String>,
@@ -88,7 +88,7 @@ pub fn measure(
     (stored, scatter): (&Stored, &BTreeMap<String, f64>),
     keep: &Keep,
     observer: &mut dyn Observer,
-) -> Result<Measured, JobError> {
+) -> Result<JudgedRun, JobError> {
     let mut case = if elastic {
         bearing.twin()?
     } else {
@@ -113,7 +113,7 @@ pub fn measure(
             cpu_s: solved.cpu_s,
         }
     };
-    Ok(Measured {
+    Ok(JudgedRun {
         records: solved.readings.iter().map(record).collect(),
         beyond_limits: solved.beyond_limits,
     })

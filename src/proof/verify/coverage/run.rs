@@ -133,13 +133,12 @@ impl CoverageRun<'_> {
                     let truths = (stored, &scatter);
                     let keep = &self.keep;
                     match measure::measure(&bearing, preset, elastic, truths, keep, self.observer) {
-                        Ok(measured) => {
-                            (self.say)(&line(&name, &measured.records));
-                            let beyond = measured.beyond_limits.into_iter();
-                            answer
-                                .unsolved
-                                .extend(beyond.map(|limit| format!("{name}: {limit}")));
-                            answer.records.extend(measured.records);
+                        Ok(run) => {
+                            (self.say)(&line(&name, &run.records));
+                            let beyond = run.beyond_limits.iter();
+                            let beyond = beyond.map(|limit| format!("{name}: {limit}"));
+                            answer.unsolved.extend(beyond);
+                            answer.records.extend(run.records);
                         }
                         Err(JobError::Interrupted) => {
                             answer.interrupted = true;

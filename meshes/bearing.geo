@@ -37,6 +37,8 @@ DefineConstant[
   // Element size along a roller where the other one crosses, and at its ends.
   CrossingSize = {0.1, Name "Mesh/Size at the crossing"}
   EndSize = {0.15, Name "Mesh/Size at the roller ends"}
+  // A line of nodes at that distance from loaded ends; 0: none.
+  EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2, Name "Mesh/Growth across"}
   DepthGrowth = {2, Name "Mesh/Growth into the depth"}
@@ -76,6 +78,8 @@ Whole = (Full || !Centred);
 AxisHeight = MiddleThickness / 2 + Offset * Tan(Slope) + Radius / Cos(Slope);
 VLine = Offset + Radius * Sin(Slope);
 FlatFace = AxisHeight + Radius;
+// Of elements where the stress of a loaded edge ceases to count, at EdgeReach from it.
+BesideEnd = Min(EndSize, EdgeReach / 2) * AlongGrowth;
 
 sp_uniform = Uniform;
 
@@ -238,11 +242,23 @@ ElseIf (Uniform)
   sp_at[] = {-RollerLength / 2, 0, RollerLength / 2};
   sp_size[] = {EndSize, CrossingSize, EndSize};
 Else
-  sp_at[] = {-RollerLength / 2, Offset, RollerLength / 2};
-  sp_size[] = {EndSize, CrossingSize, EndSize};
+  sp_at[] = {-RollerLength / 2};
+  sp_size[] = {EndSize};
+  If (EdgeReach > 0)
+    sp_at[] += -RollerLength / 2 + EdgeReach;
+    sp_size[] += BesideEnd;
+  EndIf
+  sp_at[] += Offset;
+  sp_size[] += CrossingSize;
+  If (EdgeReach > 0)
+    sp_at[] += RollerLength / 2 - EdgeReach;
+    sp_size[] += BesideEnd;
+  EndIf
+  sp_at[] += RollerLength / 2;
+  sp_size[] += EndSize;
 EndIf
-sp_fine[] = {1, 1, 1};
-sp_least[] = {1, 1};
+sp_fine[] = {1, 1, 1, 1, 1};
+sp_least[] = {1, 1, 1, 1};
 If (Centred)
   sp_least[] = {AlongLeast, AlongLeast};
 EndIf
@@ -312,17 +328,25 @@ For Plate In {0 : 1}
     EndIf
     sp_at[] += -Far;
     sp_size[] += EndSize;
+    If (EdgeReach > 0)
+      sp_at[] += -Far + EdgeReach;
+      sp_size[] += BesideEnd;
+    EndIf
   EndIf
   sp_at[] += Uniform ? 0 : Offset;
   sp_size[] += CrossingSize;
+  If (EdgeReach > 0)
+    sp_at[] += Far - EdgeReach;
+    sp_size[] += BesideEnd;
+  EndIf
   sp_at[] += Far;
   sp_size[] += EndSize;
   If (Outside)
     sp_at[] += PlanAlong / 2;
     sp_size[] += sp_any;
   EndIf
-  sp_fine[] = {1, 1, 1, 1, 1};
-  sp_least[] = {1, 1, 1, 1};
+  sp_fine[] = {1, 1, 1, 1, 1, 1, 1};
+  sp_least[] = {1, 1, 1, 1, 1, 1};
   Call Spacing;
   Along[] = sp_node[];
 
@@ -404,18 +428,23 @@ For Direction In {0 : 1}
     sp_at[] = {-Plan / 2, 0, VLine};
     sp_size[] = {sp_any, sp_any, PlateSize};
     sp_fine[] = {1, 1, FineElements};
+    Far = Outside ? RollerLength / 2 : Plan / 2;
+    If (EdgeReach > 0)
+      sp_at[] += Far - EdgeReach;
+      sp_size[] += BesideEnd;
+      sp_fine[] += 1;
+    EndIf
+    sp_at[] += Far;
+    sp_size[] += EndSize;
+    sp_fine[] += 1;
     If (Outside)
-      sp_at[] += {RollerLength / 2, Plan / 2};
-      sp_size[] += {EndSize, sp_any};
-      sp_fine[] += {1, 1};
-    Else
       sp_at[] += Plan / 2;
-      sp_size[] += EndSize;
+      sp_size[] += sp_any;
       sp_fine[] += 1;
     EndIf
     Ridge = 1;
   EndIf
-  sp_least[] = {1, 1, 1, 1};
+  sp_least[] = {1, 1, 1, 1, 1};
   Call Spacing;
   Index[] = {0};
   If (Whole)

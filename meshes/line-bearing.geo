@@ -33,6 +33,8 @@ DefineConstant[
   FineLayers = {3, Name "Mesh/Fine layers"}
   // Element size along a roller at its ends.
   EndSize = {10, Name "Mesh/Size at the roller ends"}
+  // A line of nodes at that distance from loaded ends; 0: none.
+  EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2.5, Name "Mesh/Growth across"}
   DepthGrowth = {2.5, Name "Mesh/Growth into the depth"}
@@ -66,6 +68,8 @@ Mesh.Binary = 1;
 Radius = Diameter / 2;
 Solid = (Wall <= 0);
 Half = Pi * Radius;
+// Of elements where the stress of a loaded edge ceases to count, at EdgeReach from it.
+BesideEnd = Min(EndSize, EdgeReach / 2) * AlongGrowth;
 sp_uniform = 0;
 
 // --- rollers ---------------------------------------------------------------------------------
@@ -87,15 +91,30 @@ EndFor
 // Along the axis: refined at the ends.
 sp_cap = AlongCap;
 sp_growth = AlongGrowth;
-If (MirrorY)
-  sp_at[] = {0, RollerLength / 2};
-  sp_size[] = {sp_any, EndSize};
-Else
-  sp_at[] = {-RollerLength / 2, 0, RollerLength / 2};
-  sp_size[] = {EndSize, sp_any, EndSize};
+sp_at[] = {};
+sp_size[] = {};
+sp_least[] = {};
+If (!MirrorY)
+  sp_at[] += -RollerLength / 2;
+  sp_size[] += EndSize;
+  If (EdgeReach > 0)
+    sp_at[] += -RollerLength / 2 + EdgeReach;
+    sp_size[] += BesideEnd;
+    sp_least[] += 1;
+  EndIf
+  sp_least[] += AlongLeast;
 EndIf
-sp_fine[] = {1, 1, 1};
-sp_least[] = {AlongLeast, AlongLeast};
+sp_at[] += 0;
+sp_size[] += sp_any;
+sp_least[] += AlongLeast;
+If (EdgeReach > 0)
+  sp_at[] += RollerLength / 2 - EdgeReach;
+  sp_size[] += BesideEnd;
+  sp_least[] += 1;
+EndIf
+sp_at[] += RollerLength / 2;
+sp_size[] += EndSize;
+sp_fine[] = {1, 1, 1, 1, 1};
 Call Spacing;
 ro_c[] = sp_node[];
 
@@ -278,15 +297,25 @@ For Plate In {0 : 1}
     EndIf
     sp_at[] += -Far;
     sp_size[] += EndSize;
+    If (EdgeReach > 0)
+      sp_at[] += -Far + EdgeReach;
+      sp_size[] += BesideEnd;
+    EndIf
   EndIf
-  sp_at[] += {0, Far};
-  sp_size[] += {sp_any, EndSize};
+  sp_at[] += 0;
+  sp_size[] += sp_any;
+  If (EdgeReach > 0)
+    sp_at[] += Far - EdgeReach;
+    sp_size[] += BesideEnd;
+  EndIf
+  sp_at[] += Far;
+  sp_size[] += EndSize;
   If (Outside)
     sp_at[] += PlateY / 2;
     sp_size[] += sp_any;
   EndIf
-  sp_fine[] = {1, 1, 1, 1, 1};
-  sp_least[] = {1, 1, 1, 1};
+  sp_fine[] = {1, 1, 1, 1, 1, 1, 1};
+  sp_least[] = {1, 1, 1, 1, 1, 1};
   Call Spacing;
   sl_y[] = sp_node[];
   sl_iy[] = {0, #sl_y[] - 1};

@@ -7,6 +7,7 @@ use brinell::case::bearing::{
     gmsh_parameters, rescale, shape_roller_ends,
 };
 use brinell::model::mesh::{Mesh, gmsh, msh};
+use brinell::model::scene::EDGE_REACH;
 
 fn initial() -> BearingGeometry {
     BearingGeometry {
@@ -314,6 +315,36 @@ fn displaced_bearings_are_whole() {
         check(&fine, &geometry, true, true);
         let coarse = mesh(&geometry, &request(Preset::ReportLike));
         check(&coarse, &geometry, false, true);
+    }
+}
+
+/// Beside ends that carry, in every body that ends there, a plane of nodes as far from the end as its stress counts.
+#[test]
+fn a_plane_of_nodes_parts_loaded_ends_from_the_rest() {
+    let geometry = displaced(2.5);
+    let end = 0.5 * geometry.length;
+    let beside = end - EDGE_REACH * geometry.length;
+    let mesh = mesh(&geometry, &request(Preset::H025));
+    for (body, axes) in [
+        ("upper_plate", vec![1]),
+        ("upper_roller", vec![1]),
+        ("intermediate_plate", vec![0, 1]),
+        ("lower_roller", vec![0]),
+        ("lower_plate", vec![0]),
+    ] {
+        let nodes = nodes(&mesh, body);
+        for axis in axes {
+            let at = |place: f64| {
+                let on = |p: &&[f64; 3]| (p[axis] - place).abs() < 1e-9;
+                nodes.iter().filter(on).count()
+            };
+            assert!(at(end) > 0, "{body}");
+            assert_eq!(at(beside), at(end), "{body}");
+            // The valley of the other roller has but one such end.
+            if body != "intermediate_plate" {
+                assert_eq!(at(-beside), at(-end), "{body}");
+            }
+        }
     }
 }
 

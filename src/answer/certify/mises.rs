@@ -241,6 +241,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
             nodal,
             centroid,
             around,
+            is_on_border,
         } = read;
         let is_next_to_edge = around.border > 0.0;
         // The centres that count are then farther from the edge than the node is.
@@ -253,9 +254,9 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         };
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
         let share = strip.map_or(1.0, |strip| strip.share(&nodal.at));
-        // Away from a loaded edge it matters more how near to it nodes lie.
+        // Elsewhere away from a loaded edge it matters more how near to it nodes lie.
         let corrected = strip
-            .filter(|_| body.away.is_none())
+            .filter(|_| body.away.is_none() || is_on_border)
             .map_or(0.0, |strip| strip.resolves(share));
         let Curvature { overshoot, vertex } = around.curvature;
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
@@ -297,6 +298,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         nodal,
         centroid,
         around: body.around,
+        is_on_border: false,
     };
     match body.away {
         None => vec![claim(peak, whole, at_points)],

@@ -8,23 +8,33 @@ use std::collections::BTreeMap;
 
 use super::fillet;
 use super::hex::distance;
+use crate::ground::geometry::{dot, sub, unit};
 use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::{ContactPair, Scene};
+use crate::model::scene::{ContactPair, EDGE_REACH, Scene};
 use crate::model::state::State;
 
 /// The loaded edges of a state. A fillet that the mesh does not resolve is one, too.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LoadedEdges {
-    /// Nodes on boundaries of contact surfaces that are in contact, and how far the stress of the edge
-    /// reaches: a fiftieth of the contact surface, and no less than the face there is long.
-    nodes: Vec<([f64; 3], f64)>,
+    nodes: Vec<EdgeNode>,
     /// Of each contact pair the largest pressure that may be at a fillet and that the mesh does not show;
     /// zero where there is none.
     unseen: Vec<f64>,
 }
 
-/// Of the size of a contact surface.
-const REACH: f64 = 0.02;
+/// A node on the boundary of a contact surface that is in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct EdgeNode {
+    at: [f64; 3],
+    /// Of the surface there; unit length.
+    normal: [f64; 3],
+    /// How far the stress of the edge reaches along the surface, and as far below it: a fiftieth of the shorter of both
+    /// contact surfaces, and no less than the face there is long.
+    reach: f64,
+}
+
+/// Nodes that a mesh puts where an edge ceases to reach are no longer near it, by rounding or a roller a little askew.
+const SLACK: f64 = 0.01;
 
 impl LoadedEdges {
     /// Finds the loaded edges of every contact pair; edges on mirror planes, and on flat ends that
@@ -45,14 +55,20 @@ impl LoadedEdges {
                 let at = field.nodes.binary_search(node).ok()?;
                 field.is_active(at).then(|| field.pressure[at])
             };
-            edges.add(scene, (pair, surface), |nodes| {
+            let [_, other] = scene.contacts[pair].carrier_first();
+            let other = other.surface(&scene.mesh);
+            let extents = [Some(surface), other].into_iter().flatten();
+            let extents = extents.map(|surface| longest_side(scene, surface));
+            let whole = EDGE_REACH * extents.fold(f64::INFINITY, f64::min);
+            edges.add(scene, (pair, surface), whole, |nodes| {
                 largest(nodes.iter().filter_map(of))
             });
             // Where the other surface ends or begins to curve, the carrier may go on.
-            let [_, other] = scene.contacts[pair].carrier_first();
-            if let Some(other) = other.surface(&scene.mesh) {
+            if let Some(other) = other {
                 let pressed = Pressed::new(scene, surface, of);
-                edges.add(scene, (pair, other), |nodes| pressed.at(&scene.mesh, nodes));
+                edges.add(scene, (pair, other), whole, |nodes| {
+                    pressed.at(&scene.mesh, nodes)
+                });
             }
         }
         edges
@@ -64,6 +80,7 @@ impl LoadedEdges {
         &mut self,
         scene: &Scene,
         (pair, surface): (usize, &Surface),
+        whole: f64,
         pressure: impl Fn(&[u32]) -> Option<f64>,
     ) {
         let mesh = &scene.mesh;
@@ -71,7 +88,6 @@ impl LoadedEdges {
         let boundary = boundary_nodes(scene, surface);
         let on_boundary = |node: &u32| boundary.binary_search(node).is_ok();
         let fillets = fillet::beginnings(mesh, surface);
-        let whole = REACH * whole_extent(scene, surface);
         for face in &surface.faces {
             for k in 0..4 {
                 let side = [face.nodes[k], face.nodes[(k + 1) % 4]];
@@ -84,10 +100,20 @@ impl LoadedEdges {
                     continue;
                 }
                 self.unseen[pair] = self.unseen[pair].max(unseen.unwrap_or(0.0));
-                let corners = face.corners(mesh);
-                let reach = distance(corners[0], corners[2]).max(whole);
-                self.nodes
-                    .extend(side.map(|n| (mesh.points[n as usize], reach)));
+                let Some(normal) = unit(face.area_vector(mesh)) else {
+                    continue;
+                };
+                let mut corners = face.corners(mesh);
+                corners.rotate_left(k);
+                let [a, b, c, d] = corners;
+                // A face that is longer belongs to its edge as a whole.
+                let is_longer = distance(a, d).max(distance(b, c)) > (1.0 + SLACK) * whole;
+                let reach = if is_longer { distance(a, c) } else { whole };
+                self.nodes.extend(side.map(|n| EdgeNode {
+                    at: mesh.points[n as usize],
+                    normal,
+                    reach,
+                }));
             }
         }
     }
@@ -124,7 +150,32 @@ impl LoadedEdges {
     ///
     /// The edge may be that of the other body: its end presses a singularity into this one too.
     pub fn are_near(&self, at: &[f64; 3]) -> bool {
-        (self.nodes.iter()).any(|(edge, reach)| distance(*edge, *at) <= *reach)
+        self.nodes.iter().any(|edge| edge.reaches(at))
+    }
+
+    /// Does a loaded edge cease to reach just there? Meshes of the templates have nodes at such places.
+    pub fn end_at(&self, at: &[f64; 3]) -> bool {
+        self.nodes.iter().any(|edge| edge.ends_at(at))
+    }
+}
+
+impl EdgeNode {
+    fn reaches(&self, at: &[f64; 3]) -> bool {
+        let [depth, along] = self.apart(at);
+        depth <= 1.0 && along <= 1.0 - SLACK
+    }
+
+    fn ends_at(&self, at: &[f64; 3]) -> bool {
+        let [depth, along] = self.apart(at);
+        depth <= 1.0 && (along - 1.0).abs() <= SLACK
+    }
+
+    /// How far that is below or above the surface, and how far along it, in reaches.
+    fn apart(&self, at: &[f64; 3]) -> [f64; 2] {
+        let from = sub(*at, self.at);
+        let depth = dot(from, self.normal);
+        let along = (dot(from, from) - depth * depth).max(0.0).sqrt();
+        [depth.abs(), along].map(|distance| distance / self.reach)
     }
 }
 
@@ -168,8 +219,8 @@ fn largest(values: impl Iterator<Item = f64>) -> Option<f64> {
     values.reduce(f64::max)
 }
 
-/// Diagonal of the box about a surface and its images: as large whether mirror planes are made use of or not.
-fn whole_extent(scene: &Scene, surface: &Surface) -> f64 {
+/// The longest side of the box about a surface and its images: as long whether mirror planes are made use of or not.
+fn longest_side(scene: &Scene, surface: &Surface) -> f64 {
     let nodes = surface.faces.iter().flat_map(|face| face.nodes);
     let (mut low, mut high) = bounds(&scene.mesh, nodes);
     let size = distance(low, high);
@@ -180,7 +231,7 @@ fn whole_extent(scene: &Scene, surface: &Surface) -> f64 {
             (low[axis], high[axis]) = (-half, half);
         }
     }
-    distance(low, high)
+    (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max)
 }
 
 /// Diagonal of the box about a surface.
@@ -262,4 +313,24 @@ fn mirror_planes(scene: &Scene) -> Vec<(usize, f64)> {
         }
     }
     planes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edge_reaches_as_far_along_the_surface_as_below_it() {
+        let edge = EdgeNode {
+            at: [1.0, 2.0, 3.0],
+            normal: [0.0, 0.0, 1.0],
+            reach: 0.5,
+        };
+        let beside = |x: f64, z: f64| edge.reaches(&[1.0 + x, 2.0, 3.0 + z]);
+        assert!(beside(0.49, 0.0) && beside(-0.49, -0.49) && beside(0.0, -0.5));
+        // The plane of nodes where it ends, moved by rounding, and what lies deeper.
+        let ends = |x: f64, z: f64| edge.ends_at(&[1.0 + x, 2.0, 3.0 + z]);
+        assert!(ends(0.5, -0.1) && ends(-0.499, 0.0) && !ends(0.48, 0.0) && !ends(0.52, 0.0));
+        assert!(!beside(0.5, 0.0) && !beside(0.499, -0.2) && !beside(0.0, -0.51));
+    }
 }

@@ -46,6 +46,8 @@ pub struct MisesPeaks {
     pub centroid: Peak,
     /// Around the node.
     pub around: Around,
+    /// Does a loaded edge cease to reach just at the node?
+    pub is_on_border: bool,
 }
 
 /// The peaks of one body; `None` for a body without elements.
@@ -138,6 +140,7 @@ pub fn peaks(
                 nodal,
                 centroid: centroid_peak(body, &far)?,
                 around: around(&nodal, &|at| edges.are_near(at)),
+                is_on_border: edges.end_at(&nodal.at),
             })
         });
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {

@@ -10,6 +10,12 @@ use super::sizes::Sizes;
 /// elements of it on either side.
 pub(super) type Stop = (f64, Option<f64>, f64);
 
+/// Where the stress of the loaded end at `end` ceases to count, as in the templates: elements as long as that from there on.
+pub(super) fn beside_end(sizes: &Sizes, end: f64, reach: f64) -> Stop {
+    let size = sizes.end_size.min(0.5 * reach) * sizes.along_growth;
+    (end - reach.copysign(end), Some(size), 1.0)
+}
+
 /// How the elements of a line are graded.
 pub(super) struct GradedInterval {
     pub growth: f64,
@@ -131,18 +137,25 @@ impl Count<'_> {
     }
 
     /// Fine at the ends and where the rollers cross.
-    fn along_roller(&self, half: f64) -> [Stop; 3] {
+    fn along_roller(&self, half: f64) -> Vec<Stop> {
         let sizes = self.sizes;
         let crossing = if sizes.uniform {
             0.0
         } else {
             self.geometry.offset
         };
-        [
-            (-half, Some(sizes.end_size), 1.0),
-            (crossing, Some(sizes.crossing_size), 1.0),
-            (half, Some(sizes.end_size), 1.0),
-        ]
+        let mut stops = vec![(-half, Some(sizes.end_size), 1.0)];
+        stops.extend(self.beside_end(-half));
+        stops.push((crossing, Some(sizes.crossing_size), 1.0));
+        stops.extend(self.beside_end(half));
+        stops.push((half, Some(sizes.end_size), 1.0));
+        stops
+    }
+
+    /// See [`beside_end`].
+    fn beside_end(&self, end: f64) -> Option<Stop> {
+        let reach = self.geometry.edge_reach(self.sizes.uniform)?;
+        Some(beside_end(self.sizes, end, reach))
     }
 
     /// The plate above or below both rollers, across and along its own.
@@ -165,7 +178,7 @@ impl Count<'_> {
 
         let outside = along > geometry.length * (1.0 + 1e-9) && !sizes.uniform;
         let far = if outside { geometry.length } else { along };
-        let mut stops = self.along_roller(0.5 * far).to_vec();
+        let mut stops = self.along_roller(0.5 * far);
         if outside {
             stops.insert(0, (-0.5 * along, any, 1.0));
             stops.push((0.5 * along, any, 1.0));
@@ -215,8 +228,9 @@ impl Count<'_> {
                 let end = 0.5 * geometry.length;
                 let outside = half > end * (1.0 + 1e-9) && end > v_line * (1.0 + 1e-9);
                 let last = if outside { end } else { half };
-                let end = (last, Some(sizes.end_size), 1.0);
-                let mut stops = vec![any(-half), any(0.0), fine(v_line), end];
+                let mut stops = vec![any(-half), any(0.0), fine(v_line)];
+                stops.extend(self.beside_end(last));
+                stops.push((last, Some(sizes.end_size), 1.0));
                 stops.extend(outside.then(|| any(half)));
                 stops
             }

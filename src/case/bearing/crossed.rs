@@ -56,6 +56,16 @@ impl BearingGeometry {
             },
         }
     }
+
+    /// See [`RollerShape::edge_reach`]; `None` where no end carries.
+    pub(super) fn edge_reach(&self, uniform: bool) -> Option<f64> {
+        if self.is_centred() || uniform {
+            return None;
+        }
+        let room = 0.5 * self.length - self.v_line();
+        self.roller()
+            .edge_reach([self.plan[0].max(self.plan[1])], room)
+    }
 }
 
 impl Layout for BearingGeometry {
@@ -140,7 +150,7 @@ impl Layout for BearingGeometry {
 
     fn parameters(&self, full: bool, uniform: bool) -> Vec<Parameter> {
         let flag = |set: bool| f64::from(u8::from(set));
-        vec![
+        let mut parameters = vec![
             Parameter::length("Diameter", self.diameter),
             Parameter::length("Wall", self.wall.unwrap_or(0.0)),
             Parameter::length("RollerLength", self.length),
@@ -153,7 +163,10 @@ impl Layout for BearingGeometry {
             Parameter::length("PlanY", self.plan[1]),
             Parameter::number("Full", flag(self.is_whole(full))),
             Parameter::number("Uniform", flag(uniform)),
-        ]
+        ];
+        let reach = self.edge_reach(uniform);
+        parameters.extend(reach.map(|reach| Parameter::length("EdgeReach", reach)));
+        parameters
     }
 
     fn without(&self) -> &'static [&'static str] {

@@ -19,7 +19,7 @@ use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
 pub use controls::{Controls, ElementKind, SolverKind};
 pub use loads::{PlaneMotion, Support, Traction, TractionValue};
-pub use pair::{ContactPair, Partner, Side};
+pub use pair::{ContactPair, EDGE_REACH, Partner, Side};
 pub use rigid_plane::{PlaneTurn, Pose, RigidPlane};
 use serde::Serialize;
 pub use step::Step;

@@ -3,6 +3,9 @@
 use crate::model::mesh::{Mesh, Surface};
 use serde::Serialize;
 
+/// How far the stress of a loaded edge reaches, of the length of the shorter contact surface.
+pub const EDGE_REACH: f64 = 0.02;
+
 /// Two surfaces, or a surface and a rigid plane, that may touch.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactPair {

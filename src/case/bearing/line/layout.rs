@@ -1,11 +1,12 @@
 //! Parallel rollers as a [`Layout`].
 
+use super::LinePlate;
 use super::curve::curve_plate;
 use super::geometry::LineGeometry;
 use super::sizes;
 use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
-use crate::case::bearing::count::{GradedInterval, Stop};
+use crate::case::bearing::count::{GradedInterval, Stop, beside_end};
 use crate::case::bearing::end_shape::RollerEnd;
 use crate::case::bearing::error::GeometryError;
 use crate::case::bearing::layout::{Layout, RollerPlace};
@@ -26,6 +27,13 @@ use std::f64::consts::PI;
 const AT_ENDS: f64 = 1.3;
 
 impl LineGeometry {
+    /// See [`RollerShape::edge_reach`].
+    fn edge_reach(&self) -> Option<f64> {
+        let part = |plate: &LinePlate| plate.plan[0] / self.rollers as f64;
+        let faces = [&self.upper, &self.lower].map(|plate| plate.plan[1].max(part(plate)));
+        self.roller().edge_reach(faces, 0.5 * self.length)
+    }
+
     fn is_whole(&self, full: bool) -> bool {
         full || self.is_askew()
     }
@@ -179,7 +187,7 @@ impl Layout for LineGeometry {
 
     fn parameters(&self, full: bool, _uniform: bool) -> Vec<Parameter> {
         let flag = |set: bool| f64::from(u8::from(set));
-        vec![
+        let mut parameters = vec![
             Parameter::number("Rollers", self.rollers as f64),
             Parameter::length("Spacing", self.spacing),
             Parameter::length("Diameter", self.diameter),
@@ -193,7 +201,10 @@ impl Layout for LineGeometry {
             Parameter::length("LowerY", self.lower.plan[1]),
             Parameter::number("MirrorX", flag(self.mirrors_x(full))),
             Parameter::number("MirrorY", flag(!self.is_whole(full))),
-        ]
+        ];
+        let reach = self.edge_reach();
+        parameters.extend(reach.map(|reach| Parameter::length("EdgeReach", reach)));
+        parameters
     }
 
     fn without(&self) -> &'static [&'static str] {
@@ -228,11 +239,19 @@ impl Layout for LineGeometry {
             Some(_) => 0.0,
             None => quarter * quarter,
         };
-        let end = (0.5 * self.length, Some(sizes.end_size), 1.0);
-        let least = sizes.along_least;
-        let half = count(sizes.along_growth, sizes.along_cap, least, &[any(0.0), end]);
+        let end = 0.5 * self.length;
+        let at_end = (end, Some(sizes.end_size), 1.0);
+        let along =
+            |least, stops: &[Stop]| count(sizes.along_growth, sizes.along_cap, least, stops);
+        let half = match self.edge_reach() {
+            None => along(sizes.along_least, &[any(0.0), at_end]),
+            Some(reach) => {
+                let beside = beside_end(sizes, end, reach);
+                along(sizes.along_least, &[any(0.0), beside]) + along(1.0, &[beside, at_end])
+            }
+        };
         let roller = (4.0 * quarter * through + core) * 2.0 * half;
-        let plate = |plate: &super::LinePlate| {
+        let plate = |plate: &LinePlate| {
             let pitch = match self.rollers {
                 1 => plate.plan[0] / 2.0,
                 _ => (self.spacing / 2.0).min(plate.plan[0] / 2.0),

@@ -36,6 +36,9 @@ const DISPLACED: Fineness = Fineness {
 const ELASTIC_SIZES: [f64; 2] = [1.12, 0.8];
 const PLASTIC_SIZES: [f64; 2] = [1.96, 1.4];
 
+/// Elements of the finer mesh, at most. Of bearings that take more both meshes are coarser, and their true values less certain.
+const MOST_ELEMENTS: f64 = 2e5;
+
 /// How many of the widest half-widths the fine zone reaches to either side.
 const FINE_ZONE: f64 = 1.4;
 
@@ -53,7 +56,13 @@ pub fn cases(case: &Case, coarse: &SolvedBearing) -> Result<[(f64, Case); 2], Ca
         true => PLASTIC_SIZES,
         false => ELASTIC_SIZES,
     };
-    let case = |scale| Ok::<_, CaseError>((scale, scaled(case, coarse, scale)?));
+    let finest = scaled(case, coarse, finer)?;
+    let counted = match &finest.kind {
+        Kind::Bearing(bearing) => bearing.elements(),
+        _ => 0.0,
+    };
+    let larger = (counted / MOST_ELEMENTS).max(1.0).cbrt();
+    let case = |scale: f64| Ok::<_, CaseError>((scale, scaled(case, coarse, larger * scale)?));
     Ok([case(coarser)?, case(finer)?])
 }
 

@@ -78,8 +78,6 @@ Whole = (Full || !Centred);
 AxisHeight = MiddleThickness / 2 + Offset * Tan(Slope) + Radius / Cos(Slope);
 VLine = Offset + Radius * Sin(Slope);
 FlatFace = AxisHeight + Radius;
-// Of elements where the stress of a loaded edge ceases to count, at EdgeReach from it.
-BesideEnd = Min(EndSize, EdgeReach / 2) * AlongGrowth;
 
 sp_uniform = Uniform;
 
@@ -246,13 +244,13 @@ Else
   sp_size[] = {EndSize};
   If (EdgeReach > 0)
     sp_at[] += -RollerLength / 2 + EdgeReach;
-    sp_size[] += BesideEnd;
+    sp_size[] += EndSize;
   EndIf
   sp_at[] += Offset;
   sp_size[] += CrossingSize;
   If (EdgeReach > 0)
     sp_at[] += RollerLength / 2 - EdgeReach;
-    sp_size[] += BesideEnd;
+    sp_size[] += EndSize;
   EndIf
   sp_at[] += RollerLength / 2;
   sp_size[] += EndSize;
@@ -330,14 +328,14 @@ For Plate In {0 : 1}
     sp_size[] += EndSize;
     If (EdgeReach > 0)
       sp_at[] += -Far + EdgeReach;
-      sp_size[] += BesideEnd;
+      sp_size[] += EndSize;
     EndIf
   EndIf
   sp_at[] += Uniform ? 0 : Offset;
   sp_size[] += CrossingSize;
   If (EdgeReach > 0)
     sp_at[] += Far - EdgeReach;
-    sp_size[] += BesideEnd;
+    sp_size[] += EndSize;
   EndIf
   sp_at[] += Far;
   sp_size[] += EndSize;
@@ -431,7 +429,7 @@ For Direction In {0 : 1}
     Far = Outside ? RollerLength / 2 : Plan / 2;
     If (EdgeReach > 0)
       sp_at[] += Far - EdgeReach;
-      sp_size[] += BesideEnd;
+      sp_size[] += EndSize;
       sp_fine[] += 1;
     EndIf
     sp_at[] += Far;

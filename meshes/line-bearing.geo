@@ -68,8 +68,6 @@ Mesh.Binary = 1;
 Radius = Diameter / 2;
 Solid = (Wall <= 0);
 Half = Pi * Radius;
-// Of elements where the stress of a loaded edge ceases to count, at EdgeReach from it.
-BesideEnd = Min(EndSize, EdgeReach / 2) * AlongGrowth;
 sp_uniform = 0;
 
 // --- rollers ---------------------------------------------------------------------------------
@@ -99,7 +97,7 @@ If (!MirrorY)
   sp_size[] += EndSize;
   If (EdgeReach > 0)
     sp_at[] += -RollerLength / 2 + EdgeReach;
-    sp_size[] += BesideEnd;
+    sp_size[] += EndSize;
     sp_least[] += 1;
   EndIf
   sp_least[] += AlongLeast;
@@ -109,7 +107,7 @@ sp_size[] += sp_any;
 sp_least[] += AlongLeast;
 If (EdgeReach > 0)
   sp_at[] += RollerLength / 2 - EdgeReach;
-  sp_size[] += BesideEnd;
+  sp_size[] += EndSize;
   sp_least[] += 1;
 EndIf
 sp_at[] += RollerLength / 2;
@@ -299,14 +297,14 @@ For Plate In {0 : 1}
     sp_size[] += EndSize;
     If (EdgeReach > 0)
       sp_at[] += -Far + EdgeReach;
-      sp_size[] += BesideEnd;
+      sp_size[] += EndSize;
     EndIf
   EndIf
   sp_at[] += 0;
   sp_size[] += sp_any;
   If (EdgeReach > 0)
     sp_at[] += Far - EdgeReach;
-    sp_size[] += BesideEnd;
+    sp_size[] += EndSize;
   EndIf
   sp_at[] += Far;
   sp_size[] += EndSize;

@@ -82,7 +82,7 @@ impl HeaviestLine {
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
         let hertz = line_contact(scene, contact, (axis, row), line_load);
-        let kink = kink(line, scene.mirrors.contains(&axis));
+        let kink = kink(line, axis, scene.mirrors.contains(&axis), edges);
         let departs = hertz.and_then(|hertz| {
             if apart < MERGED * 2.0 * hertz.half_width {
                 return Some(Departure::Width);
@@ -133,20 +133,27 @@ fn distance_to_the_next(line: &ContactLine, lines: &[ContactLine], mirrored: boo
         .fold(f64::INFINITY, f64::min)
 }
 
-/// By how much the largest load per length stands out, relative to itself.
-fn kink(line: &ContactLine, mirrored: bool) -> f64 {
+/// By how much the largest load per length stands out, relative to itself, from the rows on either side. Where a
+/// loaded edge is beside it, that says nothing of a row that is away from it.
+fn kink(line: &ContactLine, axis: usize, mirrored: bool, edges: &LoadedEdges) -> f64 {
     let row = line.heaviest.row;
     let (at, load) = (&line.at, &line.load);
+    let is_at_edge = |at: f64| {
+        let mut centre = line.heaviest.centre;
+        centre[axis] = at;
+        edges.are_near(&centre)
+    };
+    let counts = |beside: &usize| is_at_edge(at[row]) || !is_at_edge(at[*beside]);
     let before = match row.checked_sub(1) {
-        Some(before) => Some((at[before], load[before])),
+        Some(before) => Some(before)
+            .filter(counts)
+            .map(|before| (at[before], load[before])),
         // Behind a mirror the next row stands once more.
         None if mirrored && at.len() > 1 => Some((2.0 * at[0] - at[1], load[1])),
         None => None,
     };
-    let after = at
-        .get(row + 1)
-        .zip(load.get(row + 1))
-        .map(|(a, q)| (*a, *q));
+    let after = Some(row + 1).filter(|after| *after < at.len());
+    let after = after.filter(counts).map(|after| (at[after], load[after]));
     let straight = match (before, after) {
         (Some((a, p)), Some((b, q))) => p + (q - p) * (at[row] - a) / (b - a),
         (Some((_, p)), None) | (None, Some((_, p))) => p,

@@ -23,7 +23,7 @@ pub(super) fn sizes(roller: &RollerShape, own: OwnSizes, strips: &Strips) -> Siz
     let fine = strips.narrowest / ELEMENTS_ACROSS;
     let rows = (FINE_REACH * strips.widest / fine - 1e-6).ceil();
     let half_length = roller.length / 2.0;
-    let end_size = (diameter / 20.0).min(half_length / 16.0);
+    let end_size = own.end_size((diameter / 20.0).min(half_length / 16.0));
     // A few elements on a fillet, where it begins no fewer than at the very end; along a strip
     // nothing changes over less than its width.
     let (end_size, along_growth) = match roller.end.radius() {

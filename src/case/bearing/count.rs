@@ -10,10 +10,9 @@ use super::sizes::Sizes;
 /// elements of it on either side.
 pub(super) type Stop = (f64, Option<f64>, f64);
 
-/// Where the stress of the loaded end at `end` ceases to count, as in the templates: elements as long as that from there on.
+/// Where the stress of the loaded end at `end` ceases to count, as in the templates: elements as long as at that end.
 pub(super) fn beside_end(sizes: &Sizes, end: f64, reach: f64) -> Stop {
-    let size = sizes.end_size.min(0.5 * reach) * sizes.along_growth;
-    (end - reach.copysign(end), Some(size), 1.0)
+    (end - reach.copysign(end), Some(sizes.end_size), 1.0)
 }
 
 /// How the elements of a line are graded.

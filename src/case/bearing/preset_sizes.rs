@@ -38,6 +38,7 @@ fn own(geometry: &BearingGeometry) -> OwnSizes {
         plan_cap: unit.min(half_plan(geometry) / 4.0),
         middle_cap: (0.7 * unit).min(half_plan(geometry) / 5.0),
         depth_cap: (0.3 * unit).min(geometry.thinnest_plate() / 3.0),
+        edge_reach: geometry.edge_reach(false),
     }
 }
 
@@ -48,6 +49,7 @@ fn auto_own(geometry: &BearingGeometry) -> OwnSizes {
         plan_cap: (0.43 * diameter).min(half_plan(geometry) / 4.0),
         middle_cap: (0.33 * diameter).min(half_plan(geometry) / 5.0),
         depth_cap: (0.1 * diameter).min(geometry.thinnest_plate() / 3.0),
+        edge_reach: geometry.edge_reach(false),
     }
 }
 
@@ -67,7 +69,7 @@ pub(super) fn graded(
         fine_elements: rows,
         fine_layers: layers,
         crossing_size: own.crossing_size,
-        end_size: (0.15 * unit).min(half_length / 16.0),
+        end_size: own.end_size((0.15 * unit).min(half_length / 16.0)),
         growth: 2.0,
         depth_growth: 2.0,
         along_growth: 1.5,

@@ -56,6 +56,15 @@ pub(super) struct OwnSizes {
     pub middle_cap: f64,
     /// As of [`Sizes`].
     pub depth_cap: f64,
+    /// How far the stress of ends that carry reaches; see [`super::roller_shape::RollerShape::edge_reach`].
+    pub edge_reach: Option<f64>,
+}
+
+impl OwnSizes {
+    /// No longer than that, and no fewer than two elements to where the stress of a loaded edge ceases to count.
+    pub fn end_size(&self, most: f64) -> f64 {
+        self.edge_reach.map_or(most, |reach| most.min(0.5 * reach))
+    }
 }
 
 /// What a number of [`Sizes`] measures, which decides how it scales.

@@ -28,7 +28,7 @@ const AT_ENDS: f64 = 1.3;
 
 impl LineGeometry {
     /// See [`RollerShape::edge_reach`].
-    fn edge_reach(&self) -> Option<f64> {
+    pub(super) fn edge_reach(&self) -> Option<f64> {
         let part = |plate: &LinePlate| plate.plan[0] / self.rollers as f64;
         let faces = [&self.upper, &self.lower].map(|plate| plate.plan[1].max(part(plate)));
         self.roller().edge_reach(faces, 0.5 * self.length)

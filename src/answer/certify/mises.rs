@@ -263,7 +263,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Ve
         let left = 1.0 - corrected * (1.0 - OF_BAR);
         let (error, note) = match strip {
             Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
-            _ if is_next_to_edge => (Some(spread), None),
+            _ if is_next_to_edge => (Some(spread + (1.0 - corrected) * overshoot.max(0.0)), None),
             Some(strip) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second
                 // order.

@@ -61,9 +61,10 @@ pub(super) struct OwnSizes {
 }
 
 impl OwnSizes {
-    /// No longer than that, and no fewer than two elements to where the stress of a loaded edge ceases to count.
+    /// No longer than that, and three elements to where the stress of a loaded edge ceases to count: the second row from an
+    /// end carries too little, the third as much too much.
     pub fn end_size(&self, most: f64) -> f64 {
-        self.edge_reach.map_or(most, |reach| most.min(0.5 * reach))
+        self.edge_reach.map_or(most, |reach| most.min(reach / 3.0))
     }
 }
 

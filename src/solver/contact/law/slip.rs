@@ -25,6 +25,9 @@ impl Law {
     ///
     /// A node that slips steadily has a = μ p and b − μ p = c |d|: its shear turns by μ p / |d| and grows
     /// no more. Where b hardly exceeds μ p, the slope across is cut off at ε_t.
+    ///
+    /// λ is the shear cut off at μ p. A node whose shear was far larger may stick by that though it slips: there λ is the
+    /// shear itself, or the shear would turn against a slope as steep as ε_t, by next to nothing in each iteration.
     pub(super) fn linearise_slip(&self, node: &mut Node, shear: [f64; 2], d: [f64; 2]) {
         let (c, bound) = (self.stiffness, node.bound);
         node.origin = d;
@@ -34,8 +37,14 @@ impl Law {
             v.map(|v| share * v)
         };
         let old = clip(shear);
-        let trial = [0, 1].map(|i| old[i] + c * d[i]);
-        let b = trial[0].hypot(trial[1]);
+        let trial = |shear: [f64; 2]| {
+            let trial = [0, 1].map(|i| shear[i] + c * d[i]);
+            (trial, trial[0].hypot(trial[1]))
+        };
+        let slips = |(_, b): &([f64; 2], f64)| *b >= bound;
+        let (trial, b) = Some(trial(old))
+            .filter(slips)
+            .unwrap_or_else(|| trial(shear));
         if b == 0.0 {
             (node.multiplier[1], node.multiplier[2]) = (0.0, 0.0);
             return;

@@ -91,6 +91,71 @@ fn a_slipping_shear_settles_on_the_bound_along_the_slip() {
     assert!((s - 0.9).abs() < 1e-6 && (t - 1.2).abs() < 1e-6);
 }
 
+/// A node on springs as stiff as c, pulled by any shear from any other, settles in few iterations.
+#[test]
+fn a_node_on_springs_settles_soon() {
+    const MOST: usize = 12;
+    let bound = LAW.bound(&[10.0, 0.0, 0.0]);
+    let turn = |k: usize, size: f64| {
+        let angle = k as f64 * std::f64::consts::PI / 12.0;
+        [size * angle.cos(), size * angle.sin()]
+    };
+    for (from, towards, pull) in (0..24)
+        .flat_map(|k| [(k, 1.2), (k, 3.0), (k, 9.0)])
+        .flat_map(|(k, pull)| (0..24).map(move |from| (from, k, pull)))
+    {
+        let pulled = turn(towards, pull * bound);
+        let [s, t] = turn(from, 2.5 * bound);
+        let mut node = closed([10.0, s, t], false);
+        node.raised = MOST_RAISED;
+        LAW.linearise_slip(
+            &mut node,
+            [s, t],
+            [0, 1].map(|i| (pulled[i] - [s, t][i]) / LAW.stiffness),
+        );
+        let settles = (0..MOST).any(|_| {
+            // Balance: the node's shear is the pull less what the springs take.
+            let slip = balance(&node, pulled);
+            let traction = LAW.traction(&node, &[0.0, slip[0], slip[1]]).traction;
+            let d = [0.0, slip[0], slip[1]];
+            let next = LAW.decide(&node, &traction, &d, bound);
+            let rests = next.sticks == node.sticks
+                && (1..3).all(|i| (next.multiplier[i] - traction[i]).abs() < 1e-6 * bound);
+            node = Node {
+                raised: MOST_RAISED,
+                ..next
+            };
+            rests
+        });
+        assert!(
+            settles,
+            "from {from}, towards {towards}, {pull} times the bound"
+        );
+        let [_, s, t] = node.multiplier;
+        // Alone on springs that are alike in all directions it slips the way that it is pulled.
+        assert!((s * pulled[1] - t * pulled[0]).abs() < 1e-4 * bound * bound * pull);
+    }
+}
+
+/// The slip at which the shear of a node is `pulled` less c times the slip.
+fn balance(node: &Node, pulled: [f64; 2]) -> [f64; 2] {
+    let at = |slip: [f64; 2]| {
+        let t = LAW.traction(node, &[0.0, slip[0], slip[1]]).traction;
+        [0, 1].map(|i| pulled[i] - LAW.stiffness * slip[i] - t[1 + i])
+    };
+    let rest = at([0.0; 2]);
+    let columns = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
+        let moved = at(unit);
+        [0, 1].map(|i| rest[i] - moved[i])
+    });
+    let [[a, c], [b, d]] = columns;
+    let size = a * d - b * c;
+    [
+        (rest[0] * d - b * rest[1]) / size,
+        (a * rest[1] - rest[0] * c) / size,
+    ]
+}
+
 #[test]
 fn caution_returns_to_the_disc_within_the_iteration() {
     let node = Node {

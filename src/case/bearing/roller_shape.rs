@@ -24,7 +24,7 @@ impl RollerShape {
     }
 
     /// How far from its ends a plane of nodes parts what belongs to a loaded edge from the rest, where the faces that it meets
-    /// are as long as that; `None` of rounded and crowned ends, and where there is too little room inside of an end. Without
+    /// are as long as that; `None` of rounded ends, and where there is too little room inside of an end. Without
     /// it figures away from edges are read farther from the edge on one mesh and less on another.
     pub(super) fn edge_reach(
         &self,
@@ -33,7 +33,7 @@ impl RollerShape {
     ) -> Option<f64> {
         let own = self.length.max(self.diameter);
         let reach = EDGE_REACH * faces.into_iter().fold(own, f64::min);
-        (self.end == RollerEnd::Square && reach < 0.5 * room).then_some(reach)
+        (self.end.radius().is_none() && reach < 0.5 * room).then_some(reach)
     }
 
     /// Can it be made?

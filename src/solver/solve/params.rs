@@ -87,6 +87,8 @@ pub const CONVERGING_ITERATIONS_FACTOR: usize = 2;
 pub const LINGERING_VIOLATION: f64 = 0.25;
 /// Share of the largest nodal contact force below which a friction bound or a shear counts as unchanged.
 pub const UNCHANGED_FORCE: f64 = 5e-9;
+/// The same, of the applied force: rounding leaves a tenth of it in the balance, however little is left to carry.
+pub const UNCHANGED_SHARE_OF_LOAD: f64 = 1e-10;
 /// Iterations for which shears taken as multipliers may raise the residual again before it falls: one wave.
 pub const WAVE_ITERATIONS: usize = 8;
 /// Residual below which balance is never given up as lost.

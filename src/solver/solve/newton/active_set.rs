@@ -10,7 +10,9 @@ use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::progress::Progress;
-use crate::solver::solve::params::{FREE_SWITCHES, FREE_SWITCHING_ITERATIONS, UNCHANGED_FORCE};
+use crate::solver::solve::params::{
+    FREE_SWITCHES, FREE_SWITCHING_ITERATIONS, UNCHANGED_FORCE, UNCHANGED_SHARE_OF_LOAD,
+};
 
 /// Decides multipliers, active set and friction bounds anew; returns how many nodes changed.
 ///
@@ -23,10 +25,11 @@ pub fn update_active_set(
     evaluation: &Evaluation,
     (iteration, progress): (usize, &mut Progress),
 ) -> usize {
-    // What is next to nothing is measured by the largest normal force.
+    // What is next to nothing is measured by the largest normal force, and where that is small itself by the load.
     let forces =
         (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
     let largest = forces.fold(0.0, f64::max);
+    let least = (UNCHANGED_FORCE * largest).max(UNCHANGED_SHARE_OF_LOAD * model.reference);
     let rows = model.rows.iter().zip(&evaluation.contact);
     let wanted: Vec<f64> = rows.map(|(r, a)| r.law.bound(&a.traction)).collect();
     let bounds = (progress.bounds).next(&point.nodes, wanted, progress.settled > 0);
@@ -44,7 +47,7 @@ pub fn update_active_set(
         let traction = &evaluation.contact[index].traction;
         let relative = &evaluation.relative[index];
         let next = law.decide(node, traction, relative, bounds[index]);
-        let least = UNCHANGED_FORCE * largest / row.row.area;
+        let least = least / row.row.area;
         let same = law.friction * least;
         let turned =
             !node.cautious && (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);

@@ -144,16 +144,15 @@ fn kink(line: &ContactLine, axis: usize, mirrored: bool, edges: &LoadedEdges) ->
         edges.are_near(&centre)
     };
     let counts = |beside: &usize| is_at_edge(at[row]) || !is_at_edge(at[*beside]);
+    let beside = |row: usize| Some(row).filter(counts).map(|row| (at[row], load[row]));
     let before = match row.checked_sub(1) {
-        Some(before) => Some(before)
-            .filter(counts)
-            .map(|before| (at[before], load[before])),
+        Some(before) => beside(before),
         // Behind a mirror the next row stands once more.
         None if mirrored && at.len() > 1 => Some((2.0 * at[0] - at[1], load[1])),
         None => None,
     };
     let after = Some(row + 1).filter(|after| *after < at.len());
-    let after = after.filter(counts).map(|after| (at[after], load[after]));
+    let after = after.and_then(beside);
     let straight = match (before, after) {
         (Some((a, p)), Some((b, q))) => p + (q - p) * (at[row] - a) / (b - a),
         (Some((_, p)), None) | (None, Some((_, p))) => p,

@@ -45,12 +45,9 @@ fn own(geometry: &BearingGeometry) -> OwnSizes {
 fn auto_own(geometry: &BearingGeometry) -> OwnSizes {
     let diameter = geometry.diameter;
     // Loads are largest there where rollers are centred; where they are displaced, near the ends.
-    let crossing = match geometry.is_centred() {
-        true => (diameter / 20.0).min(geometry.length / 40.0),
-        false => (diameter / 10.0).min(geometry.length / 20.0),
-    };
+    let finer = if geometry.is_centred() { 2.0 } else { 1.0 };
     OwnSizes {
-        crossing_size: crossing,
+        crossing_size: (diameter / 10.0).min(geometry.length / 20.0) / finer,
         plan_cap: (0.43 * diameter).min(half_plan(geometry) / 4.0),
         middle_cap: (0.33 * diameter).min(half_plan(geometry) / 5.0),
         depth_cap: (0.1 * diameter).min(geometry.thinnest_plate() / 3.0),

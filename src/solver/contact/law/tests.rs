@@ -1,4 +1,5 @@
 use super::*;
+use nalgebra::{Matrix2, Vector2};
 
 const LAW: Law = Law {
     friction: 0.15,
@@ -115,9 +116,8 @@ fn a_node_on_springs_settles_soon() {
         );
         let settles = (0..MOST).any(|_| {
             // Balance: the node's shear is the pull less what the springs take.
-            let slip = balance(&node, pulled);
-            let traction = LAW.traction(&node, &[0.0, slip[0], slip[1]]).traction;
-            let d = [0.0, slip[0], slip[1]];
+            let d = balance(&node, pulled);
+            let traction = LAW.traction(&node, &d).traction;
             let next = LAW.decide(&node, &traction, &d, bound);
             let rests = next.sticks == node.sticks
                 && (1..3).all(|i| (next.multiplier[i] - traction[i]).abs() < 1e-6 * bound);
@@ -137,23 +137,14 @@ fn a_node_on_springs_settles_soon() {
     }
 }
 
-/// The slip at which the shear of a node is `pulled` less c times the slip.
-fn balance(node: &Node, pulled: [f64; 2]) -> [f64; 2] {
-    let at = |slip: [f64; 2]| {
-        let t = LAW.traction(node, &[0.0, slip[0], slip[1]]).traction;
-        [0, 1].map(|i| pulled[i] - LAW.stiffness * slip[i] - t[1 + i])
-    };
-    let rest = at([0.0; 2]);
-    let columns = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
-        let moved = at(unit);
-        [0, 1].map(|i| rest[i] - moved[i])
-    });
-    let [[a, c], [b, d]] = columns;
-    let size = a * d - b * c;
-    [
-        (rest[0] * d - b * rest[1]) / size,
-        (a * rest[1] - rest[0] * c) / size,
-    ]
+/// The displacement at which the shear of a node that slips or sticks is `pulled` less c times the slip.
+fn balance(node: &Node, pulled: [f64; 2]) -> [f64; 3] {
+    let answer = LAW.traction(node, &[0.0; 3]);
+    let tangent = Matrix2::from_fn(|i, j| answer.tangent[1 + i][1 + j]);
+    let missing = Vector2::from_fn(|i, _| pulled[i] - answer.traction[1 + i]);
+    let stiffness = tangent + Matrix2::from_diagonal_element(LAW.stiffness);
+    let slip = stiffness.lu().solve(&missing).expect("positive definite");
+    [0.0, slip[0], slip[1]]
 }
 
 #[test]

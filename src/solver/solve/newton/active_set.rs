@@ -17,7 +17,7 @@ use crate::solver::solve::params::{
 /// Decides multipliers, active set and friction bounds anew; returns how many nodes changed.
 ///
 /// A node has changed where it switched between open, stick and slip, where its friction bound moved, or where its shear
-/// did not become its multiplier. Changes by next to nothing of the largest contact force do not count. Late in an
+/// did not become its multiplier. Changes by next to nothing of the largest contact force, or of the load, do not count. Late in an
 /// increment, nodes that have switched between stick and slip a few times become cautious.
 pub fn update_active_set(
     model: &Model,

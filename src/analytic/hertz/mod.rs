@@ -11,7 +11,7 @@ mod pressure;
 mod radius;
 
 pub use elliptic::EllipticContact;
-pub use line::LineContact;
+pub use line::{LineContact, widening_in_flow};
 pub use point::PointContact;
 pub(crate) use pressure::semi_elliptic;
 pub use radius::effective_radius;

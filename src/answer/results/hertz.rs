@@ -180,7 +180,8 @@ fn departure(
     let spacing = row.edge_spacing() / a;
     if (row.half_width / a - 1.0).abs() > WIDTH + 0.5 * spacing * spacing {
         // Steel that flows makes a strip wider, until it presses as an indenter does.
-        let wider = row.half_width > a && mean_pressure(line) > FLOW_BEGINS * yields(scene, pair);
+        let wider =
+            row.half_width > a && mean_pressure(line) > FLOW_BEGINS * scene.yield_stress(pair);
         return flow().filter(|_| wider).or(Some(Departure::Width));
     }
     if kink > KINK {
@@ -198,18 +199,6 @@ const FLOW_BEGINS: f64 = 1.4;
 fn mean_pressure(line: &ContactLine) -> f64 {
     line.peak()
         .map_or(0.0, |(load, ..)| load / (2.0 * line.heaviest.half_width))
-}
-
-/// The lesser yield stress of the two bodies of a pair.
-fn yields(scene: &Scene, pair: &ContactPair) -> f64 {
-    let of = |side: &Partner| {
-        let steel = scene.materials.get(side.body(&scene.mesh)?)?;
-        Some(steel.yield_stress)
-    };
-    let both = [&pair.upper, &pair.lower];
-    both.into_iter()
-        .filter_map(of)
-        .fold(f64::INFINITY, f64::min)
 }
 
 /// Has either body yielded within three half-widths of the middle of the strip?

@@ -110,6 +110,19 @@ impl Scene {
         contact_compliance(elastic(&pair.upper)?, elastic(&pair.lower)?)
     }
 
+    /// The lesser yield stress of the bodies of `pair`; infinite where none of them may yield.
+    pub fn yield_stress(&self, pair: &ContactPair) -> f64 {
+        let of = |side: &Partner| {
+            let steel = self.materials.get(side.body(&self.mesh)?)?;
+            Some(steel.yield_stress)
+        };
+        [&pair.upper, &pair.lower]
+            .into_iter()
+            .filter_map(of)
+            .filter(|_| self.controls.plasticity)
+            .fold(f64::INFINITY, f64::min)
+    }
+
     /// Factor of the support, plane, traction or temperature called `name` at share `time` of the step with that index. Before the
     /// first step it is zero; beyond the last it stays.
     pub fn factor(&self, name: &str, step: usize, time: f64) -> f64 {

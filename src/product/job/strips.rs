@@ -3,7 +3,7 @@
 
 use super::error::JobError;
 use super::mesh::strips_file;
-use crate::analytic::hertz::LineContact;
+use crate::analytic::hertz::{LineContact, widening_in_flow};
 use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::load::{applied, full};
 use crate::case::bearing::{FoundLine, Preset, Strips};
@@ -19,8 +19,8 @@ use std::path::Path;
 /// Lines that carry less than this share of what the heaviest line of their pair carries are left
 /// as they are.
 const LIGHT: f64 = 0.05;
-/// A half-width is believed as measured where it has this many elements; else it is Hertz's, of the
-/// load per length, which takes none.
+/// A half-width is believed as measured at full load where it has this many elements; else it is that of the load per
+/// length, which takes none.
 const MEASURED: f64 = 2.0;
 
 /// The bearing of a case that is meshed by its lines of contact.
@@ -59,7 +59,10 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
             let measured = whole && row.half_width >= MEASURED * row.edge_spacing();
             let half_width = match measured {
                 true => row.half_width,
-                false => hertz.half_width,
+                false => {
+                    hertz.half_width
+                        * widening_in_flow(hertz.peak_pressure, scene.yield_stress(pair))
+                }
             };
             found.push(FoundLine::on(&seat, line.across, half_width));
         }

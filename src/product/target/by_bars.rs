@@ -9,6 +9,7 @@ use super::ending::{Limits, Verdict, name, places, singular};
 use super::goal::{Goal, Target};
 use super::level::Level;
 use super::plan;
+use crate::analytic::hertz::widening_in_flow;
 use crate::answer::certify::{self, Quantity, figure};
 use crate::case::bearing::Scales;
 use crate::case::{Case, Kind};
@@ -262,23 +263,21 @@ fn expected(case: &Case, scales: &Scales, unknowns: usize) -> f64 {
     unknowns as f64 * refined.elements() / bearing.elements()
 }
 
-/// Where the elastic pressure exceeds what steel begins to flow at, p0 = 1.79 Y (Johnson, Contact Mechanics, section
-/// 6.1), strips become wider: here by the root of the excess, between none at its beginning and all of it, as pressure
-/// is bounded by hardness.
+/// Where steel flows strips become wider than those of the elastic twin.
 fn widen(case: &mut Case, outcome: &Outcome) {
     let yields = (outcome.scene.materials.iter()).map(|steel| steel.yield_stress);
-    let begins = 1.79 * yields.fold(f64::INFINITY, f64::min);
     let claims = outcome.summary.answer.certificate.iter();
     let pressures = claims.filter(|c| c.what == Quantity::HertzPressure);
-    let excess = pressures.map(|c| c.value).fold(0.0, f64::max) / begins;
+    let largest = pressures.map(|c| c.value).fold(0.0, f64::max);
+    let wider = widening_in_flow(largest, yields.fold(f64::INFINITY, f64::min));
     let Kind::Bearing(bearing) = &case.kind else {
         return;
     };
     if case.controls.plasticity
-        && excess > 1.0
+        && wider > 1.0
         && let Some(strips) = bearing.mesh.strips
     {
-        let strips = strips.widened(bearing.geometry.diameter(), excess.sqrt());
+        let strips = strips.widened(bearing.geometry.diameter(), wider);
         case.set_strips(strips);
     }
 }

@@ -37,7 +37,9 @@ DefineConstant[
   // Element size along a roller where the other one crosses, and at its ends.
   CrossingSize = {0.1, Name "Mesh/Size at the crossing"}
   EndSize = {0.15, Name "Mesh/Size at the roller ends"}
-  // A line of nodes at that distance from loaded ends; 0: none.
+  // Radius of rounded ends, 0: sharp. They begin at a line of nodes.
+  EndRadius = {0, Name "Mesh/Radius of rounded ends"}
+  // A line of nodes at that distance from sharp ends that carry; 0: none.
   EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2, Name "Mesh/Growth across"}
@@ -230,36 +232,23 @@ EndFor
 // Along the axis.
 sp_cap = AlongCap;
 sp_growth = AlongGrowth;
-If (Centred && Whole)
-  sp_at[] = {-RollerLength / 2, 0, RollerLength / 2};
-  sp_size[] = {EndSize, CrossingSize, EndSize};
-ElseIf (Centred)
-  sp_at[] = {0, RollerLength / 2};
-  sp_size[] = {CrossingSize, EndSize};
-ElseIf (Uniform)
-  sp_at[] = {-RollerLength / 2, 0, RollerLength / 2};
-  sp_size[] = {EndSize, CrossingSize, EndSize};
-Else
-  sp_at[] = {-RollerLength / 2};
-  sp_size[] = {EndSize};
-  If (EdgeReach > 0)
-    sp_at[] += -RollerLength / 2 + EdgeReach;
-    sp_size[] += EndSize;
-  EndIf
-  sp_at[] += Offset;
-  sp_size[] += CrossingSize;
-  If (EdgeReach > 0)
-    sp_at[] += RollerLength / 2 - EdgeReach;
-    sp_size[] += EndSize;
-  EndIf
-  sp_at[] += RollerLength / 2;
-  sp_size[] += EndSize;
+Least = Centred ? AlongLeast : 1;
+en_radius = EndRadius;
+sp_at[] = {};
+sp_size[] = {};
+sp_fine[] = {};
+sp_least[] = {};
+If (Whole)
+  en_at = -RollerLength / 2;
+  Call End;
+  sp_least[] += Least;
 EndIf
-sp_fine[] = {1, 1, 1, 1, 1};
-sp_least[] = {1, 1, 1, 1};
-If (Centred)
-  sp_least[] = {AlongLeast, AlongLeast};
-EndIf
+sp_at[] += Uniform ? 0 : Offset;
+sp_size[] += CrossingSize;
+sp_fine[] += 1;
+sp_least[] += Least;
+en_at = RollerLength / 2;
+Call End;
 Call Spacing;
 ro_c[] = sp_node[];
 
@@ -317,34 +306,31 @@ For Plate In {0 : 1}
   sp_growth = AlongGrowth;
   Outside = (PlanAlong > RollerLength * (1 + 1e-9)) && !Uniform;
   Far = Outside ? RollerLength / 2 : PlanAlong / 2;
+  // A plate that is shorter than the roller has a sharp edge there.
+  en_radius = Far < RollerLength / 2 * (1 - 1e-9) ? 0 : EndRadius;
   sp_at[] = {};
   sp_size[] = {};
+  sp_fine[] = {};
+  sp_least[] = {1, 1, 1, 1};
   If (Whole)
     If (Outside)
       sp_at[] += -PlanAlong / 2;
       sp_size[] += sp_any;
+      sp_fine[] += 1;
     EndIf
-    sp_at[] += -Far;
-    sp_size[] += EndSize;
-    If (EdgeReach > 0)
-      sp_at[] += -Far + EdgeReach;
-      sp_size[] += EndSize;
-    EndIf
+    en_at = -Far;
+    Call End;
   EndIf
   sp_at[] += Uniform ? 0 : Offset;
   sp_size[] += CrossingSize;
-  If (EdgeReach > 0)
-    sp_at[] += Far - EdgeReach;
-    sp_size[] += EndSize;
-  EndIf
-  sp_at[] += Far;
-  sp_size[] += EndSize;
+  sp_fine[] += 1;
+  en_at = Far;
+  Call End;
   If (Outside)
     sp_at[] += PlanAlong / 2;
     sp_size[] += sp_any;
+    sp_fine[] += 1;
   EndIf
-  sp_fine[] = {1, 1, 1, 1, 1, 1, 1};
-  sp_least[] = {1, 1, 1, 1, 1, 1};
   Call Spacing;
   Along[] = sp_node[];
 
@@ -427,14 +413,9 @@ For Direction In {0 : 1}
     sp_size[] = {sp_any, sp_any, PlateSize};
     sp_fine[] = {1, 1, FineElements};
     Far = Outside ? RollerLength / 2 : Plan / 2;
-    If (EdgeReach > 0)
-      sp_at[] += Far - EdgeReach;
-      sp_size[] += EndSize;
-      sp_fine[] += 1;
-    EndIf
-    sp_at[] += Far;
-    sp_size[] += EndSize;
-    sp_fine[] += 1;
+    en_radius = Far < RollerLength / 2 * (1 - 1e-9) ? 0 : EndRadius;
+    en_at = Far;
+    Call End;
     If (Outside)
       sp_at[] += Plan / 2;
       sp_size[] += sp_any;
@@ -442,7 +423,7 @@ For Direction In {0 : 1}
     EndIf
     Ridge = 1;
   EndIf
-  sp_least[] = {1, 1, 1, 1, 1};
+  sp_least[] = {1, 1, 1, 1, 1, 1};
   Call Spacing;
   Index[] = {0};
   If (Whole)

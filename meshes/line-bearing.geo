@@ -33,7 +33,9 @@ DefineConstant[
   FineLayers = {3, Name "Mesh/Fine layers"}
   // Element size along a roller at its ends.
   EndSize = {10, Name "Mesh/Size at the roller ends"}
-  // A line of nodes at that distance from loaded ends; 0: none.
+  // Radius of rounded ends, 0: sharp. They begin at a line of nodes.
+  EndRadius = {0, Name "Mesh/Radius of rounded ends"}
+  // A line of nodes at that distance from sharp ends that carry; 0: none.
   EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2.5, Name "Mesh/Growth across"}
@@ -89,30 +91,22 @@ EndFor
 // Along the axis: refined at the ends.
 sp_cap = AlongCap;
 sp_growth = AlongGrowth;
+en_radius = EndRadius;
 sp_at[] = {};
 sp_size[] = {};
+sp_fine[] = {};
 sp_least[] = {};
 If (!MirrorY)
-  sp_at[] += -RollerLength / 2;
-  sp_size[] += EndSize;
-  If (EdgeReach > 0)
-    sp_at[] += -RollerLength / 2 + EdgeReach;
-    sp_size[] += EndSize;
-    sp_least[] += 1;
-  EndIf
+  en_at = -RollerLength / 2;
+  Call End;
   sp_least[] += AlongLeast;
 EndIf
 sp_at[] += 0;
 sp_size[] += sp_any;
+sp_fine[] += 1;
 sp_least[] += AlongLeast;
-If (EdgeReach > 0)
-  sp_at[] += RollerLength / 2 - EdgeReach;
-  sp_size[] += EndSize;
-  sp_least[] += 1;
-EndIf
-sp_at[] += RollerLength / 2;
-sp_size[] += EndSize;
-sp_fine[] = {1, 1, 1, 1, 1};
+en_at = RollerLength / 2;
+Call End;
 Call Spacing;
 ro_c[] = sp_node[];
 
@@ -286,34 +280,30 @@ For Plate In {0 : 1}
   Outside = (PlateY > RollerLength * (1 + 1e-9));
   Inside = (PlateY < RollerLength * (1 - 1e-9));
   Far = Inside ? PlateY / 2 : RollerLength / 2;
+  en_radius = Inside ? 0 : EndRadius;
   sp_at[] = {};
   sp_size[] = {};
+  sp_fine[] = {};
+  sp_least[] = {1, 1, 1};
   If (!MirrorY)
     If (Outside)
       sp_at[] += -PlateY / 2;
       sp_size[] += sp_any;
+      sp_fine[] += 1;
     EndIf
-    sp_at[] += -Far;
-    sp_size[] += EndSize;
-    If (EdgeReach > 0)
-      sp_at[] += -Far + EdgeReach;
-      sp_size[] += EndSize;
-    EndIf
+    en_at = -Far;
+    Call End;
   EndIf
   sp_at[] += 0;
   sp_size[] += sp_any;
-  If (EdgeReach > 0)
-    sp_at[] += Far - EdgeReach;
-    sp_size[] += EndSize;
-  EndIf
-  sp_at[] += Far;
-  sp_size[] += EndSize;
+  sp_fine[] += 1;
+  en_at = Far;
+  Call End;
   If (Outside)
     sp_at[] += PlateY / 2;
     sp_size[] += sp_any;
+    sp_fine[] += 1;
   EndIf
-  sp_fine[] = {1, 1, 1, 1, 1, 1, 1};
-  sp_least[] = {1, 1, 1, 1, 1, 1};
   Call Spacing;
   sl_y[] = sp_node[];
   sl_iy[] = {0, #sl_y[] - 1};

@@ -88,3 +88,31 @@ Macro Spacing
     sp_stop[] += #sp_node[] - 1;
   EndFor
 Return
+
+// End: the stops of an end of a roller, on the roller and on the plates that it meets.
+//
+//   in   en_at      where the end is, on either side of zero: if it is negative other stops come after it
+//        en_radius  radius of the rounded end, which begins at a stop; 0: sharp
+//        EdgeReach  distance of a stop from a sharp end; 0: none
+//        EndSize    element size at a sharp end and at both of these stops
+//   out  appended to sp_at[], sp_size[], sp_fine[] and sp_least[]
+
+Macro End
+  en_length = en_radius > 0 ? en_radius : EdgeReach;
+  en_size = en_radius > 0 ? sp_any : EndSize;
+  If (en_length <= 0)
+    sp_at[] += en_at;
+    sp_size[] += en_size;
+    sp_fine[] += 1;
+  ElseIf (en_at < 0)
+    sp_at[] += {en_at, en_at + en_length};
+    sp_size[] += {en_size, EndSize};
+    sp_fine[] += {1, 1};
+    sp_least[] += 1;
+  Else
+    sp_at[] += {en_at - en_length, en_at};
+    sp_size[] += {EndSize, en_size};
+    sp_fine[] += {1, 1};
+    sp_least[] += 1;
+  EndIf
+Return

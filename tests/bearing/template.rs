@@ -318,13 +318,24 @@ fn displaced_bearings_are_whole() {
     }
 }
 
-/// Beside ends that carry, in every body that ends there, a plane of nodes as far from the end as its stress counts.
+/// Beside ends that carry, in every body that ends there: as far from a sharp end as its stress counts, and where a fillet
+/// begins.
 #[test]
 fn a_plane_of_nodes_parts_loaded_ends_from_the_rest() {
     let geometry = displaced(2.5);
+    check_planes(&geometry, EDGE_REACH * geometry.length);
+    let radius = 0.3;
+    let rounded = BearingGeometry {
+        end: RollerEnd::Radius(radius),
+        ..geometry
+    };
+    check_planes(&rounded, radius);
+}
+
+fn check_planes(geometry: &BearingGeometry, from_end: f64) {
     let end = 0.5 * geometry.length;
-    let beside = end - EDGE_REACH * geometry.length;
-    let mesh = mesh(&geometry, &request(Preset::H025));
+    let beside = end - from_end;
+    let mesh = mesh(geometry, &request(Preset::H025));
     for (body, axes) in [
         ("upper_plate", vec![1]),
         ("upper_roller", vec![1]),

@@ -24,15 +24,6 @@ pub(super) fn sizes(roller: &RollerShape, own: OwnSizes, strips: &Strips) -> Siz
     let rows = (FINE_REACH * strips.widest / fine - 1e-6).ceil();
     let half_length = roller.length / 2.0;
     let end_size = own.end_size((diameter / 20.0).min(half_length / 16.0));
-    // A few elements on a fillet, where it begins no fewer than at the very end; along a strip
-    // nothing changes over less than its width.
-    let (end_size, along_growth) = match roller.end.radius() {
-        Some(radius) => {
-            let least = strips.narrowest / 2.0;
-            (end_size.min((radius / 8.0).max(least)), 1.6)
-        }
-        None => (end_size, 2.0),
-    };
     // A crown changes all along the roller, and facets as long as a sixth of its half carry 3 % too much in its middle.
     let longest = match roller.end.is_crowned() {
         true => half_length / 12.0,
@@ -48,7 +39,7 @@ pub(super) fn sizes(roller: &RollerShape, own: OwnSizes, strips: &Strips) -> Siz
         end_size,
         growth: 2.5,
         depth_growth: 2.5,
-        along_growth,
+        along_growth: 2.0,
         around_cap: 0.1 * diameter,
         along_cap: (0.4 * diameter).min(longest),
         wall_cap: (0.057 * diameter).min(0.4 * roller.nominal_wall()),

@@ -4,61 +4,8 @@
 use std::f64::consts::PI;
 
 use super::geometry::BearingGeometry;
+use super::grading::{GradedInterval, Stop};
 use super::sizes::Sizes;
-
-/// A place on a line that nodes are graded towards: where, the element size there (`None`: any), and how many
-/// elements of it on either side.
-pub(super) type Stop = (f64, Option<f64>, f64);
-
-/// Where the stress of the loaded end at `end` ceases to count, as in the templates: elements as long as at that end.
-pub(super) fn beside_end(sizes: &Sizes, end: f64, reach: f64) -> Stop {
-    (end - reach.copysign(end), Some(sizes.end_size), 1.0)
-}
-
-/// How the elements of a line are graded.
-pub(super) struct GradedInterval {
-    pub growth: f64,
-    pub cap: f64,
-    pub least: f64,
-    pub uniform: bool,
-}
-
-/// The most elements between two stops of a grading, as in the template; an interval that asks for more gets
-/// elements larger than it asked for.
-const MOST_ELEMENTS: usize = 1000;
-
-impl GradedInterval {
-    /// Elements on a line between its first and its last stop, as `meshes/spacing.geo` places them.
-    pub fn elements(&self, stops: &[Stop]) -> f64 {
-        stops.windows(2).map(|ends| self.interval(ends)).sum()
-    }
-
-    fn interval(&self, ends: &[Stop]) -> f64 {
-        let [(from, a, fine_a), (to, b, fine_b)] = [ends[0], ends[1]];
-        let length = to - from;
-        if self.uniform {
-            return (length / self.cap + 0.5).floor().max(self.least).max(1.0);
-        }
-        let [a, b] = [a, b].map(|size| size.unwrap_or(1e30));
-        let grown = |size: f64, n: usize, fine: f64| {
-            size * self.growth.powf((n as f64 + 1.0 - fine).max(0.0))
-        };
-        let (mut of_a, mut of_b, mut sum) = (0, 0, 0.0);
-        for _ in 0..MOST_ELEMENTS {
-            if sum >= length * (1.0 - 1e-9) && (of_a + of_b) as f64 >= self.least {
-                break;
-            }
-            let (next_a, next_b) = (grown(a, of_a, fine_a), grown(b, of_b, fine_b));
-            if next_a <= next_b * (1.0 + 1e-9) {
-                of_a += 1
-            } else {
-                of_b += 1
-            }
-            sum += self.cap.min(next_a).min(next_b);
-        }
-        (of_a + of_b) as f64
-    }
-}
 
 /// Elements of the mesh of `geometry`, all of it or the quarter of a centred bearing: of a hollow roller to the
 /// element, of a solid one to a few per cent.
@@ -123,8 +70,7 @@ impl Count<'_> {
 
         let least = if centred { sizes.along_least } else { 1.0 };
         let grading = self.grading(sizes.along_growth, sizes.along_cap, least);
-        let stops = self.along_roller(0.5 * geometry.length);
-        let along = self.halved(&grading, &stops);
+        let along = self.along_roller(&grading, 0.5 * geometry.length, None);
 
         // Each side of the core of a solid roller has a quarter of the elements of a turn.
         let core = match (geometry.wall, self.whole) {
@@ -135,26 +81,26 @@ impl Count<'_> {
         (around * through + core) * along
     }
 
-    /// Fine at the ends and where the rollers cross.
-    fn along_roller(&self, half: f64) -> Vec<Stop> {
-        let sizes = self.sizes;
-        let crossing = if sizes.uniform {
-            0.0
-        } else {
-            self.geometry.offset
+    /// From where the rollers cross to both ends, and on to the edges of a plate that stands out `beyond` them.
+    fn along_roller(&self, inside: &GradedInterval, half: f64, beyond: Option<f64>) -> f64 {
+        let (geometry, sizes) = (self.geometry, self.sizes);
+        let crossing = if sizes.uniform { 0.0 } else { geometry.offset };
+        let crossing = (crossing, Some(sizes.crossing_size), 1.0);
+        let zone = match half < 0.5 * geometry.length * (1.0 - 1e-9) {
+            true => geometry.end_zone(sizes.uniform).sharp(),
+            false => geometry.end_zone(sizes.uniform),
         };
-        let mut stops = vec![(-half, Some(sizes.end_size), 1.0)];
-        stops.extend(self.beside_end(-half));
-        stops.push((crossing, Some(sizes.crossing_size), 1.0));
-        stops.extend(self.beside_end(half));
-        stops.push((half, Some(sizes.end_size), 1.0));
-        stops
-    }
-
-    /// See [`beside_end`].
-    fn beside_end(&self, end: f64) -> Option<Stop> {
-        let reach = self.geometry.edge_reach(self.sizes.uniform)?;
-        Some(beside_end(self.sizes, end, reach))
+        let outside = GradedInterval {
+            least: 1.0,
+            ..*inside
+        };
+        let towards = |side: &f64| {
+            let mut stops = zone.stops(sizes.end_size, side * half);
+            stops.extend(beyond.map(|edge| (side * edge, None, 1.0)));
+            inside.elements(&[crossing, stops[0]]) + outside.elements(&stops)
+        };
+        let sides: &[f64] = if self.whole { &[-1.0, 1.0] } else { &[1.0] };
+        sides.iter().map(towards).sum()
     }
 
     /// The plate above or below both rollers, across and along its own.
@@ -177,18 +123,13 @@ impl Count<'_> {
 
         let outside = along > geometry.length * (1.0 + 1e-9) && !sizes.uniform;
         let far = if outside { geometry.length } else { along };
-        let mut stops = self.along_roller(0.5 * far);
-        if outside {
-            stops.insert(0, (-0.5 * along, any, 1.0));
-            stops.push((0.5 * along, any, 1.0));
-        }
         let cap = if sizes.uniform {
             sizes.plan_cap
         } else {
             sizes.along_cap
         };
         let grading = self.grading(sizes.along_growth, cap, 1.0);
-        let along = self.halved(&grading, &stops);
+        let along = self.along_roller(&grading, 0.5 * far, outside.then_some(0.5 * along));
 
         let face = (0.0, Some(sizes.plate_size), sizes.fine_layers);
         let depth = self.grading(sizes.depth_growth, sizes.depth_cap, sizes.depth_least);
@@ -228,8 +169,10 @@ impl Count<'_> {
                 let outside = half > end * (1.0 + 1e-9) && end > v_line * (1.0 + 1e-9);
                 let last = if outside { end } else { half };
                 let mut stops = vec![any(-half), any(0.0), fine(v_line)];
-                stops.extend(self.beside_end(last));
-                stops.push((last, Some(sizes.end_size), 1.0));
+                let zone = geometry.end_zone(false);
+                let shorter = last < end * (1.0 - 1e-9);
+                let zone = if shorter { zone.sharp() } else { zone };
+                stops.extend(zone.stops(sizes.end_size, last));
                 stops.extend(outside.then(|| any(half)));
                 stops
             }

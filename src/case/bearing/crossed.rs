@@ -1,6 +1,7 @@
 //! Two crossed rollers as a [`Layout`].
 
 use super::count;
+use super::end_zone::EndZone;
 use super::error::GeometryError;
 use super::geometry::{BearingGeometry, Roller};
 use super::layout::{Layout, RollerPlace};
@@ -57,14 +58,14 @@ impl BearingGeometry {
         }
     }
 
-    /// See [`RollerShape::edge_reach`]; `None` where no end carries.
-    pub(super) fn edge_reach(&self, uniform: bool) -> Option<f64> {
-        if self.is_centred() || uniform {
-            return None;
+    /// The ends of displaced rollers carry. `uniform` meshes have no planes there.
+    pub(super) fn end_zone(&self, uniform: bool) -> EndZone {
+        if uniform {
+            return EndZone::default();
         }
         let room = 0.5 * self.length - self.v_line();
-        self.roller()
-            .edge_reach([self.plan[0].max(self.plan[1])], room)
+        let faces = [self.plan[0].max(self.plan[1])];
+        EndZone::new(&self.roller(), faces, (!self.is_centred(), room))
     }
 }
 
@@ -164,8 +165,7 @@ impl Layout for BearingGeometry {
             Parameter::number("Full", flag(self.is_whole(full))),
             Parameter::number("Uniform", flag(uniform)),
         ];
-        let reach = self.edge_reach(uniform);
-        parameters.extend(reach.map(|reach| Parameter::length("EdgeReach", reach)));
+        parameters.extend(self.end_zone(uniform).parameters());
         parameters
     }
 

@@ -38,7 +38,7 @@ fn own(geometry: &BearingGeometry) -> OwnSizes {
         plan_cap: unit.min(half_plan(geometry) / 4.0),
         middle_cap: (0.7 * unit).min(half_plan(geometry) / 5.0),
         depth_cap: (0.3 * unit).min(geometry.thinnest_plate() / 3.0),
-        edge_reach: geometry.edge_reach(false),
+        end_zone: geometry.end_zone(false),
     }
 }
 
@@ -51,7 +51,7 @@ fn auto_own(geometry: &BearingGeometry) -> OwnSizes {
         plan_cap: (0.43 * diameter).min(half_plan(geometry) / 4.0),
         middle_cap: (0.33 * diameter).min(half_plan(geometry) / 5.0),
         depth_cap: (0.1 * diameter).min(geometry.thinnest_plate() / 3.0),
-        edge_reach: geometry.edge_reach(false),
+        end_zone: geometry.end_zone(false),
     }
 }
 
@@ -64,7 +64,7 @@ pub(super) fn graded(
 ) -> Sizes {
     let unit = unit(roller.diameter);
     let half_length = roller.length / 2.0;
-    let mut sizes = Sizes {
+    Sizes {
         uniform: false,
         roller_size: size,
         plate_size: PLATE_TO_ROLLER * size,
@@ -84,12 +84,7 @@ pub(super) fn graded(
         wall_least: 6.0,
         depth_least: 5.0,
         along_least: 12.0,
-    };
-    if let Some(radius) = roller.end.radius() {
-        // A few elements on the fillet.
-        sizes.end_size = sizes.end_size.min(radius / 3.0);
     }
-    sizes
 }
 
 /// Rollers: 24 elements around, 2 through the wall, 0.5 in along; plates: 0.3 in, 3 layers.

@@ -2,7 +2,6 @@
 
 use super::end_shape::RollerEnd;
 use super::error::GeometryError;
-use crate::model::scene::EDGE_REACH;
 
 /// The dimensions of all rollers of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,19 +20,6 @@ impl RollerShape {
     /// The wall, or of a solid roller the half of its radius, to go by with element sizes.
     pub(super) fn nominal_wall(&self) -> f64 {
         self.wall.unwrap_or(self.diameter / 4.0)
-    }
-
-    /// How far from its ends a plane of nodes parts what belongs to a loaded edge from the rest, where the faces that it meets
-    /// are as long as that; `None` of rounded ends, and where there is too little room inside of an end. Without
-    /// it figures away from edges are read farther from the edge on one mesh and less on another.
-    pub(super) fn edge_reach(
-        &self,
-        faces: impl IntoIterator<Item = f64>,
-        room: f64,
-    ) -> Option<f64> {
-        let own = self.length.max(self.diameter);
-        let reach = EDGE_REACH * faces.into_iter().fold(own, f64::min);
-        (self.end.radius().is_none() && reach < 0.5 * room).then_some(reach)
     }
 
     /// Can it be made?

@@ -1,6 +1,8 @@
 //! Element sizes and counts of the bearing template, under their names in the case file and in
 //! the template.
 
+use super::end_zone::EndZone;
+
 /// Element sizes and counts of a mesh, lengths in the unit of the bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
@@ -56,15 +58,14 @@ pub(super) struct OwnSizes {
     pub middle_cap: f64,
     /// As of [`Sizes`].
     pub depth_cap: f64,
-    /// How far the stress of ends that carry reaches; see [`super::roller_shape::RollerShape::edge_reach`].
-    pub edge_reach: Option<f64>,
+    /// What lies at the ends of rollers.
+    pub end_zone: EndZone,
 }
 
 impl OwnSizes {
-    /// No longer than that, and three elements to where the stress of a loaded edge ceases to count: the second row from an
-    /// end carries too little, the third as much too much.
+    /// See [`EndZone::end_size`].
     pub fn end_size(&self, most: f64) -> f64 {
-        self.edge_reach.map_or(most, |reach| most.min(reach / 3.0))
+        self.end_zone.end_size(most)
     }
 }
 

@@ -6,9 +6,10 @@ use super::geometry::LineGeometry;
 use super::sizes;
 use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
-use crate::case::bearing::count::{GradedInterval, Stop, beside_end};
 use crate::case::bearing::end_shape::RollerEnd;
+use crate::case::bearing::end_zone::EndZone;
 use crate::case::bearing::error::GeometryError;
+use crate::case::bearing::grading::{GradedInterval, Stop};
 use crate::case::bearing::layout::{Layout, RollerPlace};
 use crate::case::bearing::parameter::Parameter;
 use crate::case::bearing::preset::Preset;
@@ -27,11 +28,10 @@ use std::f64::consts::PI;
 const AT_ENDS: f64 = 1.3;
 
 impl LineGeometry {
-    /// See [`RollerShape::edge_reach`].
-    pub(super) fn edge_reach(&self) -> Option<f64> {
+    pub(super) fn end_zone(&self) -> EndZone {
         let part = |plate: &LinePlate| plate.plan[0] / self.rollers as f64;
         let faces = [&self.upper, &self.lower].map(|plate| plate.plan[1].max(part(plate)));
-        self.roller().edge_reach(faces, 0.5 * self.length)
+        EndZone::new(&self.roller(), faces, (true, 0.5 * self.length))
     }
 
     fn is_whole(&self, full: bool) -> bool {
@@ -202,8 +202,7 @@ impl Layout for LineGeometry {
             Parameter::number("MirrorX", flag(self.mirrors_x(full))),
             Parameter::number("MirrorY", flag(!self.is_whole(full))),
         ];
-        let reach = self.edge_reach();
-        parameters.extend(reach.map(|reach| Parameter::length("EdgeReach", reach)));
+        parameters.extend(self.end_zone().parameters());
         parameters
     }
 
@@ -239,17 +238,10 @@ impl Layout for LineGeometry {
             Some(_) => 0.0,
             None => quarter * quarter,
         };
-        let end = 0.5 * self.length;
-        let at_end = (end, Some(sizes.end_size), 1.0);
         let along =
             |least, stops: &[Stop]| count(sizes.along_growth, sizes.along_cap, least, stops);
-        let half = match self.edge_reach() {
-            None => along(sizes.along_least, &[any(0.0), at_end]),
-            Some(reach) => {
-                let beside = beside_end(sizes, end, reach);
-                along(sizes.along_least, &[any(0.0), beside]) + along(1.0, &[beside, at_end])
-            }
-        };
+        let ends = self.end_zone().stops(sizes.end_size, 0.5 * self.length);
+        let half = along(sizes.along_least, &[any(0.0), ends[0]]) + along(1.0, &ends);
         let roller = (4.0 * quarter * through + core) * 2.0 * half;
         let plate = |plate: &LinePlate| {
             let pitch = match self.rollers {

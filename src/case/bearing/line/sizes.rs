@@ -40,6 +40,6 @@ fn own(geometry: &LineGeometry) -> OwnSizes {
         middle_cap: diameter,
         plan_cap: (0.3 * diameter).min(pitch / 4.0),
         depth_cap: (0.1 * diameter).min(least(&|plate| plates[plate].thickness) / 3.0),
-        edge_reach: geometry.edge_reach(),
+        end_zone: geometry.end_zone(),
     }
 }

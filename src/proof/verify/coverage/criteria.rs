@@ -1,5 +1,6 @@
 //! What is asked of the claims.
 
+use super::exclusion::share_excluded;
 use super::measure::ClaimRecord;
 use super::quantile::quantile;
 use super::tally::Tally;
@@ -52,6 +53,11 @@ pub fn criteria(records: &[ClaimRecord]) -> Vec<CoverageCriterion> {
     let mut list = vec![
         least("of all claims hold", 0.95, all.covered()),
         most("of all claims cannot be decided", 0.1, all.undecided()),
+        most(
+            "of pairs of claims of two meshes exclude each other",
+            0.05,
+            share_excluded(records),
+        ),
     ];
     let presets = groups(records, |r| r.preset.clone());
     for preset in &presets {

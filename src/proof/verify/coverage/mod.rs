@@ -9,6 +9,7 @@ mod bearing;
 mod criteria;
 pub mod draw;
 mod draw_lines;
+mod exclusion;
 mod fine;
 mod make;
 mod measure;

@@ -1,6 +1,7 @@
 //! The page `docs/coverage.md`, and the lines of the terminal.
 
 use super::criteria::{CoverageCriterion, criteria, groups};
+use super::exclusion::ClaimPair;
 use super::measure::{BarVerdict, ClaimRecord};
 use super::set::Set;
 use super::tally::Tally;
@@ -95,6 +96,36 @@ fn worst(records: &[ClaimRecord]) -> String {
     text
 }
 
+/// The pairs of claims that exclude each other by most.
+fn excluded(records: &[ClaimRecord]) -> String {
+    let mut pairs = ClaimPair::all(records);
+    pairs.retain(ClaimPair::exclude_each_other);
+    pairs.sort_by(|a, b| b.distance().total_cmp(&a.distance()));
+    let mut text = "| bearing | figure | where | one mesh | another | distance / sum of bars |\n\
+                    |---|---|---|---|---|---|\n"
+        .to_owned();
+    for pair in pairs.into_iter().take(WORST_LISTED) {
+        let [a, b] = pair.records();
+        let claim = |record: &ClaimRecord| {
+            let [value, bar] = [Some(record.reading.value), record.reading.bar]
+                .map(|number| number.map_or("-".to_owned(), |n| significant(n, 3)));
+            format!("{}: {value} ± {bar}", record.preset)
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} |",
+            a.bearing,
+            a.reading.what,
+            a.reading.place,
+            claim(a),
+            claim(b),
+            significant(pair.distance(), 2),
+        );
+    }
+    text
+}
+
 /// The page. `unsolved` says of the runs that failed, or are beyond a limit, why, `unknown` counts bearings without reference.
 pub fn page(
     records: &[ClaimRecord],
@@ -130,7 +161,8 @@ pub fn page(
          {missing}{failed}\n\
          ## What is asked\n\n| | | wanted | found |\n|---|---|---|---|\n{}\n\n\
          ## By mesh\n\n{}\n## By figure\n\n{}\n## By figure and mesh\n\n{}\n## By bearing\n\n{}\n\
-         ## The worst\n\n{}",
+         ## The worst\n\n{}\n\
+         ## Claims that exclude each other\n\nOne of the two at least is wrong, whatever is true.\n\n{}",
         sets.join(", "),
         if records.iter().all(|r| r.elastic) {
             ""
@@ -146,6 +178,7 @@ pub fn page(
         )),
         table("bearing", records, |r| r.bearing.clone()),
         worst(records),
+        excluded(records),
     )
 }
 

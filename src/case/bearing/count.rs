@@ -3,6 +3,7 @@
 
 use std::f64::consts::PI;
 
+use super::end_zone::EndZone;
 use super::geometry::BearingGeometry;
 use super::grading::{GradedInterval, Stop};
 use super::sizes::Sizes;
@@ -86,10 +87,7 @@ impl Count<'_> {
         let (geometry, sizes) = (self.geometry, self.sizes);
         let crossing = if sizes.uniform { 0.0 } else { geometry.offset };
         let crossing = (crossing, Some(sizes.crossing_size), 1.0);
-        let zone = match half < 0.5 * geometry.length * (1.0 - 1e-9) {
-            true => geometry.end_zone(sizes.uniform).sharp(),
-            false => geometry.end_zone(sizes.uniform),
-        };
+        let zone = self.end_zone(half);
         let outside = GradedInterval {
             least: 1.0,
             ..*inside
@@ -101,6 +99,15 @@ impl Count<'_> {
         };
         let sides: &[f64] = if self.whole { &[-1.0, 1.0] } else { &[1.0] };
         sides.iter().map(towards).sum()
+    }
+
+    /// Of a roller or plate that ends so far from the middle: a plate that is shorter than the roller has a sharp edge.
+    fn end_zone(&self, half: f64) -> EndZone {
+        let zone = self.geometry.end_zone(self.sizes.uniform);
+        match half < 0.5 * self.geometry.length * (1.0 - 1e-9) {
+            true => zone.sharp(),
+            false => zone,
+        }
     }
 
     /// The plate above or below both rollers, across and along its own.
@@ -169,10 +176,7 @@ impl Count<'_> {
                 let outside = half > end * (1.0 + 1e-9) && end > v_line * (1.0 + 1e-9);
                 let last = if outside { end } else { half };
                 let mut stops = vec![any(-half), any(0.0), fine(v_line)];
-                let zone = geometry.end_zone(false);
-                let shorter = last < end * (1.0 - 1e-9);
-                let zone = if shorter { zone.sharp() } else { zone };
-                stops.extend(zone.stops(sizes.end_size, last));
+                stops.extend(self.end_zone(last).stops(sizes.end_size, last));
                 stops.extend(outside.then(|| any(half)));
                 stops
             }

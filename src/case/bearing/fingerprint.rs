@@ -18,7 +18,7 @@ use crate::ground::hash::Fnv;
 ///
 /// Lengths enter in diameters and all numbers rounded to 12 digits, so that a bearing has one
 /// fingerprint whatever its unit. The end shape of the rollers does not enter (beyond the element
-/// sizes it asks for), nor does a curved face: meshes have square ends and flat faces and are shaped after reading.
+/// sizes and the plane of nodes that it asks for), nor does a curved face: meshes have square ends and flat faces and are shaped after reading.
 pub fn fingerprint(geometry: &dyn Layout, request: &MeshRequest) -> String {
     let template = geometry.template();
     let mut text = format!("brinell {} {}\n", template.name, template.version);

@@ -20,15 +20,13 @@ impl<'r> ClaimPair<'r> {
             );
             figures.entry(figure).or_default().push(record);
         }
-        let pairs = |claims: Vec<&'r ClaimRecord>| {
-            let after = claims.clone();
-            let with = move |(i, a): (usize, &'r ClaimRecord)| {
-                let others = after[i + 1..].to_vec();
-                others.into_iter().map(move |b| Self([a, b]))
-            };
-            claims.into_iter().enumerate().flat_map(with)
-        };
-        figures.into_values().flat_map(pairs).collect()
+        let mut pairs = Vec::new();
+        for claims in figures.values() {
+            for (i, a) in claims.iter().enumerate() {
+                pairs.extend(claims[i + 1..].iter().map(|b| Self([a, b])));
+            }
+        }
+        pairs
     }
 
     /// Distance of the values over the sum of the bars.

@@ -107,8 +107,8 @@ fn excluded(records: &[ClaimRecord]) -> String {
     for pair in pairs.into_iter().take(WORST_LISTED) {
         let [a, b] = pair.records();
         let claim = |record: &ClaimRecord| {
-            let [value, bar] = [Some(record.reading.value), record.reading.bar]
-                .map(|number| number.map_or("-".to_owned(), |n| significant(n, 3)));
+            let value = significant(record.reading.value, 3);
+            let bar = significant(record.reading.bar.unwrap_or(0.0), 3);
             format!("{}: {value} ± {bar}", record.preset)
         };
         // Writing to a string cannot fail.

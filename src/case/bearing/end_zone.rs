@@ -50,12 +50,14 @@ impl EndZone {
             .map(|(name, length)| Parameter::length(name, length))
     }
 
-    /// Elements at a sharp end, and where a fillet begins, are no longer than `most` and a third of the way from the end to
-    /// the plane: the second row from a sharp end carries too little, the third as much too much.
+    /// Elements at a sharp end, and where a fillet begins, are no longer than `most` and a share of the way from the end to
+    /// the plane. Next to a sharp end a third: the second row carries too little, the third as much too much. A displaced
+    /// roller stands on the beginning of its fillet: with a third it sank up to 3.4 % too far, with a fifth 1.3 %.
     pub fn end_size(self, most: f64) -> f64 {
         match self.length() {
             0.0 => most,
-            length => most.min(length / 3.0),
+            fillet if self.radius > 0.0 => most.min(fillet / 5.0),
+            reach => most.min(reach / 3.0),
         }
     }
 

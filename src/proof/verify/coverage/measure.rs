@@ -20,6 +20,8 @@ pub enum BarVerdict {
     Undecidable,
     /// The claim says itself that it is not resolved.
     Unresolved,
+    /// There are no true values of the bearing: other meshes may still exclude the claim.
+    Unknown,
 }
 
 /// A claim of a run and the truth about it.
@@ -33,6 +35,8 @@ pub struct ClaimRecord {
     #[serde(flatten)]
     pub truth: Option<Truth>,
     pub verdict: BarVerdict,
+    /// Are there true values of the bearing?
+    pub compared: bool,
     /// The mesh at the interface, or at those of the body that carry most.
     pub strip: Option<StripMesh>,
     pub unknowns: usize,
@@ -77,7 +81,7 @@ pub fn judge(reading: &ClaimReading, truth: Option<Truth>) -> BarVerdict {
     }
 }
 
-/// Solves `bearing` on `preset`, elastic or as drawn, and judges what it claims.
+/// Solves `bearing` on `preset`, elastic or as drawn, and judges what it claims by what is `stored` of it.
 ///
 /// # Errors
 /// [`JobError`].
@@ -85,7 +89,7 @@ pub fn measure(
     bearing: &Bearing,
     preset: &str,
     elastic: bool,
-    (stored, scatter): (&Stored, &BTreeMap<String, f64>),
+    (stored, scatter): (Option<&Stored>, &BTreeMap<String, f64>),
     keep: &Keep,
     observer: &mut dyn Observer,
 ) -> Result<JudgedRun, JobError> {
@@ -99,13 +103,18 @@ pub fn measure(
     let name = format!("{}/{preset}-{steel}", bearing.name);
     let solved = solution::solve(&case, (keep, &name), true, observer)?;
     let record = |reading: &ClaimReading| {
-        let of = |reading: &ClaimReading| truth(reading, elastic, stored, scatter);
+        let of = |reading: &ClaimReading| truth(reading, elastic, stored?, scatter);
         let truth = of(reading).or_else(|| by_load(reading, &solved.readings, of));
+        let verdict = match judge(reading, truth) {
+            BarVerdict::Undecidable if stored.is_none() => BarVerdict::Unknown,
+            verdict => verdict,
+        };
         ClaimRecord {
             bearing: bearing.name.clone(),
             preset: preset.to_owned(),
             elastic,
-            verdict: judge(reading, truth),
+            verdict,
+            compared: stored.is_some(),
             reading: reading.clone(),
             truth,
             strip: strip(&solved, &reading.place),

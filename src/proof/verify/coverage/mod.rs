@@ -2,7 +2,8 @@
 //!
 //! Ten bearings have names; a seed draws thirty of crossed rollers (`draw`) and ten of parallel ones (`draw_lines`). The true values of a set are in a
 //! file below `cases/coverage`, from two fine meshes each (`make`, `pair`, `reference`); `measure` solves a bearing
-//! on the presets and judges every claim of its certificate, whatever it is about; `page` and
+//! on the presets and judges every claim of its certificate, whatever it is about; `exclusion` asks of two meshes whether
+//! their claims can both be true, which takes no true value; `page` and
 //! `criteria` say what came of it.
 
 mod bearing;

@@ -126,7 +126,7 @@ fn excluded(records: &[ClaimRecord]) -> String {
     text
 }
 
-/// The page. `unsolved` says of the runs that failed, or are beyond a limit, why, `unknown` counts bearings without reference.
+/// The page. `unsolved` says of the runs that failed, or are beyond a limit, why, `unknown` names bearings without true values.
 pub fn page(
     records: &[ClaimRecord],
     sets: &[Set],
@@ -138,7 +138,7 @@ pub fn page(
     let missing = match unknown {
         [] => String::new(),
         names => format!(
-            "\nWithout stored true values, so left out: {}.\n",
+            "\nWithout stored true values, so that one mesh's claims are judged only by another's: {}.\n",
             names.join(", ")
         ),
     };
@@ -187,7 +187,7 @@ pub fn line(name: &str, records: &[ClaimRecord]) -> String {
     let tally = Tally::of(records);
     let first = records.first();
     format!(
-        "{name:44} {:>8} unknowns {:>7.1} s  {:3} claims: {:3} hold, {:2} missed, {:2} undecidable, {:2} unresolved",
+        "{name:44} {:>8} unknowns {:>7.1} s  {:3} claims: {:3} hold, {:2} missed, {:2} undecidable, {:2} unresolved{}",
         first.map_or(0, |r| r.unknowns),
         first.map_or(0.0, |r| r.cpu_s),
         tally.claims,
@@ -195,5 +195,10 @@ pub fn line(name: &str, records: &[ClaimRecord]) -> String {
         tally.missed,
         tally.undecidable,
         tally.unresolved,
+        if tally.compared == 0 {
+            "; no true values"
+        } else {
+            ""
+        },
     )
 }

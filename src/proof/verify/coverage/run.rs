@@ -41,7 +41,7 @@ pub struct CoverageAnswer {
     pub records: Vec<ClaimRecord>,
     /// Runs that failed or are beyond a limit of every run, and why.
     pub unsolved: Vec<String>,
-    /// Bearings without stored true values.
+    /// Bearings without stored true values, and their steel.
     pub unknown: Vec<String>,
     pub interrupted: bool,
 }
@@ -104,7 +104,7 @@ impl CoverageRun<'_> {
         Ok(answer)
     }
 
-    /// Solves the bearings on the presets and judges their claims.
+    /// Solves the bearings on the presets and judges their claims, those without true values only by each other.
     ///
     /// # Errors
     /// [`JobError`] where a drawn case is not understood.
@@ -115,19 +115,14 @@ impl CoverageRun<'_> {
             let known = References::read(set)?;
             let scatter = known.scatter();
             for bearing in self.bearings(set) {
-                let Some(stored) = known.of(&bearing) else {
-                    answer.unknown.push(bearing.name);
-                    continue;
-                };
                 let both = self.plastic && !bearing.is_elastic()?;
                 let steels: &[bool] = if both { &[true, false] } else { &[true] };
                 let runs = (presets.iter()).flat_map(|p| steels.iter().map(move |e| (p, *e)));
                 for (preset, elastic) in runs {
-                    if !stored.has(elastic) {
-                        answer
-                            .unknown
-                            .push(format!("{}, {}", bearing.name, steel(elastic)));
-                        continue;
+                    let stored = known.of(&bearing).filter(|s| s.has(elastic));
+                    if stored.is_none() {
+                        let name = format!("{}, {}", bearing.name, steel(elastic));
+                        answer.unknown.push(name);
                     }
                     let name = format!("{}, {preset}, {}", bearing.name, steel(elastic));
                     let truths = (stored, &scatter);
@@ -153,6 +148,7 @@ impl CoverageRun<'_> {
                 }
             }
         }
+        answer.unknown.sort();
         answer.unknown.dedup();
         Ok(answer)
     }

@@ -7,6 +7,8 @@ use super::quantile::quantile;
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Tally {
     pub claims: usize,
+    /// Of bearings that have true values.
+    pub compared: usize,
     pub holds: usize,
     pub missed: usize,
     pub undecidable: usize,
@@ -23,11 +25,13 @@ impl Tally {
         let (mut errors, mut bars) = (Vec::new(), Vec::new());
         for record in records {
             tally.claims += 1;
+            tally.compared += usize::from(record.compared);
             match record.verdict {
                 BarVerdict::Holds => tally.holds += 1,
                 BarVerdict::Missed => tally.missed += 1,
                 BarVerdict::Undecidable => tally.undecidable += 1,
                 BarVerdict::Unresolved => tally.unresolved += 1,
+                BarVerdict::Unknown => {}
             }
             if let (Some(error), Some(bar)) = (record.error(), record.bar()) {
                 errors.push(error);
@@ -47,9 +51,9 @@ impl Tally {
         share(self.holds, self.holds + self.missed)
     }
 
-    /// Of all claims.
+    /// Of all claims about bearings that have true values.
     pub fn undecided(&self) -> Option<f64> {
-        share(self.undecidable, self.claims)
+        share(self.undecidable, self.compared)
     }
 
     /// Of all claims.

@@ -15,7 +15,7 @@ use brinell::model::mesh::Mesh;
 use brinell::model::scene::{ContactPair, Scene};
 use brinell::product::job::{self, Options, Outcome};
 use brinell::proof::verify::coverage::{References, Set, Truth};
-use brinell::render::plot::{Figure, Line, Panel, Scale, write};
+use brinell::render::plot::{Line, Panel, PlotFigure, Scale, write};
 use brinell::solver::solve::Silent;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -296,7 +296,7 @@ fn table(rows: &[Row]) -> String {
 }
 
 /// Errors against seconds on the left, against memory on the right: a line each for presets, targets and CalculiX.
-fn figure(rows: &[Row]) -> Figure {
+fn figure(rows: &[Row]) -> PlotFigure {
     /// Smaller errors are drawn as this, in per cent: true values are not known better.
     const LEAST: f64 = 0.05;
     let legend = ["Brinell, presets", "Brinell, targets", "CalculiX"];
@@ -332,7 +332,7 @@ fn figure(rows: &[Row]) -> Figure {
             });
         }
     }
-    Figure {
+    PlotFigure {
         panels,
         legend: legend.map(str::to_owned).to_vec(),
         dashed: String::new(),

@@ -4,7 +4,7 @@ use crate::fit::{self, Quantity};
 use crate::kit::{Failure, machine};
 use crate::record::Record;
 use crate::sizes::Model;
-use brinell::render::plot::{Figure, Line, Panel, Scale, write};
+use brinell::render::plot::{Line, Panel, PlotFigure, Scale, write};
 use brinell::render::text::significant;
 use std::path::Path;
 
@@ -166,7 +166,7 @@ pub fn picture(series: &Series, path: &Path) -> Result<(), Failure> {
         });
         legend.extend(phases.into_iter().map(|phase| phase.name));
     }
-    let figure = Figure {
+    let figure = PlotFigure {
         panels,
         legend,
         dashed: String::new(),

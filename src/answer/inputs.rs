@@ -37,7 +37,7 @@ pub struct AnswerInputs<'a> {
     pub converged: bool,
     /// What to measure at each interface, in the order of the pairs; line load in ten equal
     /// slices where the list is shorter.
-    pub measures: &'a [Measured],
+    pub measures: &'a [InterfaceReadings],
     /// The inner walls of hollow rollers.
     pub bores: &'a [Bore],
     /// Share of the load that stabilisation carries, which only the solver knows.
@@ -68,7 +68,7 @@ impl<'a> AnswerInputs<'a> {
 
 /// What to measure at an interface beyond its scalars.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Measured {
+pub struct InterfaceReadings {
     /// Slices of the line load.
     pub slices: Option<Slices>,
     /// The strip whose half-width is wanted.

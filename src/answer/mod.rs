@@ -23,7 +23,7 @@ mod unloaded;
 
 pub use body::{BodyFigures, RollerFigures};
 pub use checks::{BalanceFigures, Checks};
-pub use inputs::{AnswerInputs, Measured};
+pub use inputs::{AnswerInputs, InterfaceReadings};
 pub use interface::{InterfaceFigures, LineFigures, LineLoadFigures};
 pub use load_line::LoadPoint;
 pub use named::{Named, Three};

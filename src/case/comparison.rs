@@ -26,7 +26,7 @@ pub enum MisesRead {
 /// What a printed value measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Measure {
+pub enum ComparedMeasure {
     /// Largest Mises stress of a body, of the `rollers`, the `plates`, or `overall`.
     Mises,
     /// Largest contact pressure of an interface, or `overall`.
@@ -39,7 +39,7 @@ pub enum Measure {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Printed {
     /// The quantity.
-    pub what: Measure,
+    pub what: ComparedMeasure,
     /// A body, an interface, `rollers`, `plates` or `overall`.
     pub place: String,
     /// In the units of the case.
@@ -94,8 +94,8 @@ impl Comparison {
 
         let (mut values, mut named) = (Vec::new(), Vec::new());
         for (key, what) in [
-            ("mises", Measure::Mises),
-            ("max_pressure", Measure::MaxPressure),
+            ("mises", ComparedMeasure::Mises),
+            ("max_pressure", ComparedMeasure::MaxPressure),
         ] {
             let Some(field) = table.get(key) else {
                 continue;
@@ -121,7 +121,7 @@ impl Comparison {
         if let Some(field) = table.get("descent") {
             let value = field.quantity(Dimension::LENGTH)?.value;
             values.push(Printed {
-                what: Measure::Descent,
+                what: ComparedMeasure::Descent,
                 place: "overall".to_string(),
                 value,
             });

@@ -43,7 +43,7 @@ use std::path::{Path, PathBuf};
 
 pub use assumption::Assumption;
 pub use bearing::BearingCase;
-pub use comparison::{Comparison, Measure, MisesRead, Printed};
+pub use comparison::{ComparedMeasure, Comparison, MisesRead, Printed};
 pub use contact::Contact;
 pub use error::{CaseError, ErrorKind};
 pub use general::GeneralCase;

@@ -11,7 +11,7 @@ use crate::case::Case;
 use crate::case::combinations::{Combination, combinations as combinations_at};
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, JobError, Options, Outcome};
-use crate::product::target::{self, Level, Limits, Target, Verdict};
+use crate::product::target::{self, Level, Target, TargetLimits, TargetVerdict};
 use crate::render::{digest, terminal};
 use crate::solver::solve::{Counters, Phase};
 use clap::Args;
@@ -145,12 +145,18 @@ fn refined(
     console: &mut Console,
 ) -> Result<(Outcome, Option<String>), ConvergeError> {
     let told = |level: &Level| say(&target::table(std::slice::from_ref(level)));
-    let (levels, verdict, outcome) =
-        target::refine(case, target, &Limits::default(), options, console, told)?;
+    let (levels, verdict, outcome) = target::refine(
+        case,
+        target,
+        &TargetLimits::default(),
+        options,
+        console,
+        told,
+    )?;
     say(&target::table(&levels));
     let missed = match verdict {
-        Verdict::NotMet(why) => Some(format!("{}: {why}", target.goal.name())),
-        Verdict::Met | Verdict::Interrupted => None,
+        TargetVerdict::NotMet(why) => Some(format!("{}: {why}", target.goal.name())),
+        TargetVerdict::Met | TargetVerdict::Interrupted => None,
     };
     Ok((outcome, missed))
 }

@@ -8,7 +8,7 @@ use crate::case::combinations::Combination;
 use crate::ground::file::{FileError, write_atomically};
 use crate::ground::hash::Fnv;
 use crate::render::Summary;
-use crate::render::joint::{self, Part};
+use crate::render::joint::{self, JointPart};
 use crate::solver::solve::Observer;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub const FILE: &str = "combinations.json";
 
 /// A solved combination.
 #[derive(Debug)]
-pub struct Solved {
+pub struct SolvedCombination {
     pub name: String,
     /// Actions and factors, in words.
     pub acts: String,
@@ -41,8 +41,8 @@ pub fn solve(
     combinations: &[Combination],
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Vec<Solved>, JobError> {
-    let mut solved: Vec<Solved> = Vec::new();
+) -> Result<Vec<SolvedCombination>, JobError> {
+    let mut solved: Vec<SolvedCombination> = Vec::new();
     for (index, combination) in combinations.iter().enumerate() {
         let folder = folder(index, &combination.name);
         let acts = combination.acts();
@@ -53,7 +53,7 @@ pub fn solve(
         };
         let outcome = job::run(&combination.case, &own, observer)?;
         let interrupted = outcome.interrupted;
-        solved.push(Solved {
+        solved.push(SolvedCombination {
             name: combination.name.clone(),
             acts,
             case_hash: Fnv::hex(combination.case.source.text()),
@@ -86,9 +86,9 @@ fn folder(index: usize, name: &str) -> String {
 }
 
 /// What the page and the tables are made of.
-pub fn parts(solved: &[Solved]) -> Vec<Part<'_>> {
-    fn part(one: &Solved) -> Part<'_> {
-        Part {
+pub fn parts(solved: &[SolvedCombination]) -> Vec<JointPart<'_>> {
+    fn part(one: &SolvedCombination) -> JointPart<'_> {
+        JointPart {
             name: &one.name,
             acts: &one.acts,
             case_hash: &one.case_hash,
@@ -106,7 +106,7 @@ pub fn parts(solved: &[Solved]) -> Vec<Part<'_>> {
 /// [`FileError::Write`] names the path.
 pub fn write(
     title: &str,
-    solved: &[Solved],
+    solved: &[SolvedCombination],
     page: bool,
     out: &Path,
 ) -> Result<Vec<PathBuf>, FileError> {
@@ -131,9 +131,9 @@ pub fn write(
     Ok(written)
 }
 
-fn record(title: &str, parts: &[Part]) -> Value {
+fn record(title: &str, parts: &[JointPart]) -> Value {
     let governs = joint::governs(parts).and_then(|index| parts.get(index));
-    let one = |part: &Part| {
+    let one = |part: &JointPart| {
         let most = joint::governing(part.summary);
         json!({
             "name": part.name,

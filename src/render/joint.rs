@@ -15,7 +15,7 @@ use std::path::Path;
 
 /// One of the runs.
 #[derive(Debug, Clone, Copy)]
-pub struct Part<'a> {
+pub struct JointPart<'a> {
     pub name: &'a str,
     /// What acts, such as the actions with their factors.
     pub acts: &'a str,
@@ -67,7 +67,7 @@ pub fn governing(summary: &Summary) -> Option<Governing> {
 }
 
 /// The run that governs all: its index.
-pub fn governs(parts: &[Part]) -> Option<usize> {
+pub fn governs(parts: &[JointPart]) -> Option<usize> {
     let shares = parts.iter().map(|part| governing(part.summary));
     let shares = shares.map(|most| most.map_or(f64::NEG_INFINITY, |most| most.utilisation));
     let shares: Vec<f64> = shares.collect();
@@ -78,7 +78,7 @@ pub fn governs(parts: &[Part]) -> Option<usize> {
 }
 
 /// One line a run: its verdict, and what uses most.
-pub fn overview(parts: &[Part]) -> Table {
+pub fn overview(parts: &[JointPart]) -> Table {
     let units = parts.first().map(|part| &part.summary.units);
     let mut table = Table::new("")
         .words("run")
@@ -117,7 +117,7 @@ pub fn overview(parts: &[Part]) -> Table {
 }
 
 /// The page; `about` are sentences below its title.
-pub fn page(title: &str, about: &[String], parts: &[Part]) -> Markup {
+pub fn page(title: &str, about: &[String], parts: &[JointPart]) -> Markup {
     let block = parts.first().map(|part| &part.summary.title_block.0);
     html! {
         (DOCTYPE)
@@ -148,7 +148,7 @@ pub fn page(title: &str, about: &[String], parts: &[Part]) -> Markup {
 }
 
 /// The verdict on all: that of the run with the worst news, and what governs.
-fn head(parts: &[Part]) -> Markup {
+fn head(parts: &[JointPart]) -> Markup {
     let verdicts = parts
         .iter()
         .map(|part| (part, verdict(part.summary, part.missed)));
@@ -160,7 +160,7 @@ fn head(parts: &[Part]) -> Markup {
     // Of equally bad news that of the run that governs.
     let first = governs(parts).map(|index| parts[index].name);
     let order =
-        |(part, verdict): &(&Part, Verdict)| (rank(verdict.grade), Some(part.name) == first);
+        |(part, verdict): &(&JointPart, Verdict)| (rank(verdict.grade), Some(part.name) == first);
     let worst = verdicts.reduce(|worst, other| match order(&other) > order(&worst) {
         true => other,
         false => worst,
@@ -183,7 +183,7 @@ fn head(parts: &[Part]) -> Markup {
 }
 
 /// What a checker wants of one run; the rest is on its own page.
-fn one(part: &Part) -> Markup {
+fn one(part: &JointPart) -> Markup {
     let summary = part.summary;
     let units = &summary.units;
     let load = significant(summary.answer.applied_load, 5);
@@ -206,7 +206,12 @@ fn one(part: &Part) -> Markup {
 ///
 /// # Errors
 /// [`FileError::Write`] names the path.
-pub fn write(title: &str, about: &[String], parts: &[Part], path: &Path) -> Result<(), FileError> {
+pub fn write(
+    title: &str,
+    about: &[String],
+    parts: &[JointPart],
+    path: &Path,
+) -> Result<(), FileError> {
     let text = page(title, about, parts).into_string();
     write_atomically(path, |out| out.write_all(text.as_bytes()))
 }

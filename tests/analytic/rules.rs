@@ -1,7 +1,8 @@
 //! Design rules against numbers worked by hand from their formulas, two for each, to four digits.
 
 use brinell::analytic::rules::{
-    Bound, Judged, Limit, LoadError, Measure, Rule, RuleInput, RuleSteel, Standing, Verdict, rules,
+    Bound, Judged, Limit, LoadError, Rule, RuleInput, RuleMeasure, RuleSteel, RuleVerdict,
+    Standing, rules,
 };
 use brinell::ground::units::{Dimension, UnitSystem};
 
@@ -369,22 +370,22 @@ fn verdicts_say_what_they_are_worth() {
             [0.81 * line_load, 1.21 * line_load].map(|load| judge(load, LoadError::None));
         assert_eq!([words(less), words(more)], expected, "{}", rule.name);
         let [low, high] = match rule.measure {
-            Measure::LineLoad => [0.81, 1.21],
-            Measure::Pressure => [0.9, 1.1],
+            RuleMeasure::LineLoad => [0.81, 1.21],
+            RuleMeasure::Pressure => [0.9, 1.1],
         };
         close(rule.name, less.utilisation, low, 1e-12);
         close(rule.name, more.utilisation, high, 1e-12);
         close(rule.name, less.pressure, 0.9 * pressure, 1e-12);
         // An error that reaches over the limit leaves it open.
         let open = judge(0.95 * line_load, LoadError::Within(0.1 * line_load));
-        assert_eq!(open.verdict, Verdict::Open);
+        assert_eq!(open.verdict, RuleVerdict::Open);
         assert_eq!(open.verdict.is_within(), None);
         let known = judge(0.8 * line_load, LoadError::Within(0.1 * line_load));
         assert_eq!(known.verdict.is_within(), Some(true));
         let unknown = judge(0.1 * line_load, LoadError::Unknown);
         assert_eq!(
             (unknown.verdict, unknown.error),
-            (Verdict::Unresolved, None)
+            (RuleVerdict::Unresolved, None)
         );
         let indicative = rule.standing == Standing::Indicative;
         assert!(!indicative || expected.iter().all(|word| !word.contains("met")));

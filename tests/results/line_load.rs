@@ -5,7 +5,7 @@ use crate::summary::summarise;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
 use brinell::render::line_load::{FILES, whole_lines, write};
-use brinell::render::plot::{Figure, Line, Panel, Scale, svg};
+use brinell::render::plot::{Line, Panel, PlotFigure, Scale, svg};
 use std::path::Path;
 use std::process::Command;
 
@@ -134,7 +134,7 @@ fn a_figure_of_nothing_or_of_no_numbers_is_drawn() {
         dashed: vec![f64::NAN, -1.0],
     };
     let panels = [vec![], vec![(0.0, 0.0)], vec![(f64::NAN, f64::INFINITY)]];
-    let figure = Figure {
+    let figure = PlotFigure {
         panels: panels.map(panel).into(),
         legend: vec![],
         dashed: String::new(),

@@ -4,7 +4,7 @@ use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::line_load::Slices;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
-use brinell::answer::{Answer, AnswerInputs, Measured, Named};
+use brinell::answer::{Answer, AnswerInputs, InterfaceReadings, Named};
 use brinell::ground::units::UnitLabels;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
@@ -40,7 +40,7 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
         unloaded: Some(state),
         steps: &steps,
         elastic: Some(&elastic),
-        measures: &[Measured {
+        measures: &[InterfaceReadings {
             slices: Some(slices),
             strip: None,
         }],

@@ -3,7 +3,7 @@
 use brinell::case;
 use brinell::prelude::*;
 use brinell::product::job::Options;
-use brinell::product::target::{Limits, Target, Verdict, refine};
+use brinell::product::target::{Target, TargetLimits, TargetVerdict, refine};
 use brinell::proof::verify::stream::Stream;
 use std::f64::consts::PI;
 use std::path::Path;
@@ -26,13 +26,13 @@ fn a_punch_of_eight_elements_is_refined_to_one_per_cent_of_hertz() {
         let (levels, verdict, _) = refine(
             &case,
             &target,
-            &Limits::default(),
+            &TargetLimits::default(),
             &Options::default(),
             &mut Silent,
             |_| (),
         )
         .unwrap();
-        assert!(matches!(verdict, Verdict::Met), "{verdict:?}");
+        assert!(matches!(verdict, TargetVerdict::Met), "{verdict:?}");
 
         let steel = |modulus| Elastic::new(modulus, 0.3).unwrap();
         let compliance = contact_compliance(steel(1000.0 * modulus), steel(210e3)).unwrap();

@@ -7,7 +7,7 @@
 //! ```
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::error;
 use crate::ground::units::{Dimension, UnitSystem};
@@ -26,7 +26,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "q ≤ (F_y - 13)/20 · 0.6 d to 25 in, · 3 √d to 125 in; ksi, kip/in",
         source: "older AASHTO, AREMA",
         standing: Standing::Indicative,
-        measure: Measure::LineLoad,
+        measure: RuleMeasure::LineLoad,
         limit: bound(contact).into(),
         notes: Vec::new(),
     }

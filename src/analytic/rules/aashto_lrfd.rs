@@ -1,7 +1,7 @@
 //! Contact of cylinders by AASHTO LRFD, of loads of the service limit state.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 
 /// The factor of the rule.
@@ -14,7 +14,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "P ≤ 8 W D1 / (1 - D1/D2) F_y² / E_s",
         source: "AASHTO LRFD, service loads",
         standing: Standing::Indicative,
-        measure: Measure::LineLoad,
+        measure: RuleMeasure::LineLoad,
         limit: bound(contact).into(),
         notes: Vec::new(),
     }

@@ -4,7 +4,7 @@
 //! factor of the edge. With q = π D p0² (1 - ν²) / E_m, E_m = 2 E1 E2 / (E1 + E2), that is Hertz for ν alike.
 
 use super::input::{RuleContact, RuleSteel};
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::error;
 use crate::ground::units::{Dimension, UnitSystem};
@@ -30,7 +30,7 @@ pub(super) fn statics(contact: &RuleContact) -> Rule {
         formula: "F ≤ (7 HB)² π D b (1 - ν²) f1 f2 / (E_m γ_m)",
         source: "EN 13001-3-3, wheel on rail",
         standing: Standing::Indicative,
-        measure: Measure::LineLoad,
+        measure: RuleMeasure::LineLoad,
         limit: line_load(contact, STATIC)
             .and_then(|q| contact.at_line_load(q))
             .into(),
@@ -45,7 +45,7 @@ pub(super) fn fatigue(contact: &RuleContact) -> Rule {
         formula: "F ≤ (3 HB)² π D b (1 - ν²) f1 f2 / (E_m γ_cf s_c^(1/m)), m = 10/3",
         source: "EN 13001-3-3, wheel on rail",
         standing: Standing::Indicative,
-        measure: Measure::LineLoad,
+        measure: RuleMeasure::LineLoad,
         limit: fatigue_bound(contact).into(),
         notes: notes(contact),
     }

@@ -1,7 +1,7 @@
 //! Roller bearings by EN 1337-4.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::error;
 
@@ -29,7 +29,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "N' ≤ 23 R f_u² / E_d / γ_m², 2 D ≤ L ≤ 6 D, rotation ≤ 0.05 rad",
         source: "EN 1337-4:2004",
         standing: Standing::Indicative,
-        measure: Measure::LineLoad,
+        measure: RuleMeasure::LineLoad,
         limit: bound(contact).into(),
         notes,
     }

@@ -1,7 +1,7 @@
 //! The pressure that ISO 76 rates rolling bearings by: 4000 N/mm² leaves about 1e-4 of the roller's diameter.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::error;
 use crate::ground::units::{Dimension, UnitSystem};
@@ -18,7 +18,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "p0 ≤ 4000 N/mm², which leaves about 1e-4 D; hardened bearing steel",
         source: "ISO 76, static load rating",
         standing: Standing::Indicative,
-        measure: Measure::Pressure,
+        measure: RuleMeasure::Pressure,
         limit: bound(contact).into(),
         notes: vec!["taken from 615 HB on, about 58 HRC".to_owned()],
     }

@@ -16,7 +16,7 @@
 //! | first yield, elastic shakedown | [`onset_of_yield`], [`shakedown`] |
 //!
 //! ```
-//! use brinell::analytic::rules::{LoadError, RuleInput, RuleSteel, Verdict, rules};
+//! use brinell::analytic::rules::{LoadError, RuleInput, RuleSteel, RuleVerdict, rules};
 //! use brinell::ground::units::UnitSystem;
 //!
 //! // A roller of 160 mm on a plate, both S355, under 1500 N/mm.
@@ -26,7 +26,7 @@
 //! let rule = all.iter().find(|rule| rule.name == "EN 1337-4").ok_or("no such rule")?;
 //! let judged = rule.judge(1500.0, LoadError::None).ok_or("it does not apply")?;
 //! assert!((judged.utilisation - 1500.0 / 1935.5).abs() < 1e-4);
-//! assert_eq!(judged.verdict, Verdict::IndicativeWithin);
+//! assert_eq!(judged.verdict, RuleVerdict::IndicativeWithin);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -45,8 +45,8 @@ mod rule;
 mod verdict;
 
 pub use input::{RuleInput, RuleSteel};
-pub use rule::{Bound, Limit, Measure, Rule};
-pub use verdict::{Judged, LoadError, Standing, Verdict};
+pub use rule::{Bound, Limit, Rule, RuleMeasure};
+pub use verdict::{Judged, LoadError, RuleVerdict, Standing};
 
 use super::error::DomainError;
 use input::RuleContact;

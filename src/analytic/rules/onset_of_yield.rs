@@ -1,7 +1,7 @@
 //! First yield below an even line contact, Mises: p0 = 3.1 k = 1.79 Y for ν = 0.3.
 
 use super::input::{RuleContact, RuleSteel};
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::subsurface::onset::line_yield_pressure;
 
@@ -12,7 +12,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "p0 = 1.79 Y (ν = 0.3; Mises, no traction)",
         source: "Johnson 1985, chapter 6",
         standing: Standing::Threshold,
-        measure: Measure::Pressure,
+        measure: RuleMeasure::Pressure,
         limit: bound(contact).into(),
         notes: Vec::new(),
     }

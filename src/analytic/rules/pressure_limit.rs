@@ -1,7 +1,7 @@
 //! p0 ≤ 1.65 σ_y, (2-49) of the reference study.
 
 use super::input::RuleContact;
-use super::rule::{Measure, Rule};
+use super::rule::{Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::sizing::PRESSURE_LIMIT;
 
@@ -13,7 +13,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "p0 ≤ 1.65 σ_y",
         source: "reference study",
         standing: Standing::Rule,
-        measure: Measure::Pressure,
+        measure: RuleMeasure::Pressure,
         limit: bound.into(),
         notes: Vec::new(),
     }

@@ -1,13 +1,13 @@
 //! One record for all rules.
 
-use super::verdict::{Judged, LoadError, Standing, Verdict};
+use super::verdict::{Judged, LoadError, RuleVerdict, Standing};
 use crate::analytic::error::DomainError;
 use serde::Serialize;
 
 /// What a rule limits, so that it is clear of what a utilisation is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Measure {
+pub enum RuleMeasure {
     /// Load per length.
     LineLoad,
     /// Peak pressure, which grows with the root of the load.
@@ -70,7 +70,7 @@ pub struct Rule {
     /// What it is worth.
     pub standing: Standing,
     /// What its utilisation is of.
-    pub measure: Measure,
+    pub measure: RuleMeasure,
     /// Its limit here.
     pub limit: Limit,
     /// What was taken for granted.
@@ -92,8 +92,8 @@ impl Rule {
         let share = |load: f64| {
             let load = (load / bound.line_load).max(0.0);
             match self.measure {
-                Measure::LineLoad => load,
-                Measure::Pressure => load.sqrt(),
+                RuleMeasure::LineLoad => load,
+                RuleMeasure::Pressure => load.sqrt(),
             }
         };
         let known = match error {
@@ -102,13 +102,13 @@ impl Rule {
             LoadError::Unknown => None,
         };
         let span = known.map(|error| [line_load - error, line_load + error].map(share));
-        let verdict = span.map(|[least, most]| Verdict::of(self.standing, least, most));
+        let verdict = span.map(|[least, most]| RuleVerdict::of(self.standing, least, most));
         Some(Judged {
             line_load,
             pressure: bound.pressure * (line_load / bound.line_load).max(0.0).sqrt(),
             utilisation: share(line_load),
             error: span.map(|[least, most]| 0.5 * (most - least)),
-            verdict: verdict.unwrap_or(Verdict::Unresolved),
+            verdict: verdict.unwrap_or(RuleVerdict::Unresolved),
         })
     }
 }

@@ -2,7 +2,7 @@
 //! makes more plastic strain. k = Y/√3 (Mises).
 
 use super::input::RuleContact;
-use super::rule::{Measure, Rule};
+use super::rule::{Rule, RuleMeasure};
 use super::verdict::Standing;
 
 /// p0 over the shear yield stress.
@@ -17,7 +17,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "p0 = 4 k = 2.31 Y (free rolling, no traction)",
         source: "Johnson 1985, chapter 9",
         standing: Standing::Threshold,
-        measure: Measure::Pressure,
+        measure: RuleMeasure::Pressure,
         limit: bound.into(),
         notes: Vec::new(),
     }

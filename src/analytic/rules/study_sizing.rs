@@ -3,7 +3,7 @@
 //! The L of the rule is the length that bears, (2-51): the load per length that it is asked of is that over L' - 2 D_r.
 
 use super::input::RuleContact;
-use super::rule::{Bound, Measure, NoLimit, Rule};
+use super::rule::{Bound, NoLimit, Rule, RuleMeasure};
 use super::verdict::Standing;
 use crate::analytic::sizing::PRINTED;
 
@@ -14,7 +14,7 @@ pub(super) fn rule(contact: &RuleContact) -> Rule {
         formula: "P / L ≤ 8 D σ_y² / E_s, L = L' - 2 D_r",
         source: "reference study, constant as printed",
         standing: Standing::Rule,
-        measure: Measure::LineLoad,
+        measure: RuleMeasure::LineLoad,
         limit: bound(contact).into(),
         notes: Vec::new(),
     }

@@ -19,7 +19,7 @@ pub enum Standing {
 
 /// A verdict. That of an indicative rule never reads as if a standard were met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum RuleVerdict {
     /// Within the limit.
     Met,
     /// Beyond it.
@@ -49,7 +49,7 @@ pub enum LoadError {
     Unknown,
 }
 
-impl Verdict {
+impl RuleVerdict {
     const ALL: [Self; 8] = [
         Self::Met,
         Self::NotMet,
@@ -88,7 +88,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for RuleVerdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Met => "met",
@@ -103,15 +103,15 @@ impl fmt::Display for Verdict {
     }
 }
 
-impl Serialize for Verdict {
+impl Serialize for RuleVerdict {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
 }
 
-impl JsonSchema for Verdict {
+impl JsonSchema for RuleVerdict {
     fn schema_name() -> Cow<'static, str> {
-        "Verdict".into()
+        "RuleVerdict".into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
@@ -131,5 +131,5 @@ pub struct Judged {
     /// What the utilisation may be off by, as the load may; `None` where nothing is known of it.
     pub error: Option<f64>,
     /// What the rule says.
-    pub verdict: Verdict,
+    pub verdict: RuleVerdict,
 }

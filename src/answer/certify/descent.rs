@@ -26,12 +26,12 @@ pub struct Travel {
     /// That of the nodes.
     pub of_mesh: f64,
     /// What the mesh misses; `None` where it is prescribed and so known.
-    missing: Option<Missing>,
+    missing: Option<MissedByMesh>,
 }
 
 /// What a mesh misses of a travel.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Missing {
+struct MissedByMesh {
     /// As the smoothed stress and the strips have it; not a number, or infinite, where they say nothing.
     estimate: f64,
     /// Is it known to be missing, and not too much? A load on its way up, on bodies that are not warmed, moves too little.
@@ -57,7 +57,7 @@ impl Travel {
         let missing = by_force.then(|| {
             let energy = energy::missing_work(scene, state, recovered) * copies(scene);
             let seen = missing(energy / applied(scene, state), of_mesh);
-            Missing {
+            MissedByMesh {
                 estimate: seen + contacts.unseen_approach(scene) / applied(scene, state),
                 is_less: scene.temperatures.is_empty() && !scene.unloads(state.step),
             }
@@ -82,7 +82,7 @@ impl Travel {
         })
     }
 
-    fn known(&self) -> Option<Missing> {
+    fn known(&self) -> Option<MissedByMesh> {
         let most = MOST_MISSING * self.of_mesh.abs();
         self.missing
             .filter(|missing| missing.estimate.abs() <= most)
@@ -177,7 +177,7 @@ mod tests {
     fn what_is_likely_is_added_only_where_the_sign_is_known() {
         let travel = |estimate: f64, is_less: bool| Travel {
             of_mesh: 1.0,
-            missing: Some(Missing { estimate, is_less }),
+            missing: Some(MissedByMesh { estimate, is_less }),
         };
         let loaded = travel(0.1, true);
         assert_eq!(loaded.value(), 1.0 + LIKELY * 0.1);

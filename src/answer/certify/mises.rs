@@ -78,7 +78,7 @@ const BESIDE: f64 = 0.5;
 pub(super) fn claims(
     own: &[BodyPeaks],
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
-    strips: &[Strip],
+    strips: &[StripBelow],
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
@@ -155,7 +155,7 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
 }
 
 /// A Hertzian strip on a body.
-pub(super) struct Strip {
+pub(super) struct StripBelow {
     pub body: usize,
     /// A point of the line of contact, and the axis along it.
     pub centre: [f64; 3],
@@ -171,7 +171,7 @@ pub(super) struct Strip {
     pub rows: Vec<(f64, f64)>,
 }
 
-impl Strip {
+impl StripBelow {
     /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side.
     pub fn all(scene: &Scene, lines: &[Option<HeaviestLine>]) -> Vec<Self> {
         let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
@@ -232,7 +232,7 @@ impl Strip {
 }
 
 /// The nodal peak of a body, and that away from loaded edges where it lies at one.
-fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&Strip]) -> Vec<Figure> {
+fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow]) -> Vec<Figure> {
     let Some((nodal, centroid)) = body.nodal.zip(body.centroid) else {
         return Vec::new();
     };

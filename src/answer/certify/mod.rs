@@ -22,7 +22,7 @@ use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
 use increments::Memory;
-use mises::Strip;
+use mises::StripBelow;
 use pressure::Contact;
 
 pub use descent::{Contacts, Travel};
@@ -80,7 +80,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let flowing = mises::claims(
         peaks,
         (evidence.elastic, evidence.elastic_claims),
-        &Strip::all(scene, evidence.lines),
+        &StripBelow::all(scene, evidence.lines),
     );
     claims.extend(other::bores(evidence.bores));
     for (pair, interface) in interfaces.iter().enumerate() {

@@ -10,7 +10,7 @@ mod views;
 pub use patch::Patch;
 pub use pressure::PressureMap;
 pub use section::{Plane, Section};
-pub use strip::{Curve, Strip};
+pub use strip::{Curve, StripPicture};
 pub use views::View;
 
 use crate::answer::Answer;
@@ -24,7 +24,7 @@ use crate::model::state::State;
 pub struct Pictures {
     /// The axis nearest to the load, which is drawn upright.
     pub upright: usize,
-    pub strips: Vec<Strip>,
+    pub strips: Vec<StripPicture>,
     pub views: Vec<View>,
     pub pressures: Vec<PressureMap>,
     /// Contact pressure and plastic strain at the points of the bodies ([`Recovered::points`]).

@@ -18,7 +18,7 @@ pub type Curve = Vec<(f64, f64)>;
 /// A line of contact, what was computed across and below it, and Hertz's contact under the same load per
 /// length.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Strip {
+pub struct StripPicture {
     pub interface: String,
     /// The axis along which it runs, and its mean coordinate across.
     pub axis: usize,
@@ -43,7 +43,7 @@ pub struct Strip {
 const REACH: f64 = 6.0;
 
 /// Every line of contact of the modelled part.
-pub fn strips(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<Strip> {
+pub fn strips(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<StripPicture> {
     let mut all = Vec::new();
     for (pair, contact) in scene.contacts.iter().enumerate() {
         let Some(axis) = Slices::equal(scene, pair, 1).map(|s| s.axis) else {
@@ -58,7 +58,7 @@ pub fn strips(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<Strip>
             let reach = REACH * hertz.map_or(half_width, |hertz| hertz.half_width);
             let partners = contact.carrier_first();
             let bodies = partners.map(|partner| partner.body(&scene.mesh));
-            all.push(Strip {
+            all.push(StripPicture {
                 interface: contact.name.clone(),
                 axis,
                 across: line.across,

@@ -1,7 +1,7 @@
 //! Sections through the bodies that are worth a look.
 
 use super::section::{Plane, Section};
-use super::strip::Strip;
+use super::strip::StripPicture;
 use crate::answer::Answer;
 use crate::answer::results::load::upright;
 use crate::answer::results::recovery::Recovered;
@@ -25,7 +25,7 @@ pub struct View {
 pub fn views(
     (scene, recovered): (&Scene, &Recovered),
     answer: &Answer,
-    strips: &[Strip],
+    strips: &[StripPicture],
 ) -> Vec<View> {
     let up = upright(scene);
     let view = |axis: usize, at: f64| {

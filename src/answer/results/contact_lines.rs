@@ -95,7 +95,7 @@ fn lengths(at: &[f64]) -> Vec<f64> {
 }
 
 /// Adjacent nodes of a row that press.
-struct Run {
+struct PressingRun {
     row: usize,
     /// Its nodes, among the members of the row.
     nodes: Range<usize>,
@@ -115,7 +115,7 @@ pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> 
     };
     let mut runs = rows.runs(scene, state, pair);
     runs.sort_by(|a, b| a.across.total_cmp(&b.across));
-    let mut lines: Vec<Vec<Run>> = Vec::new();
+    let mut lines: Vec<Vec<PressingRun>> = Vec::new();
     for run in runs {
         let last = lines.last().and_then(|line| line.last());
         let joins = last.is_some_and(|l| 2.0 * (run.across - l.across) <= run.width + l.width);
@@ -192,7 +192,7 @@ impl Rows {
         })
     }
 
-    fn runs(&self, scene: &Scene, state: &State, pair: usize) -> Vec<Run> {
+    fn runs(&self, scene: &Scene, state: &State, pair: usize) -> Vec<PressingRun> {
         let field = &state.contacts[pair];
         let across = |i: usize| scene.mesh.points[field.nodes[i] as usize][self.across];
         let mirrored = scene.mirrors.contains(&self.across);
@@ -209,7 +209,7 @@ impl Rows {
                 let area: f64 = run.iter().map(|i| field.area[*i]).sum();
                 let moment: f64 = run.iter().map(|i| force(i) * across(*i)).sum();
                 let cut = mirrored && across(run[0]).abs() <= self.same;
-                runs.push(Run {
+                runs.push(PressingRun {
                     row,
                     nodes: first..after,
                     across: if cut { 0.0 } else { moment / total },
@@ -224,7 +224,7 @@ impl Rows {
     }
 
     /// The nodes of a run, and the open ones on either side, at which the pressure falls to zero.
-    fn strip(&self, scene: &Scene, state: &State, pair: usize, run: &Run) -> StripRow {
+    fn strip(&self, scene: &Scene, state: &State, pair: usize, run: &PressingRun) -> StripRow {
         let field = &state.contacts[pair];
         let members = &self.members[run.row];
         let from = run.nodes.start.saturating_sub(1);
@@ -276,13 +276,13 @@ impl Rows {
         }
     }
 
-    fn line(&self, scene: &Scene, state: &State, pair: usize, runs: &[Run]) -> ContactLine {
+    fn line(&self, scene: &Scene, state: &State, pair: usize, runs: &[PressingRun]) -> ContactLine {
         let mut load = vec![0.0; self.at.len()];
         for run in runs {
             load[run.row] += run.force / self.length[run.row];
         }
         let heaviest = runs.iter().reduce(|most, run| {
-            let per_length = |run: &Run| run.force / self.length[run.row];
+            let per_length = |run: &PressingRun| run.force / self.length[run.row];
             if per_length(run) > per_length(most) {
                 run
             } else {

@@ -58,7 +58,7 @@ impl From<GradeSteel> for Given {
 
 /// Reads the arguments.
 pub(super) fn question(args: &HertzArgs) -> Result<Question, HertzError> {
-    let reader = Reader::new(args);
+    let reader = UnitReader::new(args);
     let length = |option, text: &str| reader.quantity(option, text, Dimension::LENGTH);
     let lengths = |option, text: &Option<String>| reader.maybe(option, text, Dimension::LENGTH);
     let angle = |option, text: &Option<String>| reader.maybe(option, text, Dimension::ANGLE);
@@ -98,13 +98,13 @@ pub(super) fn question(args: &HertzArgs) -> Result<Question, HertzError> {
 }
 
 /// Reads texts into one system of units.
-struct Reader {
+struct UnitReader {
     units: UnitSystem,
     /// Were they named, so that bare numbers are in them?
     named: bool,
 }
 
-impl Reader {
+impl UnitReader {
     fn new(args: &HertzArgs) -> Self {
         let thought = units_of_load(&args.load).unwrap_or(UnitSystem::MmNMPa);
         Self {
@@ -157,7 +157,7 @@ impl Reader {
 /// thicknesses of their products.
 fn steels(
     args: &HertzArgs,
-    reader: &Reader,
+    reader: &UnitReader,
     sizes: [f64; 2],
 ) -> Result<[RuleSteel; 2], HertzError> {
     let mut grades = Grades::shipped()?;

@@ -9,7 +9,7 @@ use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
 use crate::product::converge::ConvergeError;
 use crate::product::size::{
-    DesignVerdict, Proposal, Request, Rule, Setting, SizeError, Verification, render_verdict,
+    DesignVerdict, Proposal, Request, Setting, SizeError, SizingRule, Verification, render_verdict,
     table, verify, write,
 };
 use std::path::{Path, PathBuf};
@@ -105,8 +105,8 @@ impl SizeArgs {
         let lever = maybe("--rolling-lever", &self.rolling_lever, Dimension::LENGTH)?;
         let rule = Setting::or(self.rule.map(RuleName::rule), own.rule.value);
         let margin = match rule.value {
-            Rule::Eccentric => own.margin.value,
-            Rule::Printed | Rule::Exact => 1.0,
+            SizingRule::Eccentric => own.margin.value,
+            SizingRule::Printed | SizingRule::Exact => 1.0,
         };
         let request = Request {
             modulus,
@@ -132,11 +132,11 @@ impl SizeArgs {
 }
 
 impl RuleName {
-    fn rule(self) -> Rule {
+    fn rule(self) -> SizingRule {
         match self {
-            Self::Printed => Rule::Printed,
-            Self::Exact => Rule::Exact,
-            Self::Eccentric => Rule::Eccentric,
+            Self::Printed => SizingRule::Printed,
+            Self::Exact => SizingRule::Exact,
+            Self::Eccentric => SizingRule::Eccentric,
         }
     }
 }

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Which part of the section is meshed. The load comes from the cut at half height, or on a whole section from above.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum CylinderPart {
     /// x ≥ 0, the lower half.
     Quarter,
     /// The lower half.
@@ -41,7 +41,7 @@ enum Part {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cylinder {
     name: String,
-    part: Part,
+    part: CylinderPart,
     radius: f64,
     bore: Option<f64>,
     length: f64,
@@ -53,7 +53,7 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
-    fn new(name: &str, part: Part, radius: f64, length: f64) -> Self {
+    fn new(name: &str, part: CylinderPart, radius: f64, length: f64) -> Self {
         Self {
             name: name.into(),
             part,
@@ -70,17 +70,17 @@ impl Cylinder {
 
     /// x ≥ 0, y ≤ `radius`: for models that are mirrored along x.
     pub fn quarter(name: &str, radius: f64, length: f64) -> Self {
-        Self::new(name, Part::Quarter, radius, length)
+        Self::new(name, CylinderPart::Quarter, radius, length)
     }
 
     /// y ≤ `radius`.
     pub fn half(name: &str, radius: f64, length: f64) -> Self {
-        Self::new(name, Part::Half, radius, length)
+        Self::new(name, CylinderPart::Half, radius, length)
     }
 
     /// All of it, its elements small at the highest and at the lowest line.
     pub fn whole(name: &str, radius: f64, length: f64) -> Self {
-        Self::new(name, Part::Whole, radius, length)
+        Self::new(name, CylinderPart::Whole, radius, length)
     }
 
     /// Hollow, with this inner radius.
@@ -209,7 +209,9 @@ impl Cylinder {
         let arc = ARC * (1.0 + 1e-9);
         mesh.mark(&called("contact"), name, |p| on_rim(p) && angle(p) < arc);
         match self.part {
-            Part::Whole => mesh.mark(&called("top"), name, |p| on_rim(p) && PI - angle(p) < arc),
+            CylinderPart::Whole => {
+                mesh.mark(&called("top"), name, |p| on_rim(p) && PI - angle(p) < arc)
+            }
             _ => mesh.mark(&called("top"), name, |p| (p[1] - r).abs() < near),
         }
         if let Some(bore) = self.bore {
@@ -227,11 +229,11 @@ impl Shape for Cylinder {
         self.check()?;
         let near = 1e-9 * self.radius;
         let mut mesh = self.section()?;
-        if self.part != Part::Quarter {
+        if self.part != CylinderPart::Quarter {
             let image = mesh.clone().mirrored(0);
             mesh = Mesh::weld(&self.name, [image, mesh], near)?;
         }
-        if self.part == Part::Whole {
+        if self.part == CylinderPart::Whole {
             let mut image = mesh.clone().mirrored(1);
             for point in &mut image.points {
                 point[1] += 2.0 * self.radius;

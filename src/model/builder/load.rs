@@ -11,11 +11,11 @@ use crate::model::scene::{PlaneMotion, PlaneTurn, RigidPlane, Traction, Traction
 pub struct Load {
     pub(super) name: String,
     pub(super) surface: String,
-    pub(super) kind: Kind,
+    pub(super) kind: LoadKind,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum LoadKind {
     Pressure(f64),
     Traction([f64; 3]),
     /// In total, spread evenly.
@@ -25,7 +25,7 @@ pub(super) enum Kind {
 }
 
 impl Load {
-    fn new(surface: &str, kind: Kind) -> Self {
+    fn new(surface: &str, kind: LoadKind) -> Self {
         Self {
             name: surface.into(),
             surface: surface.into(),
@@ -35,18 +35,18 @@ impl Load {
 
     /// Pressure along the inward normal, force per area, compression positive.
     pub fn pressure(surface: &str, pressure: f64) -> Self {
-        Self::new(surface, Kind::Pressure(pressure))
+        Self::new(surface, LoadKind::Pressure(pressure))
     }
 
     /// Force per area in the directions of the axes.
     pub fn traction(surface: &str, traction: [f64; 3]) -> Self {
-        Self::new(surface, Kind::Traction(traction))
+        Self::new(surface, LoadKind::Traction(traction))
     }
 
     /// A total force on the modelled part, spread evenly over the area of the surface. Of a force on the whole, a
     /// model that is mirrored once bears half.
     pub fn force(surface: &str, force: [f64; 3]) -> Self {
-        Self::new(surface, Kind::Force(force))
+        Self::new(surface, LoadKind::Force(force))
     }
 
     /// A rigid plane on the surface that is driven along `axis` by a total force on the modelled part: all nodes move
@@ -73,7 +73,7 @@ impl Load {
 
     /// A rigid plane that may also turn, whatever `plane` has for a name and a surface.
     pub fn rigid(surface: &str, plane: RigidPlane) -> Self {
-        Self::new(surface, Kind::Plane(plane))
+        Self::new(surface, LoadKind::Plane(plane))
     }
 
     fn along(surface: &str, axis: Axis, along: PlaneMotion) -> Self {
@@ -91,9 +91,9 @@ impl Load {
     /// Its numbers.
     pub(super) fn numbers(&self) -> Vec<f64> {
         match self.kind {
-            Kind::Pressure(p) => vec![p],
-            Kind::Traction(t) | Kind::Force(t) => t.into(),
-            Kind::Plane(ref plane) => {
+            LoadKind::Pressure(p) => vec![p],
+            LoadKind::Traction(t) | LoadKind::Force(t) => t.into(),
+            LoadKind::Plane(ref plane) => {
                 let moved = plane.motion.map(|m| match m {
                     PlaneMotion::Held(x) | PlaneMotion::Driven(x) => x,
                     PlaneMotion::Free => 0.0,
@@ -115,16 +115,18 @@ impl Load {
             kind,
         } = self;
         let value = match kind {
-            Kind::Plane(plane) => {
+            LoadKind::Plane(plane) => {
                 return Placed::Plane(RigidPlane {
                     name,
                     surface,
                     ..plane
                 });
             }
-            Kind::Pressure(pressure) => TractionValue::Pressure(pressure),
-            Kind::Traction(traction) => TractionValue::Vector(traction),
-            Kind::Force(force) => TractionValue::Vector(scale(force, 1.0 / area(mesh, &surface))),
+            LoadKind::Pressure(pressure) => TractionValue::Pressure(pressure),
+            LoadKind::Traction(traction) => TractionValue::Vector(traction),
+            LoadKind::Force(force) => {
+                TractionValue::Vector(scale(force, 1.0 / area(mesh, &surface)))
+            }
         };
         Placed::Traction(Traction {
             name,

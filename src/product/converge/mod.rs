@@ -21,9 +21,9 @@ pub mod study;
 pub mod table;
 
 pub use error::{ConvergeError, Missing};
-pub use quantity::{Known, Quantity};
+pub use quantity::{Known, StudyQuantity};
 pub use series::Series;
-pub use study::{Curve, Level, Reference, Study};
+pub use study::{Curve, Reference, Study, StudyLevel};
 
 use crate::case::Case;
 use crate::model::scene::ElementKind;
@@ -34,7 +34,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// A level and what was read from it, or `None` where the observer stopped the run.
-pub type Solved = Option<(Level, Vec<Quantity>)>;
+pub type Solved = Option<(StudyLevel, Vec<StudyQuantity>)>;
 
 /// Solves `case` on level `level` of `series` with `element`. A mesh that gmsh makes is kept
 /// below `out`. The cost is that of building the scene, solving it and reading its quantities; the
@@ -65,7 +65,7 @@ pub fn run(
     let quantities = read::read(&case, &outcome)?;
     let cost = meter.stop();
     let counters = &outcome.solution.counters;
-    let level = Level {
+    let level = StudyLevel {
         level,
         element: study::element_name(element),
         mesh: name,

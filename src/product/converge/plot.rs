@@ -1,13 +1,13 @@
 //! Errors on logarithmic axes, as figures.
 
 use super::peers::Peers;
-use super::study::{Curve, Level, Reference, Study};
-use crate::render::plot::{Figure, Line, Panel, Scale};
+use super::study::{Curve, Reference, Study, StudyLevel};
+use crate::render::plot::{Line, Panel, PlotFigure, Scale};
 
 /// What the dashed level of a panel is.
 const FLOOR: &str = "uncertainty of the reference: errors below it mean nothing";
 /// What a level is drawn against.
-type Abscissa = fn(&Level) -> f64;
+type Abscissa = fn(&StudyLevel) -> f64;
 
 /// More quantities than this are drawn against one axis only.
 const MANY: usize = 12;
@@ -16,7 +16,7 @@ const LEAST: f64 = 1e-3;
 
 /// Every quantity with errors, against unknowns on the left and CPU seconds on the right; where
 /// they are many, against CPU seconds only.
-pub fn figure(study: &Study) -> Figure {
+pub fn figure(study: &Study) -> PlotFigure {
     let curves = study.curves();
     let elements = study.elements();
     let mut panels = Vec::new();
@@ -42,7 +42,7 @@ pub fn figure(study: &Study) -> Figure {
         }
     }
     panels.retain(|p| p.lines.iter().any(|l| !l.points.is_empty()));
-    Figure {
+    PlotFigure {
         panels,
         legend: own_names(&elements),
         dashed: FLOOR.to_string(),
@@ -50,7 +50,7 @@ pub fn figure(study: &Study) -> Figure {
 }
 
 /// Problem H against CPU seconds, with the stored results of other programs.
-pub fn figure_with_peers(study: &Study, peers: &Peers) -> Figure {
+pub fn figure_with_peers(study: &Study, peers: &Peers) -> PlotFigure {
     const SHOWN: [&str; 6] = [
         "p0",
         "half-width",
@@ -84,7 +84,7 @@ pub fn figure_with_peers(study: &Study, peers: &Peers) -> Figure {
     }
     let mut legend = own_names(&elements);
     legend.extend(peers.curves.iter().map(|p| p.name()));
-    Figure {
+    PlotFigure {
         panels,
         legend,
         dashed: FLOOR.to_string(),
@@ -111,7 +111,7 @@ fn own_line(
     study: &Study,
     elements: &[&str],
     curve: &Curve,
-    at: impl Fn(&Level) -> f64,
+    at: impl Fn(&StudyLevel) -> f64,
 ) -> Option<Line> {
     let levels = study.levels_of(curve.element);
     let points = levels.iter().zip(&curve.errors);

@@ -13,7 +13,7 @@ pub struct Known {
 
 /// One scalar of one level.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Quantity {
+pub struct StudyQuantity {
     pub name: String,
     pub unit: String,
     pub value: f64,

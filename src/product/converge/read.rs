@@ -1,7 +1,7 @@
 //! The quantities of a solved level.
 
 use super::error::Missing;
-use super::quantity::Quantity;
+use super::quantity::StudyQuantity;
 use super::{energy, problem_h};
 use crate::answer::Three;
 use crate::case::Case;
@@ -11,7 +11,7 @@ use crate::product::job::Outcome;
 ///
 /// # Errors
 /// [`Missing`] where problem H has no contact to read.
-pub fn read(case: &Case, outcome: &Outcome) -> Result<Vec<Quantity>, Missing> {
+pub fn read(case: &Case, outcome: &Outcome) -> Result<Vec<StudyQuantity>, Missing> {
     if problem_h::is_problem_h(case) {
         let reading = problem_h::read(&outcome.scene, outcome.state())?;
         Ok(problem_h::quantities(&reading))
@@ -21,14 +21,14 @@ pub fn read(case: &Case, outcome: &Outcome) -> Result<Vec<Quantity>, Missing> {
 }
 
 /// The scalars that `summary.json` also has, and the strain energy where nothing has yielded.
-fn of_summary(case: &Case, outcome: &Outcome) -> Vec<Quantity> {
+fn of_summary(case: &Case, outcome: &Outcome) -> Vec<StudyQuantity> {
     let summary = &outcome.summary;
     let (length, force, stress) = (case.units.length(), case.units.force(), case.units.stress());
     let mut list = Vec::new();
     let mut add = |name: String, unit: &str, value: Option<f64>, at_singular_edge: bool| {
         // A level without this value leaves it out; the study puts "not a number" in its place.
         if let Some(value) = value {
-            list.push(Quantity {
+            list.push(StudyQuantity {
                 name,
                 unit: unit.to_owned(),
                 value,

@@ -1,15 +1,15 @@
 //! A study made up for tests.
 
 use super::cost::Cost;
-use super::quantity::{Known, Quantity};
-use super::study::{Level, Study};
+use super::quantity::{Known, StudyQuantity};
+use super::study::{Study, StudyLevel};
 
 /// Three levels of an energy that converges with order 2 and of a pressure that wanders.
 pub fn study() -> Study {
     let mut study = Study::new("trial", "halved".into());
     for level in 0..3usize {
         let size = 0.5f64.powi(level as i32);
-        let quantity = |name: &str, value: f64, known: Option<f64>| Quantity {
+        let quantity = |name: &str, value: f64, known: Option<f64>| StudyQuantity {
             name: name.into(),
             unit: "ksi".into(),
             value,
@@ -25,7 +25,7 @@ pub fn study() -> Study {
             quantity("pressure", [3.0, 5.0, 4.0][level], None),
             quantity("stress", 10.0 + size, Some(10.0)),
         ];
-        let made = Level {
+        let made = StudyLevel {
             level,
             element: "bbar",
             mesh: format!("mesh {level}"),

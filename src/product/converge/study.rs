@@ -1,14 +1,14 @@
 //! The levels of a study, and how each quantity approaches its reference.
 
 use super::cost::Cost;
-use super::quantity::{Known, Quantity};
+use super::quantity::{Known, StudyQuantity};
 use super::rates::{between, fitted, richardson};
 use crate::model::scene::ElementKind;
 use serde::Serialize;
 
 /// One mesh, solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Level {
+pub struct StudyLevel {
     pub level: usize,
     pub element: &'static str,
     pub mesh: String,
@@ -26,7 +26,7 @@ pub struct Level {
 
 /// What a quantity is: its name, unit and, where it is known, its exact value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Measured {
+pub struct StudiedQuantity {
     pub name: String,
     pub unit: String,
     pub known: Option<Known>,
@@ -100,8 +100,8 @@ pub struct Study {
     /// In words: how the meshes of the series follow from one another.
     pub series: String,
     pub threads: usize,
-    pub quantities: Vec<Measured>,
-    pub levels: Vec<Level>,
+    pub quantities: Vec<StudiedQuantity>,
+    pub levels: Vec<StudyLevel>,
 }
 
 /// As in case files.
@@ -125,10 +125,10 @@ impl Study {
     }
 
     /// Adds a level. Its quantities are matched by name with those of the levels before.
-    pub fn push(&mut self, mut level: Level, quantities: Vec<Quantity>) {
+    pub fn push(&mut self, mut level: StudyLevel, quantities: Vec<StudyQuantity>) {
         for q in &quantities {
             if !self.quantities.iter().any(|m| m.name == q.name) {
-                self.quantities.push(Measured {
+                self.quantities.push(StudiedQuantity {
                     name: q.name.clone(),
                     unit: q.unit.clone(),
                     known: q.known.clone(),
@@ -163,7 +163,7 @@ impl Study {
     }
 
     /// The levels solved with `element`, coarse to fine.
-    pub fn levels_of(&self, element: &str) -> Vec<&Level> {
+    pub fn levels_of(&self, element: &str) -> Vec<&StudyLevel> {
         let of = self.levels.iter().filter(|l| l.element == element);
         of.collect()
     }

@@ -1,6 +1,6 @@
 //! A study as text.
 
-use super::study::{Curve, Level, Study};
+use super::study::{Curve, Study, StudyLevel};
 use crate::render::table::text::text;
 use crate::render::table::{Cell, Number, Table};
 use crate::render::text::significant;
@@ -14,7 +14,7 @@ pub fn head() -> String {
 }
 
 /// A level as it finishes.
-pub fn line(level: &Level) -> String {
+pub fn line(level: &StudyLevel) -> String {
     format!(
         "{:5} {:9} {:9} {:9} {:10} {:8.2} {:10.2} {:>9}",
         level.level,
@@ -29,7 +29,7 @@ pub fn line(level: &Level) -> String {
 }
 
 /// Peak memory in units of 10⁶ bytes; at most that where it is that of the process since it began.
-pub fn memory(level: &Level) -> String {
+pub fn memory(level: &StudyLevel) -> String {
     let most = if level.cost.peak_is_own { "" } else { "≤ " };
     level.cost.peak_memory_bytes.map_or_else(
         || "-".to_owned(),

@@ -5,7 +5,7 @@ use super::error::InpError;
 use crate::ground::geometry::{norm, sub};
 use crate::model::mesh::Face;
 use crate::model::scene::{ContactPair, Partner, Scene, Side};
-use crate::render::inp::{Names, Pair};
+use crate::render::inp::{DeckPair, Names};
 use crate::solver::contact::search::FacetTree;
 
 /// Faces further apart than this share of the model are left out: far more than bodies approach.
@@ -15,7 +15,7 @@ const STIFFNESS_IN_MODULI: f64 = 20.0;
 
 /// Contact stiffness in stress per length that makes the overclosure a small part of the approach,
 /// and is not so stiff that coarse meshes find no balance.
-pub fn default_stiffness(scene: &Scene, pairs: &[Pair]) -> f64 {
+pub fn default_stiffness(scene: &Scene, pairs: &[DeckPair]) -> f64 {
     let moduli = scene.materials.iter().map(|steel| steel.youngs_modulus);
     let edges = pairs
         .iter()
@@ -28,7 +28,7 @@ pub fn default_stiffness(scene: &Scene, pairs: &[Pair]) -> f64 {
 }
 
 /// The pairs of the scene, each cut down to the faces that may touch.
-pub fn pairs(scene: &Scene, names: &mut Names) -> Result<Vec<Pair>, InpError> {
+pub fn pairs(scene: &Scene, names: &mut Names) -> Result<Vec<DeckPair>, InpError> {
     let near = NEAR_SHARE * diagonal(scene);
     scene
         .contacts
@@ -37,7 +37,12 @@ pub fn pairs(scene: &Scene, names: &mut Names) -> Result<Vec<Pair>, InpError> {
         .collect()
 }
 
-fn cut(scene: &Scene, pair: &ContactPair, near: f64, names: &mut Names) -> Result<Pair, InpError> {
+fn cut(
+    scene: &Scene,
+    pair: &ContactPair,
+    near: f64,
+    names: &mut Names,
+) -> Result<DeckPair, InpError> {
     let faces = |partner: &Partner| match partner {
         Partner::Surface(name) => match scene.mesh.surface(name) {
             Some(surface) => Ok(surface.faces.clone()),
@@ -64,7 +69,7 @@ fn cut(scene: &Scene, pair: &ContactPair, near: f64, names: &mut Names) -> Resul
             pair: pair.name.clone(),
         });
     }
-    Ok(Pair {
+    Ok(DeckPair {
         name: names.unused(&pair.name),
         sides: ["carrier", "other"].map(|side| names.unused(&format!("{}_{side}", pair.name))),
         faces: kept,

@@ -4,7 +4,7 @@ use super::driven::{Held, closing, surface};
 use super::error::InpError;
 use crate::ground::geometry::{AXES, sub};
 use crate::model::scene::{PlaneMotion, PlaneTurn, RigidPlane, Scene};
-use crate::render::inp::{Driven, Follower, Names, Turning};
+use crate::render::inp::{DeckFollower, Driven, Names, Turning};
 
 /// The planes of `scene` that turn, each with two nodes of its own behind those of the mesh. Axes along which one is
 /// driven by force are added to `driven`, and its nodes are `held` by it afterwards.
@@ -41,7 +41,7 @@ pub fn turning<'a>(
                 let arm = sub(scene.mesh.points[node as usize], at);
                 let levers = levers(plane, axis, arm);
                 let Some(other) = held.insert((node, axis), &plane.name) else {
-                    followers.push(Follower { node, axis, levers });
+                    followers.push(DeckFollower { node, axis, levers });
                     continue;
                 };
                 // A mirror plane holds what this plane would not move there anyway.

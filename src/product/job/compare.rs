@@ -4,7 +4,7 @@ use super::error::JobError;
 use super::even_load::EvenLoad;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, Three};
-use crate::case::{Case, Kind, Measure, MisesRead, Printed};
+use crate::case::{Case, ComparedMeasure, Kind, MisesRead, Printed};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::render::summary::{Comparison, Reported};
@@ -41,7 +41,7 @@ fn printed_row(
 ) -> Comparison {
     let place = printed.place.as_str();
     let (what, value, hertz) = match printed.what {
-        Measure::Mises => {
+        ComparedMeasure::Mises => {
             let plates = hertz.map(|h| h.plate_mises);
             let rollers = hertz.map(|h| h.roller_mises);
             let hertz = match place {
@@ -59,14 +59,14 @@ fn printed_row(
             };
             (format!("Mises, {name}, {}", units.stress), value, hertz)
         }
-        Measure::MaxPressure => {
+        ComparedMeasure::MaxPressure => {
             let at = |name: &str| place == "overall" || place == name;
             let pressures = answer.interfaces.0.iter().filter(|(name, _)| at(name));
             let value = pressures.map(|(_, i)| i.max_pressure).reduce(f64::max);
             let what = format!("peak pressure, {}", units.stress);
             (what, value, hertz.map(|h| h.peak_pressure))
         }
-        Measure::Descent => (format!("descent, {}", units.length), answer.descent, None),
+        ComparedMeasure::Descent => (format!("descent, {}", units.length), answer.descent, None),
     };
     let certified = certified(printed.what, read, place, answer);
     Comparison {
@@ -83,16 +83,16 @@ fn printed_row(
 
 /// The claim of the largest figure that is compared; of Mises peaks only the nodal one has one.
 fn certified<'s>(
-    what: Measure,
+    what: ComparedMeasure,
     read: MisesRead,
     place: &str,
     answer: &'s Answer,
 ) -> Option<&'s Figure> {
     let what = match what {
-        Measure::Mises if read == MisesRead::Nodal => Quantity::PeakMises,
-        Measure::Mises => return None,
-        Measure::MaxPressure => Quantity::PeakPressure,
-        Measure::Descent => Quantity::Descent,
+        ComparedMeasure::Mises if read == MisesRead::Nodal => Quantity::PeakMises,
+        ComparedMeasure::Mises => return None,
+        ComparedMeasure::MaxPressure => Quantity::PeakPressure,
+        ComparedMeasure::Descent => Quantity::Descent,
     };
     let claims = answer.certificate.iter();
     let meant = claims.filter(|c| c.what == what && means(place, &c.place));
@@ -137,7 +137,7 @@ fn hertz_rows(hertz: &EvenLoad, (answer, units): (&Answer, &UnitLabels)) -> Vec<
     let pressures = answer.interfaces.0.iter().map(|(name, interface)| {
         let even = hertz.peak_pressure_of(name);
         let printed = row("peak pressure", name, Some(interface.max_pressure), even);
-        let certified = certified(Measure::MaxPressure, MisesRead::Nodal, name, answer);
+        let certified = certified(ComparedMeasure::MaxPressure, MisesRead::Nodal, name, answer);
         Comparison {
             error: certified.and_then(Figure::bar),
             resolved: certified.map(Figure::is_resolved),

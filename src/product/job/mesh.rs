@@ -53,7 +53,7 @@ pub fn find_mesh(
     say(&format!(
         "no mesh of this bearing ({wanted}) is at hand: calling gmsh"
     ));
-    let scratch = Scratch::new()?;
+    let scratch = ScratchFolder::new()?;
     let kept = out.unwrap_or(&scratch.0).join(FILE);
     // The mesh of an earlier run stays as long as its results do.
     let kept = fresh.filter(|_| kept.exists()).unwrap_or(kept);
@@ -143,7 +143,7 @@ fn check_size(bearing: &BearingCase) -> Result<(), JobError> {
 
 fn make(bearing: &BearingCase, kept: &Path) -> Result<Mesh, JobError> {
     check_size(bearing)?;
-    let scratch = Scratch::new()?;
+    let scratch = ScratchFolder::new()?;
     let failed = |error| JobError::folder(&scratch.0, error);
     let template = bearing.geometry.template();
     let template = template.write(&scratch.0).map_err(failed)?;
@@ -198,9 +198,9 @@ fn shipped_folder(path: &Path) -> Option<PathBuf> {
 }
 
 /// A folder of its own that is removed at the end.
-struct Scratch(PathBuf);
+struct ScratchFolder(PathBuf);
 
-impl Scratch {
+impl ScratchFolder {
     fn new() -> Result<Self, JobError> {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
@@ -211,7 +211,7 @@ impl Scratch {
     }
 }
 
-impl Drop for Scratch {
+impl Drop for ScratchFolder {
     fn drop(&mut self) {
         // Best effort: a scratch folder left behind harms nobody.
         let _ = std::fs::remove_dir_all(&self.0);

@@ -12,7 +12,7 @@ use crate::ground::units::UnitSystem;
 use crate::model::scene::{ContactPair, Scene};
 
 /// A line of contact as rules see it.
-pub struct Roller {
+pub struct RuledLine {
     /// Dimensions and steels.
     pub input: RuleInput,
     /// The length that bears, (2-51) where the roller is displaced.
@@ -25,7 +25,7 @@ pub fn roller(
     case: &Case,
     scene: &Scene,
     (pair, line): (&ContactPair, &LineFigures),
-) -> Result<Option<Roller>, CaseError> {
+) -> Result<Option<RuledLine>, CaseError> {
     let sides = [&pair.upper, &pair.lower].map(|side| side.body(&scene.mesh));
     let [Some(upper), Some(lower)] = sides else {
         return Ok(None);
@@ -44,7 +44,7 @@ pub fn roller(
             let length = Span::of(scene, pair, line).length();
             let [upper, lower] = bodies;
             let steels = [steel(case.steels(), upper)?, steel(case.steels(), lower)?];
-            Ok(Some(Roller {
+            Ok(Some(RuledLine {
                 input: RuleInput::new(case.units, 2.0 * radius, length, steels),
                 effective: length,
             }))
@@ -52,7 +52,11 @@ pub fn roller(
     }
 }
 
-fn of_bearing(bearing: &BearingCase, units: UnitSystem, seat: &Seat) -> Result<Roller, CaseError> {
+fn of_bearing(
+    bearing: &BearingCase,
+    units: UnitSystem,
+    seat: &Seat,
+) -> Result<RuledLine, CaseError> {
     let g = &bearing.geometry;
     let sides = [
         steel(&bearing.steels, &seat.roller)?,
@@ -63,7 +67,7 @@ fn of_bearing(bearing: &BearingCase, units: UnitSystem, seat: &Seat) -> Result<R
         Some(radius) => (radius, Some(radius + seat.overhang)),
         None => (0.0, None),
     };
-    Ok(Roller {
+    Ok(RuledLine {
         input: RuleInput {
             end_radius,
             overhang,

@@ -59,7 +59,7 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
             sizing.lines.push(SizedLine {
                 merged: is_merged(case, name, line),
                 not_hertz: interface.not_hertz.filter(|_| is_heaviest),
-                ..Pair::new(radius, steels)?.line(name, line, [length, from_end])?
+                ..SizedPair::new(radius, steels)?.line(name, line, [length, from_end])?
             });
         }
         let Kind::Bearing(bearing) = &case.kind else {
@@ -69,7 +69,7 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
         let Some(seat) = bearing.seat(name) else {
             continue;
         };
-        let pair = Pair::new(seat.radius, steels)?;
+        let pair = SizedPair::new(seat.radius, steels)?;
         if let Some(asked) = pair.rule(&seat, bearing)?
             && (sizing.rule.as_ref()).is_none_or(|r| demanded(r) < demanded(&asked))
         {
@@ -98,7 +98,7 @@ fn sized_patch(name: &str, patch: &PatchFigures, steels: [Option<&Steel>; 2]) ->
 }
 
 /// A roller and what it presses on.
-struct Pair {
+struct SizedPair {
     radius: f64,
     /// C_E of (2-46).
     compliance: f64,
@@ -106,7 +106,7 @@ struct Pair {
     yield_stress: Option<f64>,
 }
 
-impl Pair {
+impl SizedPair {
     /// Of the steels of both sides; a side without one is rigid.
     fn new(radius: f64, steels: [Option<&Steel>; 2]) -> Result<Self, DomainError> {
         let elastic = |steel: Option<&Steel>| match steel {
@@ -227,7 +227,7 @@ mod tests {
     /// By hand for 65 kip on 8 in, D = 3 in: p0 = √(8.125 · 29500 / (2π · 0.91 · 1.5)).
     #[test]
     fn an_even_load_presses_as_the_report_has_it() {
-        let pair = Pair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let pair = SizedPair::new(1.5, [Some(&STEEL); 2]).unwrap();
         let even = pair.pressed(65.0 / 8.0).unwrap();
         let p0 = (8.125 * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
         assert!((even.hertz_pressure / p0 - 1.0).abs() < 1e-12);
@@ -244,7 +244,7 @@ mod tests {
             yield_stress: 40.0,
             ..STEEL
         };
-        let pair = Pair::new(1.5, [Some(&STEEL), Some(&iron)]).unwrap();
+        let pair = SizedPair::new(1.5, [Some(&STEEL), Some(&iron)]).unwrap();
         let compliance = 0.91 / 29500.0 + 0.9375 / 15000.0;
         let p0 = (5.0 / (PI * 1.5 * compliance)).sqrt();
         let pressed = pair.pressed(5.0).unwrap();
@@ -255,20 +255,20 @@ mod tests {
     #[test]
     fn what_cannot_yield_has_no_limit() {
         let elastic = Steel::elastic(29500.0, 0.3);
-        let pair = Pair::new(1.5, [Some(&elastic); 2]).unwrap();
+        let pair = SizedPair::new(1.5, [Some(&elastic); 2]).unwrap();
         let pressed = pair.pressed(8.0).unwrap();
         assert_eq!((pressed.utilisation, pressed.met), (None, None));
         let bearing = shipped("initial-centre.toml");
         assert_eq!(pair.rule(&bearing.seats()[0], &bearing), Ok(None));
         // Beside steel that yields, that one sets the limit.
-        let pair = Pair::new(1.5, [Some(&elastic), Some(&STEEL)]).unwrap();
+        let pair = SizedPair::new(1.5, [Some(&elastic), Some(&STEEL)]).unwrap();
         assert_eq!(pair.limit(), Some(165.0));
     }
 
     /// Table 1.2 of the references: 23.969 in² with the printed constant, 24.636 with the exact one.
     #[test]
     fn the_initial_design_meets_the_rule_as_printed_only() {
-        let pair = Pair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let pair = SizedPair::new(1.5, [Some(&STEEL); 2]).unwrap();
         let rule = pair.rule(
             &shipped("initial-centre.toml").seats()[0],
             &shipped("initial-centre.toml"),
@@ -286,7 +286,7 @@ mod tests {
     /// (2-51): 10.5 in are just enough at D_r = 1.25 in, and far too short at 2.5 in.
     #[test]
     fn a_displaced_roller_bears_on_less() {
-        let pair = Pair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let pair = SizedPair::new(1.5, [Some(&STEEL); 2]).unwrap();
         for (name, provided, met) in [
             ("revised-offset-1.25.toml", 24.0, true),
             ("revised-offset-2.5.toml", 16.5, false),

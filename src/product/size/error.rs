@@ -53,7 +53,7 @@ pub enum SizeError {
         code(brinell::size::rule),
         help("look for a unit that is not meant, such as psi for ksi")
     )]
-    Rule(#[from] DomainError),
+    SizingRule(#[from] DomainError),
     #[error("a roller of diameter {diameter} cannot be built: {error}")]
     #[diagnostic(code(brinell::size::geometry), help("{}", error.help))]
     Geometry {

@@ -27,8 +27,8 @@ pub use line::{
 };
 pub use practical::{diameters, rounded_up};
 pub use proposal::Proposal;
-pub use request::{Request, Rule, Setting, quantity, units_of_load};
+pub use request::{Request, Setting, SizingRule, quantity, units_of_load};
 pub use verdict::{
-    Advice, DesignVerdict, LimitCheck, LimitKind, Placed, Standing, render as render_verdict,
+    Advice, DesignVerdict, LimitCheck, LimitKind, Placed, SizeStanding, render as render_verdict,
 };
 pub use verify::{Verification, verify, write};

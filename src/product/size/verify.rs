@@ -10,7 +10,7 @@ use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
 use crate::ground::hash::Fnv;
 use crate::product::job::{self, JobError, Options, Outcome};
-use crate::render::joint::{self, Part};
+use crate::render::joint::{self, JointPart};
 use crate::render::{Summary, report};
 use crate::solver::solve::Observer;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub enum Verification {
 }
 
 /// A position that is solved, for the page of both.
-struct Solved {
+struct SolvedCandidate {
     name: &'static str,
     case_hash: String,
     summary: Summary,
@@ -82,14 +82,14 @@ pub fn verify(
         let limits = Limits::of(&proposal.request, candidate);
         let place = (position.name(), offset);
         positions.push(Placed::new(place, &limits, &case, &outcome));
-        done.push(Solved {
+        done.push(SolvedCandidate {
             name: position.name(),
             case_hash: Fnv::hex(case.source.text()),
             missed: outcome.missed_limits(&case),
             summary: outcome.summary,
         });
     }
-    let parts = done.iter().map(|solved| Part {
+    let parts = done.iter().map(|solved| JointPart {
         name: solved.name,
         case_hash: &solved.case_hash,
         acts: "the load of the request",
@@ -100,7 +100,7 @@ pub fn verify(
     let about = [
         "The bearing is solved with its rollers at the centre and displaced; its verdict is in verdict.md.".to_owned(),
     ];
-    let parts: Vec<Part> = parts.collect();
+    let parts: Vec<JointPart> = parts.collect();
     joint::write(
         "A bearing, sized and verified",
         &about,

@@ -5,7 +5,7 @@ use super::parameter;
 use super::place::SweepFolder;
 use super::record::RowRecord;
 use crate::ground::units::UnitSystem;
-use crate::render::plot::{Figure, Line, Panel, Scale, write};
+use crate::render::plot::{Line, Panel, PlotFigure, Scale, write};
 use std::path::PathBuf;
 
 /// Lines of more groups than this cannot be told apart: then there are dots only.
@@ -79,7 +79,7 @@ fn file_name(column: &str) -> String {
 }
 
 /// What is drawn over `column`; nothing where its values are the same or no numbers.
-fn figure(column: &str, columns: &[String], solved: &[&RowRecord]) -> Option<Figure> {
+fn figure(column: &str, columns: &[String], solved: &[&RowRecord]) -> Option<PlotFigure> {
     let (at, unit) = parameter::numbers(column, solved)?;
     if at.windows(2).all(|pair| pair[0] == pair[1]) {
         return None;
@@ -97,7 +97,7 @@ fn figure(column: &str, columns: &[String], solved: &[&RowRecord]) -> Option<Fig
     };
     let mut panels: Vec<Panel> = PLOTTED_FIGURES.iter().filter(shown).map(panel).collect();
     panels.retain(|panel| !panel.lines.is_empty());
-    (!panels.is_empty()).then(|| Figure {
+    (!panels.is_empty()).then(|| PlotFigure {
         panels,
         legend: groups.names,
         dashed: "the limit of (2-49): what lacks to it is the margin".to_owned(),

@@ -5,7 +5,7 @@
 //! solution and unloading, is solved on the mesh that should meet the rest, and on a finer one where that was foreseen
 //! too well.
 
-use super::ending::{Limits, Verdict, name, places, singular};
+use super::ending::{TargetLimits, TargetVerdict, name, places, singular};
 use super::goal::{Goal, Target};
 use super::level::Level;
 use super::plan;
@@ -19,12 +19,12 @@ use crate::product::job::{self, JobError, Options, Outcome, Twin};
 use crate::solver::solve::Observer;
 use std::time::Instant;
 
-type Refined = Result<(Vec<Level>, Verdict, Outcome), ConvergeError>;
+type Refined = Result<(Vec<Level>, TargetVerdict, Outcome), ConvergeError>;
 
 /// See [`super::refine`].
 pub(super) fn refine(
     case: &Case,
-    (target, limits): (&Target, &Limits),
+    (target, limits): (&Target, &TargetLimits),
     options: &Options,
     observer: &mut dyn Observer,
     told: &mut dyn FnMut(&Level),
@@ -42,16 +42,16 @@ pub(super) fn refine(
         return way.own(case.clone(), None, false);
     };
     let (twin, case) = match way.elastic(twin, case.clone())? {
-        Elastic::Solved(twin, case) => (twin, case),
-        Elastic::Interrupted(outcome) => {
-            return Ok((way.levels, Verdict::Interrupted, *outcome));
+        ElasticEnd::Solved(twin, case) => (twin, case),
+        ElasticEnd::Interrupted(outcome) => {
+            return Ok((way.levels, TargetVerdict::Interrupted, *outcome));
         }
     };
     way.own(*case, twin.as_ref(), true)
 }
 
 /// What came of the elastic solutions.
-enum Elastic {
+enum ElasticEnd {
     /// The last one, where steel flows, and the case on the mesh that it asks for.
     Solved(Option<Twin>, Box<Case>),
     Interrupted(Box<Outcome>),
@@ -60,7 +60,7 @@ enum Elastic {
 /// On the way to a target.
 struct Way<'a> {
     target: &'a Target,
-    limits: &'a Limits,
+    limits: &'a TargetLimits,
     options: &'a Options,
     observer: &'a mut dyn Observer,
     told: &'a mut dyn FnMut(&Level),
@@ -69,7 +69,7 @@ struct Way<'a> {
 
 impl Way<'_> {
     /// The elastic twin, until what is elastic is as good as asked for.
-    fn elastic(&mut self, mut twin: Case, mut case: Case) -> Result<Elastic, ConvergeError> {
+    fn elastic(&mut self, mut twin: Case, mut case: Case) -> Result<ElasticEnd, ConvergeError> {
         loop {
             let first = self.levels.is_empty();
             let meter = Meter::start();
@@ -81,7 +81,7 @@ impl Way<'_> {
             };
             let outcome = self.solve(&twin, &own, None, !first)?;
             if outcome.interrupted {
-                return Ok(Elastic::Interrupted(Box::new(outcome)));
+                return Ok(ElasticEnd::Interrupted(Box::new(outcome)));
             }
             let mut level = self.level(&outcome, &meter);
             level.twin = true;
@@ -104,7 +104,7 @@ impl Way<'_> {
             let last = self.levels.len() + 1 >= self.limits.levels;
             if !flows || last || next == Scales::default() {
                 let twin = flows.then(|| Twin::of(&outcome, name(number)));
-                return Ok(Elastic::Solved(twin, Box::new(case)));
+                return Ok(ElasticEnd::Solved(twin, Box::new(case)));
             }
             twin.refine_mesh(&next)?;
         }
@@ -117,7 +117,7 @@ impl Way<'_> {
             let (_, own) = places(self.options, self.levels.len());
             let outcome = self.solve(&case, &own, twin, is_sized)?;
             if outcome.interrupted {
-                return Ok((self.levels, Verdict::Interrupted, outcome));
+                return Ok((self.levels, TargetVerdict::Interrupted, outcome));
             }
             if !is_sized && let Some(strips) = found(&own)? {
                 case.set_strips(strips);
@@ -136,7 +136,7 @@ impl Way<'_> {
             self.tell(level);
             let count = self.levels.len();
             let why = if met {
-                return Ok((self.levels, Verdict::Met, outcome));
+                return Ok((self.levels, TargetVerdict::Met, outcome));
             } else if nothing {
                 format!("the certificate has no {}", self.target.goal.name())
             } else if let Some(why) = singular(&self.levels) {
@@ -155,7 +155,7 @@ impl Way<'_> {
                 case.refine_mesh(&scales)?;
                 continue;
             };
-            return Ok((self.levels, Verdict::NotMet(why), outcome));
+            return Ok((self.levels, TargetVerdict::NotMet(why), outcome));
         }
     }
 

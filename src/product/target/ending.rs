@@ -1,19 +1,19 @@
 //! How far a target is sought, how that ended, and where the levels write.
 
-use super::level::{Figure, Level};
+use super::level::{Level, RefinedFigure};
 use crate::product::job::Options;
 use std::path::{Path, PathBuf};
 
 /// How far to go.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct TargetLimits {
     /// Levels to solve at most.
     pub levels: usize,
     /// A level that is expected to have more unknowns is not solved.
     pub unknowns: f64,
 }
 
-impl Default for Limits {
+impl Default for TargetLimits {
     fn default() -> Self {
         Self {
             levels: 8,
@@ -24,7 +24,7 @@ impl Default for Limits {
 
 /// How it ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum TargetVerdict {
     Met,
     /// Why it was not.
     NotMet(String),
@@ -57,7 +57,7 @@ pub fn folder(below: &Path, number: usize) -> PathBuf {
 /// Why no mesh meets a target, where that is plain: finer meshes resolve all but peaks beside edges.
 pub(super) fn singular(levels: &[Level]) -> Option<String> {
     let singular =
-        |f: &Figure| f.at_edge && f.estimate.is_none() && f.what.away_from_edges().is_some();
+        |f: &RefinedFigure| f.at_edge && f.estimate.is_none() && f.what.away_from_edges().is_some();
     let unknown = |level: &Level| level.figures.iter().any(singular);
     if levels.len() < SINGULAR_LEVELS || !levels.iter().rev().take(SINGULAR_LEVELS).all(unknown) {
         return None;

@@ -10,7 +10,7 @@ use crate::render::text::significant;
 
 /// A figure that the target is about, on one mesh.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub struct RefinedFigure {
     /// Which goal it answers.
     pub goal: Goal,
     pub what: Quantity,
@@ -42,11 +42,11 @@ pub struct Level {
     /// Is it of the elastic twin, loaded only?
     pub twin: bool,
     pub unknowns: usize,
-    pub figures: Vec<Figure>,
+    pub figures: Vec<RefinedFigure>,
     /// Goals that there is no figure for, such as Hertz's pressure where steel flows.
     pub absent: Vec<Goal>,
     /// Larger figures beside loaded edges, which are not judged.
-    pub beside_edges: Vec<Figure>,
+    pub beside_edges: Vec<RefinedFigure>,
     /// Do its bars alone decide? Else the change from the mesh before must be small, too.
     pub bars_decide: bool,
     pub cost: Cost,
@@ -57,7 +57,7 @@ pub struct Level {
 /// exceed the yield limit by, so that a percent of the one is several of the other.
 const STRAIN_TO_STRESS: f64 = 5.0;
 
-impl Figure {
+impl RefinedFigure {
     /// An error relative to the value, as a percentage.
     pub fn share(&self, error: Option<f64>) -> String {
         match error.filter(|_| self.value != 0.0) {
@@ -118,7 +118,7 @@ impl Level {
                 continue;
             };
             let old = before.and_then(|level| level.value_of(goal));
-            let figure = |claim: &certify::Figure, old: Option<f64>| Figure {
+            let figure = |claim: &certify::Figure, old: Option<f64>| RefinedFigure {
                 goal,
                 what: claim.what,
                 place: claim.place.clone(),
@@ -155,13 +155,13 @@ impl Level {
             unknowns: twin.unknowns,
         });
         for figure in twin.figures.iter().filter(|f| f.goal.is_elastic()) {
-            let taken = Figure {
+            let taken = RefinedFigure {
                 of,
                 ..figure.clone()
             };
             match self.figures.iter_mut().find(|f| f.goal == figure.goal) {
                 Some(own) => {
-                    *own = Figure {
+                    *own = RefinedFigure {
                         what: own.what,
                         ..taken
                     }
@@ -173,7 +173,7 @@ impl Level {
     }
 
     /// The figure that answers `goal` on this mesh.
-    pub(super) fn figure_of(&self, goal: Goal) -> Option<&Figure> {
+    pub(super) fn figure_of(&self, goal: Goal) -> Option<&RefinedFigure> {
         self.figures.iter().find(|f| f.goal == goal)
     }
 
@@ -268,7 +268,7 @@ pub fn table(levels: &[Level]) -> String {
     }
     let edges = levels.last().map_or(&[][..], |level| &level.beside_edges);
     if !edges.is_empty() {
-        let told: Vec<String> = edges.iter().map(Figure::in_words).collect();
+        let told: Vec<String> = edges.iter().map(RefinedFigure::in_words).collect();
         out += &format!("Not judged, as beside a loaded edge: {}\n", told.join("; "));
     }
     out

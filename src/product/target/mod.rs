@@ -12,9 +12,9 @@ mod level;
 mod local;
 mod plan;
 
-pub use ending::{Limits, Verdict, folder};
+pub use ending::{TargetLimits, TargetVerdict, folder};
 pub use goal::{Goal, Target, TargetError};
-pub use level::{Figure, Level, table};
+pub use level::{Level, RefinedFigure, table};
 
 use crate::case::Case;
 use crate::model::mesh::Mesh;
@@ -38,11 +38,11 @@ use std::time::Instant;
 pub fn refine(
     case: &Case,
     target: &Target,
-    limits: &Limits,
+    limits: &TargetLimits,
     options: &Options,
     observer: &mut dyn Observer,
     mut told: impl FnMut(&Level),
-) -> Result<(Vec<Level>, Verdict, Outcome), ConvergeError> {
+) -> Result<(Vec<Level>, TargetVerdict, Outcome), ConvergeError> {
     if job::is_sized_by_lines(case) {
         return by_bars::refine(case, (target, limits), options, observer, &mut told);
     }
@@ -64,7 +64,7 @@ pub fn refine(
         let coarse = (series == Series::Split).then(|| mesh.clone());
         let outcome = job::run_on(&scaled, mesh, &own, Instant::now(), observer)?;
         if outcome.interrupted {
-            return Ok((levels, Verdict::Interrupted, outcome));
+            return Ok((levels, TargetVerdict::Interrupted, outcome));
         }
         let asked = (target, false);
         let level = Level::new(number, asked, &outcome.summary, levels.last(), meter.stop());
@@ -94,17 +94,17 @@ fn finer(
 }
 
 /// The verdict after these levels; `None` while there is more to do.
-fn judge(levels: &[Level], target: &Target, limits: &Limits) -> Option<Verdict> {
+fn judge(levels: &[Level], target: &Target, limits: &TargetLimits) -> Option<TargetVerdict> {
     let last = levels.last()?;
     if last.figures.is_empty() {
         let why = format!("the certificate has no {}", target.goal.name());
-        return Some(Verdict::NotMet(why));
+        return Some(TargetVerdict::NotMet(why));
     }
     if last.meets(target) {
-        return Some(Verdict::Met);
+        return Some(TargetVerdict::Met);
     }
     if let Some(why) = singular(levels) {
-        return Some(Verdict::NotMet(why));
+        return Some(TargetVerdict::NotMet(why));
     }
     let next = last.unknowns as f64 * growth(levels);
     if levels.len() >= limits.levels || next > limits.unknowns {
@@ -112,7 +112,7 @@ fn judge(levels: &[Level], target: &Target, limits: &Limits) -> Option<Verdict> 
             "not met by the finest of {} meshes; the next one would have about {next:.0} unknowns",
             levels.len(),
         );
-        return Some(Verdict::NotMet(why));
+        return Some(TargetVerdict::NotMet(why));
     }
     None
 }

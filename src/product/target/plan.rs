@@ -1,7 +1,7 @@
 //! The next mesh of a bearing, from the bars of the last one: which figure misses, by how much, and what moves it.
 
 use super::goal::{Goal, Target};
-use super::level::{Figure, Level};
+use super::level::{Level, RefinedFigure};
 use crate::case::bearing::Scales;
 
 /// Bars should come out this much below the target: they are foreseen, not known.
@@ -52,14 +52,14 @@ pub(super) fn next(
 }
 
 /// The sizes that should bring one figure within the target; `old` is the figure on the mesh before.
-fn needed(figure: &Figure, old: Option<&Figure>, target: &Target) -> Scales {
+fn needed(figure: &RefinedFigure, old: Option<&RefinedFigure>, target: &Target) -> Scales {
     if figure.meets(target, true) {
         return Scales::default();
     }
     let Some(bar) = figure.estimate else {
         return Scales::all(WITHOUT_BAR);
     };
-    let over = |figure: &Figure, bar: f64| bar.abs() / figure.allowed(target);
+    let over = |figure: &RefinedFigure, bar: f64| bar.abs() / figure.allowed(target);
     let excess = |bar: f64| (MARGIN * over(figure, bar)).max(1.0);
     let was = old.and_then(|old| Some(over(old, old.estimate?)));
     if was.is_some_and(|was| over(figure, bar) > STUCK * was) {
@@ -139,7 +139,7 @@ mod tests {
             goal: Goal::ElasticMises,
             within: 0.03,
         };
-        let figure = |estimate: f64, beside_edge: Option<f64>| Figure {
+        let figure = |estimate: f64, beside_edge: Option<f64>| RefinedFigure {
             goal: Goal::ElasticMises,
             what: Quantity::MisesAway,
             place: "roller".into(),

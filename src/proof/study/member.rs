@@ -3,7 +3,7 @@
 use crate::case::{self, Case};
 use crate::product::converge::ConvergeError;
 use crate::product::job::{self, Options};
-use crate::product::target::{self, Goal, Level, Limits, Target, Verdict};
+use crate::product::target::{self, Goal, Level, Target, TargetLimits, TargetVerdict};
 use crate::render::Summary;
 use crate::solver::solve::Observer;
 use std::path::{Path, PathBuf};
@@ -112,14 +112,14 @@ impl Member {
         }
         if meshes.resolved {
             let (case, options) = (self.case()?, options(RESOLVED));
-            let limits = Limits::default();
+            let limits = TargetLimits::default();
             let (levels, verdict, _) =
                 target::refine(&case, &TARGET, &limits, &options, observer, |_| {})?;
             solved.resolved = levels;
             solved.missed = match verdict {
-                Verdict::Interrupted => return Ok(None),
-                Verdict::NotMet(why) => Some(why),
-                Verdict::Met => None,
+                TargetVerdict::Interrupted => return Ok(None),
+                TargetVerdict::NotMet(why) => Some(why),
+                TargetVerdict::Met => None,
             };
         }
         Ok(Some(solved))

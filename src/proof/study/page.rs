@@ -5,7 +5,7 @@ use super::compare;
 use super::member::SolvedMember;
 use super::quantities::ROWS;
 use crate::ground::file::{FileError, write_atomically};
-use crate::product::target::{Figure, Level};
+use crate::product::target::{Level, RefinedFigure};
 use crate::render::Summary;
 use crate::render::page::{PageError, insert};
 use crate::render::text::significant;
@@ -108,7 +108,8 @@ fn cost(solved: &[SolvedMember]) -> String {
     let seconds = |s: f64| significant(s, 3);
     for case in solved {
         for level in &case.resolved {
-            let relative = |f: &Figure| f.estimate.map_or(f64::INFINITY, |e| e / f.value.abs());
+            let relative =
+                |f: &RefinedFigure| f.estimate.map_or(f64::INFINITY, |e| e / f.value.abs());
             let figures = level.figures.iter();
             let worst = figures.max_by(|a, b| relative(a).total_cmp(&relative(b)));
             let [what, value, estimate] = worst.map_or_else(Default::default, |figure| {

@@ -17,7 +17,7 @@ pub struct Check {
     pub contacts: Vec<ContactCheck>,
     /// Lines of contact, where Hertz's half-width can be told beforehand.
     pub strips: Vec<StripCheck>,
-    pub cost: Cost,
+    pub cost: PredictedCost,
     pub machine: Machine,
     /// What the solution has to do, in words.
     pub needs: Vec<String>,
@@ -90,7 +90,7 @@ pub struct StripCheck {
 
 /// What the solution will take; seconds are rough.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Cost {
+pub struct PredictedCost {
     pub unknowns: usize,
     /// Unknowns that contact acts on: iterations cannot do without them.
     pub contact_unknowns: usize,

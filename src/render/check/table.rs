@@ -1,6 +1,6 @@
 //! The check as a table on the terminal.
 
-use super::{Check, Cost, Machine};
+use super::{Check, Machine, PredictedCost};
 use crate::render::table::text::text;
 use crate::render::table::{Cell, Number, Table};
 use crate::render::text::{list, significant};
@@ -110,7 +110,7 @@ fn strips(check: &Check) -> String {
     text(&table)
 }
 
-fn cost(cost: &Cost, machine: &Machine) -> String {
+fn cost(cost: &PredictedCost, machine: &Machine) -> String {
     let memory = match machine.memory_bytes {
         Some(bytes) => format!("{} left", gigabytes(bytes)),
         None => "what is left is not known".to_string(),
@@ -122,7 +122,7 @@ fn cost(cost: &Cost, machine: &Machine) -> String {
         format!("{least} to {most}")
     };
     format!(
-        "Cost, estimated\n  \
+        "PredictedCost, estimated\n  \
          unknowns   {}, contact acts on {} of them\n  \
          solver     {}\n  \
          memory     {}; {memory}\n  \

@@ -11,7 +11,7 @@ pub struct Deck<'a> {
     pub scene: &'a Scene,
     pub settings: &'a Settings,
     pub names: Names,
-    pub pairs: Vec<Pair>,
+    pub pairs: Vec<DeckPair>,
     pub ties: Vec<DeckTie>,
     pub driven: Vec<Driven>,
     pub turning: Vec<Turning>,
@@ -50,7 +50,7 @@ pub struct NodalForce {
 }
 
 /// A pair as the deck has it.
-pub struct Pair {
+pub struct DeckPair {
     /// Of the law.
     pub name: String,
     /// Of the face sets: carrier (slave) and the other side (master).
@@ -100,11 +100,11 @@ pub struct Turning {
     /// The node that is its point, counted from zero; the next one has the angles.
     pub reference: u32,
     /// What follows them.
-    pub followers: Vec<Follower>,
+    pub followers: Vec<DeckFollower>,
 }
 
 /// A node that follows a rigid plane along an axis.
-pub struct Follower {
+pub struct DeckFollower {
     pub node: u32,
     pub axis: usize,
     /// Axes that the plane turns about, each with the motion for an angle of one.

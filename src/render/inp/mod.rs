@@ -17,7 +17,8 @@ mod tie;
 mod turning;
 
 pub use deck::{
-    Deck, DeckTie, Driven, Follower, Heat, NodalForce, NodalTemperature, Pair, Springs, Turning,
+    Deck, DeckFollower, DeckPair, DeckTie, Driven, Heat, NodalForce, NodalTemperature, Springs,
+    Turning,
 };
 pub use names::Names;
 pub use settings::{ContactType, Settings};

@@ -1,7 +1,7 @@
 //! Rigid planes that turn. Each has two nodes of its own: one moves as its point does, and the three displacements of
 //! the other are its angles in radians.
 
-use super::deck::{Deck, Follower, Turning};
+use super::deck::{Deck, DeckFollower, Turning};
 use super::format::{number, one_line};
 use crate::model::scene::{PlaneMotion, PlaneTurn, Step};
 use std::io::{self, Write};
@@ -39,7 +39,7 @@ impl Deck<'_> {
             if !turning.followers.is_empty() {
                 writeln!(out, "*EQUATION")?;
             }
-            for Follower { node, axis, levers } in &turning.followers {
+            for DeckFollower { node, axis, levers } in &turning.followers {
                 let (dof, point) = (axis + 1, turning.point());
                 writeln!(out, "{}", 2 + levers.len())?;
                 write!(out, "{},{dof},1.,{point},{dof},-1.", node + 1)?;

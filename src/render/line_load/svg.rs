@@ -2,12 +2,12 @@
 
 use super::WholeLine;
 use crate::ground::units::UnitLabels;
-use crate::render::plot::{Figure, Line, Panel, Scale};
+use crate::render::plot::{Line, Panel, PlotFigure, Scale};
 use crate::render::text::significant;
 
 /// A panel for each interface with a curve for each of its lines, in the order of their places
 /// across, and dashed the loads of the lines spread evenly.
-pub fn figure(lines: &[WholeLine], units: &UnitLabels) -> Figure {
+pub fn figure(lines: &[WholeLine], units: &UnitLabels) -> PlotFigure {
     let panels: Vec<Panel> = lines
         .chunk_by(|a, b| a.interface == b.interface)
         .map(|of| panel(of, units))
@@ -17,7 +17,7 @@ pub fn figure(lines: &[WholeLine], units: &UnitLabels) -> Figure {
         1 => "load on the line of contact".to_string(),
         _ => format!("load on line {}, by place across", k + 1),
     };
-    Figure {
+    PlotFigure {
         panels,
         legend: (0..most).map(name).collect(),
         dashed: "the same force, spread evenly over the length".to_string(),

@@ -54,7 +54,7 @@ pub struct Panel {
 
 /// Diagrams in two columns, with one legend. A figure with a single panel is a diagram.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub struct PlotFigure {
     pub panels: Vec<Panel>,
     /// The names of the styles.
     pub legend: Vec<String>,
@@ -62,7 +62,7 @@ pub struct Figure {
     pub dashed: String,
 }
 
-impl Figure {
+impl PlotFigure {
     /// One diagram without dashed levels.
     pub fn single(panel: Panel, legend: Vec<String>) -> Self {
         Self {

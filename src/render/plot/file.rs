@@ -1,7 +1,7 @@
 //! Figures as files of their own: panels in two columns, one legend below.
 
 use super::axis::{plain, power, ranges};
-use super::data::{Figure, Panel, Scale};
+use super::data::{Panel, PlotFigure, Scale};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;
@@ -29,7 +29,7 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
 type Tick<'t> = &'t dyn Fn(&f64) -> String;
 
-pub fn draw(figure: &Figure, text: &mut String) -> Outcome {
+pub fn draw(figure: &PlotFigure, text: &mut String) -> Outcome {
     let rows = figure.panels.len().div_ceil(2).max(1) as u32;
     let below = LEGEND_LINE_HEIGHT * (figure.legend.len() as u32 + 2);
     let root = SVGBackend::with_string(text, (FIGURE_WIDTH, rows * PANEL_HEIGHT + below))
@@ -123,7 +123,7 @@ where
     Ok(())
 }
 
-fn legend(figure: &Figure, place: &Area) -> Outcome {
+fn legend(figure: &PlotFigure, place: &Area) -> Outcome {
     let font = || ("sans-serif", 14).into_font();
     let row = |k: usize| LEGEND_LINE_HEIGHT as i32 * k as i32 + 10;
     for (k, name) in figure.legend.iter().enumerate() {

@@ -15,7 +15,7 @@ pub struct Axis {
 
 /// Where a drawing stands in its picture, in the units of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct Viewport {
     pub left: f64,
     pub top: f64,
     pub width: f64,
@@ -109,7 +109,7 @@ fn power_of_ten(power: i32) -> String {
 const TICK_DISTANCE_ALONG: f64 = 75.0;
 const TICK_DISTANCE_UP: f64 = 45.0;
 
-impl Place {
+impl Viewport {
     /// Where the values stand in the picture.
     pub fn at(&self, [x, y]: [&Axis; 2], (u, v): (f64, f64)) -> [f64; 2] {
         [

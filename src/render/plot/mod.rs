@@ -6,7 +6,7 @@ mod file;
 pub mod frame;
 mod page;
 
-pub use data::{Figure, Line, Panel, Scale};
+pub use data::{Line, Panel, PlotFigure, Scale};
 pub use page::charts;
 
 use crate::ground::file::write_atomically;
@@ -17,7 +17,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`OutputError`] with the path, where it cannot be drawn or written.
-pub fn write(figure: &Figure, path: &Path) -> Result<(), OutputError> {
+pub fn write(figure: &PlotFigure, path: &Path) -> Result<(), OutputError> {
     let text = svg(figure).map_err(|why| OutputError::Plot {
         path: path.to_path_buf(),
         why,
@@ -31,7 +31,7 @@ pub fn write(figure: &Figure, path: &Path) -> Result<(), OutputError> {
 ///
 /// # Errors
 /// What the drawing library says where it refuses.
-pub fn svg(figure: &Figure) -> Result<String, String> {
+pub fn svg(figure: &PlotFigure) -> Result<String, String> {
     let mut text = String::new();
     file::draw(figure, &mut text).map_err(|error| error.to_string())?;
     Ok(text)

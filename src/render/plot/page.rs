@@ -1,15 +1,15 @@
 //! Figures as parts of the page: a drawing for each panel, its legend below.
 
 use super::axis::ranges;
-use super::data::{Figure, Line, Panel, Scale};
-use super::frame::{Axis, Place};
+use super::data::{Line, Panel, PlotFigure, Scale};
+use super::frame::{Axis, Viewport};
 use maud::{Markup, html};
 use std::fmt::Write;
 
 /// As many colours have the style sheet.
 const COLOURS: usize = 6;
 const CHART_SIZE: [f64; 2] = [560.0, 330.0];
-const PLACE: Place = Place {
+const PLACE: Viewport = Viewport {
     left: 66.0,
     top: 10.0,
     width: 480.0,
@@ -17,7 +17,7 @@ const PLACE: Place = Place {
 };
 
 /// The panels of the figures, two beside each other.
-pub fn charts<'f>(figures: impl IntoIterator<Item = &'f Figure>) -> Markup {
+pub fn charts<'f>(figures: impl IntoIterator<Item = &'f PlotFigure>) -> Markup {
     let figures = figures.into_iter();
     let panels = figures.flat_map(|figure| figure.panels.iter().map(move |panel| (figure, panel)));
     html! {
@@ -25,7 +25,7 @@ pub fn charts<'f>(figures: impl IntoIterator<Item = &'f Figure>) -> Markup {
     }
 }
 
-fn chart(figure: &Figure, panel: &Panel) -> Markup {
+fn chart(figure: &PlotFigure, panel: &Panel) -> Markup {
     let [width, height] = CHART_SIZE;
     let [x, y] = axes(panel);
     let mut styles: Vec<&Line> = panel.lines.iter().collect();

@@ -28,7 +28,7 @@ pub(super) struct Across {
 
 /// A quadrature point, and what is measured there: the vector across the gap, the outward normals of the
 /// carrier and of the other side, the stiffness of both in series.
-pub(super) struct Measured {
+pub(super) struct QuadraturePoint {
     pub point: SegmentPoint,
     pub gap: Vec3,
     pub normals: [Vec3; 2],
@@ -37,7 +37,7 @@ pub(super) struct Measured {
 
 impl Piece {
     /// Adds a quadrature point.
-    pub fn add(&mut self, at: &Measured) {
+    pub fn add(&mut self, at: &QuadraturePoint) {
         let SegmentPoint { carrier, area, .. } = at.point;
         let [own, across] = at.normals;
         self.facing = add(self.facing, scale(sub(own, across), area));

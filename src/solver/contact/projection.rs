@@ -7,7 +7,7 @@
 
 use super::facet::MOST_FACING;
 use super::pair::Pair;
-use super::piece::{Across, Measured, Piece, add_products};
+use super::piece::{Across, Piece, QuadraturePoint, add_products};
 use super::search::FacetTree;
 use super::segment::View;
 use super::side::Side;
@@ -91,7 +91,7 @@ impl Facing<'_> {
                     return;
                 }
                 add_products(&mut products, &point.carrier, &point.opposite, point.area);
-                piece.add(&Measured {
+                piece.add(&QuadraturePoint {
                     point,
                     gap,
                     normals: [ns, nm],
@@ -128,7 +128,7 @@ pub(super) fn on_plane(
         let (x, _) = carrier.at(index, &point.carrier);
         let distance = dot(sub(x, origin), normal);
         if distance.abs() <= farthest {
-            piece.add(&Measured {
+            piece.add(&QuadraturePoint {
                 point,
                 gap: scale(normal, -distance),
                 normals: [scale(normal, -1.0), normal],

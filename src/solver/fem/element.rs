@@ -24,7 +24,7 @@ pub enum Element {
 
 /// Histories at the end of an update, and where the integration points flow in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
+pub struct ElementResponse {
     /// Histories at the integration points.
     pub points: [PlasticPoint; 8],
     /// The flow of each point that flows.
@@ -73,7 +73,7 @@ impl Element {
         elastic: &Elastic,
         u: &ElementVector,
         old: &[PlasticPoint; 8],
-    ) -> Option<Answer> {
+    ) -> Option<ElementResponse> {
         let mut points = *old;
         let mut flows = [None; 8];
         match self {
@@ -85,7 +85,7 @@ impl Element {
             }
             Self::Enhanced(e) => (points, flows) = e.answer(steel, elastic, u, old)?,
         }
-        Some(Answer { points, flows })
+        Some(ElementResponse { points, flows })
     }
 
     /// Force that the plastic strain of `points` takes off the elastic answer: the internal force

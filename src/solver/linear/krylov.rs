@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 /// How a solve went.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
+pub struct KrylovOutcome {
     /// Directions tried.
     pub iterations: usize,
     /// Norm of the residual relative to that of the right-hand side.
@@ -30,10 +30,10 @@ pub fn solve(
     b: &[f64],
     tolerance: f64,
     limit: usize,
-) -> (Vec<f64>, Outcome) {
+) -> (Vec<f64>, KrylovOutcome) {
     let scale = norm(b);
     let mut x = vec![0.0; b.len()];
-    let mut outcome = Outcome {
+    let mut outcome = KrylovOutcome {
         iterations: 0,
         residual: 0.0,
     };
@@ -78,7 +78,7 @@ pub fn solve(
 /// errors. Here the energy that the last few directions gained tells how much energy the error still has
 /// (Hestenes and Stiefel, J. Res. NBS 49 (1952) 409, theorem 6:1). Stops where that estimate of the error
 /// in the energy norm, √(eᵀ A e), is below `tolerance` times that of x, or the residual is below
-/// `floor`, or after `limit` directions. `Outcome::residual` is that of the end, relative to |b|.
+/// `floor`, or after `limit` directions. `KrylovOutcome::residual` is that of the end, relative to |b|.
 pub fn minimise(
     multiply: impl Fn(&[f64], &mut [f64]),
     precondition: impl Fn(&mut [f64]),
@@ -86,13 +86,13 @@ pub fn minimise(
     tolerance: f64,
     floor: f64,
     limit: usize,
-) -> (Vec<f64>, Outcome) {
+) -> (Vec<f64>, KrylovOutcome) {
     /// The gain of so many last directions stands for what is still to be gained: one alone may gain little by
     /// chance.
     const DELAY: usize = 4;
     let scale = norm(b);
     let mut x = vec![0.0; b.len()];
-    let mut outcome = Outcome {
+    let mut outcome = KrylovOutcome {
         iterations: 0,
         residual: if scale == 0.0 { 0.0 } else { 1.0 },
     };

@@ -5,7 +5,7 @@
 //! [`v4`](super::v4) do not care which.
 
 use super::error::MeshError;
-use super::place::{At, Place};
+use super::place::{At, FilePlace};
 
 /// How numbers are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,13 +63,13 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> FilePlace {
         self.place_of(self.mark())
     }
 
-    pub fn place_of(&self, mark: u64) -> Place {
+    pub fn place_of(&self, mark: u64) -> FilePlace {
         let (source, section) = (self.source(), self.section.to_owned());
-        Place {
+        FilePlace {
             source,
             section,
             at: self.at(mark),

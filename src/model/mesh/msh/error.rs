@@ -3,7 +3,7 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-use super::place::{At, Place};
+use super::place::{At, FilePlace};
 
 const EXPORT: &str = "write the mesh again, for example with `gmsh -3 -format msh41 -bin`";
 
@@ -48,7 +48,7 @@ pub enum MeshError {
     )]
     Version {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// What is meant, in words.
         what: String,
     },
@@ -58,7 +58,7 @@ pub enum MeshError {
     #[diagnostic(code(brinell::mesh::syntax), help("the file is damaged: {EXPORT}"))]
     Syntax {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// What should stand there.
         expected: String,
         /// What stands there.
@@ -70,7 +70,7 @@ pub enum MeshError {
     #[diagnostic(code(brinell::mesh::truncated), help("the file is cut off: {EXPORT}"))]
     Truncated {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// What should stand there.
         expected: String,
     },
@@ -83,7 +83,7 @@ pub enum MeshError {
     )]
     Count {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// What is meant, in words.
         what: &'static str,
         /// How many.
@@ -97,7 +97,7 @@ pub enum MeshError {
     #[diagnostic(code(brinell::mesh::surplus), help("the count is too small: {EXPORT}"))]
     Surplus {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// What stands there.
         found: String,
     },
@@ -117,7 +117,7 @@ pub enum MeshError {
     #[diagnostic(code(brinell::mesh::repeated_section), help("keep one of the two"))]
     RepeatedSection {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
     },
 
     /// A tag is there twice.
@@ -128,7 +128,7 @@ pub enum MeshError {
     )]
     DuplicateTag {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// What is meant, in words.
         what: &'static str,
         /// Its tag.
@@ -157,7 +157,7 @@ pub enum MeshError {
     )]
     NotFinite {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// Tag of the node.
         node: u64,
         /// The axis: x, y or z.
@@ -174,7 +174,7 @@ pub enum MeshError {
     )]
     UnknownNode {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Tag of the node.
@@ -186,7 +186,7 @@ pub enum MeshError {
     #[diagnostic(code(brinell::mesh::unknown_entity), help("{EXPORT}"))]
     UnknownEntity {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The entity of the geometry, in words.
         entity: String,
     },
@@ -224,7 +224,7 @@ pub enum MeshError {
     )]
     UngroupedVolume {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// The entity of the geometry, in words.
@@ -239,7 +239,7 @@ pub enum MeshError {
     )]
     SeveralVolumes {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// The entity of the geometry, in words.
@@ -279,7 +279,7 @@ pub enum MeshError {
     )]
     NotHexahedron {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Name of the body.
@@ -298,7 +298,7 @@ pub enum MeshError {
     )]
     NotQuadrilateral {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Name of the surface.
@@ -317,7 +317,7 @@ pub enum MeshError {
     )]
     Degenerate {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Name of the body.
@@ -338,7 +338,7 @@ pub enum MeshError {
     )]
     Inverted {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Name of the body.
@@ -359,7 +359,7 @@ pub enum MeshError {
     )]
     RepeatedElement {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Where, or which, was there first.
@@ -376,7 +376,7 @@ pub enum MeshError {
     )]
     UnusedNode {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// Tag of the node.
         node: u64,
         /// What it belongs to, in words.
@@ -393,7 +393,7 @@ pub enum MeshError {
     )]
     SurfaceFace {
         /// Where in the file.
-        place: Place,
+        place: FilePlace,
         /// The element.
         element: u64,
         /// Name of the surface.

@@ -1,7 +1,7 @@
 //! The contents of a file, with the means to say where something stands.
 
 use super::error::MeshError;
-use super::place::Place;
+use super::place::FilePlace;
 use super::raw::{Places, Raw};
 use super::tags::TagMap;
 
@@ -90,7 +90,7 @@ impl File<'_> {
     }
 
     /// Place and tag of element `element` of the file.
-    pub fn element(&self, element: usize) -> (Place, u64) {
+    pub fn element(&self, element: usize) -> (FilePlace, u64) {
         let elements = &self.raw.elements;
         let mark = elements.marks.get(element).copied().unwrap_or_default();
         let tag = elements.tags.get(element).copied().unwrap_or_default();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::error::MeshError;
 use super::kind::{HEXAHEDRON, QUADRILATERAL};
 use super::names::{ENTITIES, name_of};
-use super::place::Place;
+use super::place::FilePlace;
 use super::raw::{Block, Group, Key, Places, Raw};
 
 /// The runs of elements sorted by physical groups.
@@ -166,7 +166,7 @@ fn entity(block: &Block) -> String {
 }
 
 /// Place and tag of the first element of a run.
-fn first(raw: &Raw, block: &Block, places: &Places<'_>) -> (Place, u64) {
+fn first(raw: &Raw, block: &Block, places: &Places<'_>) -> (FilePlace, u64) {
     let mark = raw
         .elements
         .marks

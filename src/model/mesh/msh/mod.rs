@@ -38,7 +38,7 @@ use std::path::Path;
 use flate2::read::MultiGzDecoder;
 
 pub use error::MeshError;
-pub use place::{At, Place};
+pub use place::{At, FilePlace};
 pub use reading::Reading;
 
 use super::Mesh;

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// A place in a mesh file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct FilePlace {
     /// The file.
     pub source: String,
     /// The section, without the dollar sign; empty between sections.
@@ -31,7 +31,7 @@ impl fmt::Display for At {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}, {}", self.source, self.at)?;
         if self.section.is_empty() {

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::kind::Kind;
-use super::place::{At, Place};
+use super::kind::ElementKind;
+use super::place::{At, FilePlace};
 
 /// A dimension (0 to 3) and the tag of an entity or physical group of it.
 pub(super) type Key = (u8, i64);
@@ -42,7 +42,7 @@ pub(super) struct Elements {
 
 /// A run of elements.
 pub(super) struct Block {
-    pub kind: &'static Kind,
+    pub kind: &'static ElementKind,
     /// Tag of the entity they mesh; its dimension is that of their type.
     pub entity: i64,
     pub group: Group,
@@ -88,8 +88,8 @@ impl Places<'_> {
         }
     }
 
-    pub fn place(&self, section: &str, mark: u64) -> Place {
-        Place {
+    pub fn place(&self, section: &str, mark: u64) -> FilePlace {
+        FilePlace {
             source: self.source.to_owned(),
             section: section.to_owned(),
             at: self.at(mark),

@@ -2,10 +2,10 @@
 
 use super::limits::{HALF_WIDTH, MISES_BLOCK, MISES_CYLINDER, MISES_SOURCE, PRESSURE};
 use super::reading::ProblemHReading;
-use crate::product::converge::quantity::{Known, Quantity};
+use crate::product::converge::quantity::{Known, StudyQuantity};
 
 /// The quantities of a reading, each with its limit where that is known.
-pub fn quantities(reading: &ProblemHReading) -> Vec<Quantity> {
+pub fn quantities(reading: &ProblemHReading) -> Vec<StudyQuantity> {
     const HERTZ: &str = "Hertz's line contact (Johnson, Contact Mechanics, 4.43 and 4.45)";
     const NORM: &str = "distance from Hertz's half ellipse in L2, over the norm of the ellipse";
     // From the series of that program: its meshes, and its two ways to take the gap.
@@ -16,7 +16,7 @@ pub fn quantities(reading: &ProblemHReading) -> Vec<Quantity> {
             within,
             origin,
         });
-        Quantity {
+        StudyQuantity {
             name: name.into(),
             unit: unit.into(),
             value,

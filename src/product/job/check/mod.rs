@@ -12,7 +12,7 @@ use crate::ground::memory;
 use crate::ground::units::UnitLabels;
 use crate::model::mesh::Mesh;
 use crate::model::scene::Scene;
-use crate::render::check::{BodyCheck, Check, ContactCheck, Cost, Machine, MeshCheck};
+use crate::render::check::{BodyCheck, Check, ContactCheck, Machine, MeshCheck, PredictedCost};
 use crate::render::text::{percent, significant};
 use crate::solver::solve::{Forecast, forecast};
 use std::collections::{BTreeMap, BTreeSet};
@@ -110,7 +110,7 @@ fn contacts(scene: &Scene, forecast: &Forecast) -> Vec<ContactCheck> {
 /// Seconds on the clock: two threads were measured to do one and a half times the work of one, more
 /// are not reckoned with. A run that may yield is solved twice, the second time in a few
 /// iterations; the rough figure is taken as right within a factor of two and a half.
-fn cost(scene: &Scene, forecast: &Forecast, threads: usize) -> Cost {
+fn cost(scene: &Scene, forecast: &Forecast, threads: usize) -> PredictedCost {
     const SPREAD: f64 = 2.5;
     let speed = if threads > 1 { 1.5 } else { 1.0 };
     let wall = forecast.processor_s / speed;
@@ -118,7 +118,7 @@ fn cost(scene: &Scene, forecast: &Forecast, threads: usize) -> Cost {
         true => 1.4 * SPREAD,
         false => SPREAD,
     };
-    Cost {
+    PredictedCost {
         unknowns: forecast.unknowns,
         contact_unknowns: forecast.kept,
         solver: match (forecast.divided, scene.contacts.is_empty()) {

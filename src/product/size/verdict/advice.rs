@@ -2,11 +2,11 @@
 
 use super::check::{LimitCheck, LimitKind};
 use super::position::Placed;
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use crate::ground::units::Dimension;
 use crate::product::size::SizeError;
 use crate::product::size::proposal::Proposal;
-use crate::product::size::request::{ECCENTRIC_MARGIN, Request, Rule, Setting};
+use crate::product::size::request::{ECCENTRIC_MARGIN, Request, Setting, SizingRule};
 use serde::Serialize;
 
 /// The next design to try.
@@ -54,13 +54,15 @@ impl Advice {
         let checks = || positions.iter().flat_map(|p| &p.checks);
         let worst = short_by_at_most(positions);
         let before = match request.rule.value {
-            Rule::Eccentric => request.margin.value,
+            SizingRule::Eccentric => request.margin.value,
             // Statics are to be tried before more is asked of them.
-            Rule::Printed | Rule::Exact => ECCENTRIC_MARGIN / (worst * worst * MARGIN_ON_ADVICE),
+            SizingRule::Printed | SizingRule::Exact => {
+                ECCENTRIC_MARGIN / (worst * worst * MARGIN_ON_ADVICE)
+            }
         };
         let margin = (100.0 * before * worst * worst * MARGIN_ON_ADVICE).ceil() / 100.0;
         let next = Request {
-            rule: Setting::or(Some(Rule::Eccentric), Rule::Eccentric),
+            rule: Setting::or(Some(SizingRule::Eccentric), SizingRule::Eccentric),
             margin: Setting::or(Some(margin.max(1.0)), margin),
             // What is fixed and carries too little must give way.
             diameter: None,
@@ -74,7 +76,7 @@ impl Advice {
         if request.diameter.is_some() || request.length.is_some() {
             options += ", with --diameter and --length left open";
         }
-        let within = checks().any(|c| c.standing == Standing::MissedWithinError);
+        let within = checks().any(|c| c.standing == SizeStanding::MissedWithinError);
         let solution = checks().any(|c| c.kind == LimitKind::Solution && c.standing.is_missed());
         let mut why = match choice {
             Some(c) => format!("proposes rollers {} x {}", show(c.diameter), show(c.length)),

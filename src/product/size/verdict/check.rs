@@ -1,6 +1,6 @@
 //! One figure against its limit.
 
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use serde::Serialize;
 
 /// What is held against a limit.
@@ -51,7 +51,7 @@ pub struct LimitCheck {
     pub at_edge: bool,
     pub limit: Option<f64>,
     pub utilisation: Option<f64>,
-    pub standing: Standing,
+    pub standing: SizeStanding,
     pub remark: Option<String>,
 }
 
@@ -69,7 +69,7 @@ impl LimitCheck {
             at_edge: false,
             limit: None,
             utilisation: None,
-            standing: Standing::NotJudged,
+            standing: SizeStanding::NotJudged,
             remark: None,
         }
     }

@@ -2,7 +2,7 @@
 
 use super::advice::Advice;
 use super::position::Placed;
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use crate::ground::units::UnitLabels;
 use crate::product::size::candidate::Candidate;
 use crate::product::size::error::SizeError;
@@ -48,7 +48,7 @@ impl DesignVerdict {
         let checks = positions.iter().flat_map(|p| &p.checks);
         Ok(Self {
             met,
-            open: checks.filter(|c| c.standing == Standing::Open).count(),
+            open: checks.filter(|c| c.standing == SizeStanding::Open).count(),
             units: proposal.units.clone(),
             brinell_version: env!("CARGO_PKG_VERSION"),
             load: request.load,

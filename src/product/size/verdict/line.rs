@@ -2,7 +2,7 @@
 
 use super::check::{LimitCheck, LimitKind};
 use super::limits::Limits;
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use crate::render::Summary;
 use crate::render::summary::SizedLine;
 
@@ -37,7 +37,7 @@ fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
         at_edge,
         limit: Some(limit),
         utilisation: Some(line.hertz_pressure / limit),
-        standing: Standing::of(line.hertz_pressure, error, limit),
+        standing: SizeStanding::of(line.hertz_pressure, error, limit),
         remark: (!remarks.is_empty()).then(|| remarks.join("; ")),
     }
 }

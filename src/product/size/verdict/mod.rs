@@ -16,5 +16,5 @@ pub use check::{LimitCheck, LimitKind};
 pub use design::DesignVerdict;
 pub use limits::Limits;
 pub use position::Placed;
-pub use standing::Standing;
+pub use standing::SizeStanding;
 pub use table::{Checked, Design, page, render, render_checked};

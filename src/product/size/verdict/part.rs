@@ -1,7 +1,7 @@
 //! Every part: elastic Mises stress below yield, no plastic strain.
 
 use super::check::{LimitCheck, LimitKind};
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::results::flow::BodyFlow;
 use crate::product::job::Outcome;
@@ -39,14 +39,14 @@ fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitChec
         ..LimitCheck::bare(LimitKind::ElasticMises, body)
     };
     let Some(judged) = first(summary, body, &[away, peak]) else {
-        check.standing = Standing::Missed;
+        check.standing = SizeStanding::Missed;
         check.remark = Some("no elastic solution: the part has yielded".to_string());
         return check;
     };
     let error = judged.bar();
     check.value = Some(judged.value);
     if error.is_none() {
-        check.standing = Standing::Unresolved;
+        check.standing = SizeStanding::Unresolved;
         check.remark = Some("this mesh does not resolve it".to_string());
         return check;
     }
@@ -62,7 +62,7 @@ fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitChec
     }
     check.error = error;
     check.utilisation = Some(judged.value / limit);
-    check.standing = Standing::of(judged.value, error, limit);
+    check.standing = SizeStanding::of(judged.value, error, limit);
     check
 }
 
@@ -81,9 +81,9 @@ fn strains(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> Vec<Lim
         error: own.and_then(Figure::bar),
         limit: Some(0.0),
         standing: match (flow.away > 0.0, resolved) {
-            (false, _) => Standing::Met,
-            (true, false) => Standing::Open,
-            (true, true) => Standing::Missed,
+            (false, _) => SizeStanding::Met,
+            (true, false) => SizeStanding::Open,
+            (true, true) => SizeStanding::Missed,
         },
         remark: (flow.away > 0.0 && !resolved).then(|| {
             format!(

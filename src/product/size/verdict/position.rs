@@ -2,7 +2,7 @@
 
 use super::check::{LimitCheck, LimitKind};
 use super::limits::Limits;
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use super::{line, part};
 use crate::case::Case;
 use crate::product::job::Outcome;
@@ -34,7 +34,7 @@ impl Placed {
         checks.extend(part::checks(limits.yield_stress, outcome));
         let missed = outcome.missed_limits(case).into_iter();
         checks.extend(missed.map(|remark| LimitCheck {
-            standing: Standing::Missed,
+            standing: SizeStanding::Missed,
             remark: Some(remark),
             ..LimitCheck::bare(LimitKind::Solution, "overall")
         }));
@@ -50,7 +50,7 @@ impl Placed {
 
     /// Are all limits met, and every figure resolved that must be?
     pub fn met(&self) -> bool {
-        let fails = |s: Standing| s.is_missed() || s == Standing::Unresolved;
+        let fails = |s: SizeStanding| s.is_missed() || s == SizeStanding::Unresolved;
         !self.checks.iter().any(|check| fails(check.standing))
     }
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 /// How a figure stands to its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Standing {
+pub enum SizeStanding {
     Met,
     /// Met, but by less than the estimated error.
     MetWithinError,
@@ -20,7 +20,7 @@ pub enum Standing {
     NotJudged,
 }
 
-impl Standing {
+impl SizeStanding {
     /// Of `value`, good to ± `error`, against the most that is allowed.
     pub fn of(value: f64, error: Option<f64>, limit: f64) -> Self {
         let error = error.unwrap_or(0.0);
@@ -45,14 +45,14 @@ mod tests {
 
     #[test]
     fn an_error_shows_how_sure_a_limit_is_met() {
-        let of = |value, error| Standing::of(value, error, 100.0);
-        assert_eq!(of(90.0, Some(5.0)), Standing::Met);
-        assert_eq!(of(96.0, Some(5.0)), Standing::MetWithinError);
-        assert_eq!(of(100.0, None), Standing::Met);
-        assert_eq!(of(104.0, Some(5.0)), Standing::MissedWithinError);
-        assert_eq!(of(106.0, Some(5.0)), Standing::Missed);
-        assert_eq!(of(100.1, None), Standing::Missed);
+        let of = |value, error| SizeStanding::of(value, error, 100.0);
+        assert_eq!(of(90.0, Some(5.0)), SizeStanding::Met);
+        assert_eq!(of(96.0, Some(5.0)), SizeStanding::MetWithinError);
+        assert_eq!(of(100.0, None), SizeStanding::Met);
+        assert_eq!(of(104.0, Some(5.0)), SizeStanding::MissedWithinError);
+        assert_eq!(of(106.0, Some(5.0)), SizeStanding::Missed);
+        assert_eq!(of(100.1, None), SizeStanding::Missed);
         assert!(of(f64::NAN, Some(5.0)).is_missed());
-        assert!(!Standing::Open.is_missed() && !Standing::NotJudged.is_missed());
+        assert!(!SizeStanding::Open.is_missed() && !SizeStanding::NotJudged.is_missed());
     }
 }

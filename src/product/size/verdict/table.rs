@@ -3,7 +3,7 @@
 use super::check::{LimitCheck, LimitKind};
 use super::design::DesignVerdict;
 use super::position::Placed;
-use super::standing::Standing;
+use super::standing::SizeStanding;
 use crate::ground::units::UnitLabels;
 use crate::product::size::table::wrapped;
 use crate::render::figures::MESH_DIGITS;
@@ -88,7 +88,7 @@ pub fn page(checked: &Checked, design: &Design) -> String {
     let (units, positions) = (checked.units, checked.positions);
     let n = |value: f64| significant(value, 4);
     let checks = positions.iter().flat_map(|placed| &placed.checks);
-    let open = checks.filter(|c| c.standing == Standing::Open).count();
+    let open = checks.filter(|c| c.standing == SizeStanding::Open).count();
     let met = positions.iter().all(Placed::met);
     format!(
         "# Verdict: {}\n\n\
@@ -114,15 +114,15 @@ pub fn page(checked: &Checked, design: &Design) -> String {
     )
 }
 
-fn said(standing: Standing) -> &'static str {
+fn said(standing: SizeStanding) -> &'static str {
     match standing {
-        Standing::Met => "yes",
-        Standing::MetWithinError => "yes, within ±",
-        Standing::MissedWithinError => "NO, within ±",
-        Standing::Missed => "NO",
-        Standing::Open => "open",
-        Standing::Unresolved => "NOT RESOLVED",
-        Standing::NotJudged => "not judged",
+        SizeStanding::Met => "yes",
+        SizeStanding::MetWithinError => "yes, within ±",
+        SizeStanding::MissedWithinError => "NO, within ±",
+        SizeStanding::Missed => "NO",
+        SizeStanding::Open => "open",
+        SizeStanding::Unresolved => "NOT RESOLVED",
+        SizeStanding::NotJudged => "not judged",
     }
 }
 
@@ -215,10 +215,11 @@ fn conclusion(checked: &Checked) -> String {
     let missed: Vec<String> = (checks().filter(|(_, c)| c.standing.is_missed()))
         .map(named)
         .collect();
-    let count = |standing: Standing| checks().filter(|(_, c)| c.standing == standing).count();
-    let unresolved: Vec<String> = (checks().filter(|(_, c)| c.standing == Standing::Unresolved))
-        .map(named)
-        .collect();
+    let count = |standing: SizeStanding| checks().filter(|(_, c)| c.standing == standing).count();
+    let unresolved: Vec<String> = (checks()
+        .filter(|(_, c)| c.standing == SizeStanding::Unresolved))
+    .map(named)
+    .collect();
     let mut text = match missed.as_slice() {
         [] if !unresolved.is_empty() => {
             let words = format!(
@@ -239,19 +240,19 @@ fn conclusion(checked: &Checked) -> String {
     // Writing to a string cannot fail.
     let remarks = [
         (
-            Standing::MetWithinError,
+            SizeStanding::MetWithinError,
             "met by less than the estimated error",
         ),
         (
-            Standing::Open,
+            SizeStanding::Open,
             "open: this mesh cannot tell; brinell run with --target mises=3% refines it",
         ),
         (
-            Standing::Unresolved,
+            SizeStanding::Unresolved,
             "not resolved: the error is not known; brinell run with --target mises=3% refines the mesh",
         ),
         (
-            Standing::NotJudged,
+            SizeStanding::NotJudged,
             "beside loaded edges, not judged: what is found there belongs to the mesh",
         ),
     ];

@@ -4,7 +4,7 @@ use super::colours;
 use super::raster::Raster;
 use crate::answer::pictures::Patch;
 use crate::render::OutputError;
-use crate::render::plot::frame::{Axis, Place};
+use crate::render::plot::frame::{Axis, Viewport};
 use maud::{Markup, html};
 use std::fmt::Write;
 
@@ -48,7 +48,7 @@ impl Painting {
     /// # Errors
     /// Where the picture cannot be encoded.
     pub fn draw(&self, name: &str) -> Result<Markup, OutputError> {
-        let place = Place {
+        let place = Viewport {
             left: LEFT_MARGIN,
             top: TOP_MARGIN,
             width: self.width,
@@ -85,7 +85,7 @@ impl Painting {
         })
     }
 
-    fn image(&self, place: &Place) -> Raster {
+    fn image(&self, place: &Viewport) -> Raster {
         let pixels = |units: f64| (PIXELS_PER_UNIT * units).round().max(1.0);
         let (width, height) = (pixels(place.width), pixels(place.height));
         let mut raster = Raster::new(width as usize, height as usize);
@@ -100,7 +100,7 @@ impl Painting {
         raster
     }
 
-    fn outline(&self, place: &Place) -> String {
+    fn outline(&self, place: &Viewport) -> String {
         let mut path = String::new();
         for [a, b] in &self.outlines {
             let [a, b] = [a, b].map(|p| place.at([&self.axes[0], &self.axes[1]], (p[0], p[1])));
@@ -111,7 +111,7 @@ impl Painting {
     }
 
     /// The colours beside the field, and what they stand for.
-    fn scale(&self, place: &Place, name: &str) -> Markup {
+    fn scale(&self, place: &Viewport, name: &str) -> Markup {
         let left = place.left + place.width + SCALE_GAP;
         let axis = Axis::linear("", 0.0..self.largest);
         let ticks = axis.ticks((place.height / 40.0).clamp(2.0, 8.0) as usize);

@@ -1,6 +1,6 @@
 //! The history of the solution: what every iteration told.
 
-use crate::render::plot::{Figure, Line, Panel, Scale, charts};
+use crate::render::plot::{Line, Panel, PlotFigure, Scale, charts};
 use crate::render::report::Inputs;
 use crate::render::report::history::Iterate;
 use crate::render::table::html::table;
@@ -31,7 +31,7 @@ fn figure(
     up: &str,
     scale: Scale,
     readings: &[Reading],
-) -> Figure {
+) -> PlotFigure {
     let line = |(style, (_, read)): (usize, &Reading)| {
         let points = (1..).zip(history).map(|(k, i)| (f64::from(k), read(i)));
         // On a logarithmic axis, what is far below any tolerance is as good as zero.
@@ -46,12 +46,12 @@ fn figure(
         dashed: Vec::new(),
     };
     let names = readings.iter().map(|(name, _)| (*name).to_string());
-    Figure::single(panel, names.collect())
+    PlotFigure::single(panel, names.collect())
 }
 
 const FLOOR: f64 = 1e-16;
 
-fn residuals(history: &[Iterate]) -> Figure {
+fn residuals(history: &[Iterate]) -> PlotFigure {
     let readings: [Reading; 3] = [
         ("residual force over applied force", |i| i.residual),
         ("contact violation over largest displacement", |i| {
@@ -65,7 +65,7 @@ fn residuals(history: &[Iterate]) -> Figure {
     figure(history, title, "relative", Scale::DecadesUp, &readings)
 }
 
-fn contact(history: &[Iterate]) -> Figure {
+fn contact(history: &[Iterate]) -> PlotFigure {
     let readings: [Reading; 5] = [
         ("pressing", |i| i.active as f64),
         ("slipping", |i| i.slipping as f64),

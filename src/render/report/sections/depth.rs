@@ -1,8 +1,8 @@
 //! The Mises stress below each line of contact, against the closed form.
 
 use super::strip::name;
-use crate::answer::pictures::Strip;
-use crate::render::plot::{Figure, Line, Panel, Scale, charts};
+use crate::answer::pictures::StripPicture;
+use crate::render::plot::{Line, Panel, PlotFigure, Scale, charts};
 use crate::render::report::Inputs;
 use maud::{Markup, html};
 
@@ -23,7 +23,7 @@ pub fn stresses(inputs: &Inputs) -> Markup {
     }
 }
 
-fn figure(inputs: &Inputs, strip: &Strip) -> Figure {
+fn figure(inputs: &Inputs, strip: &StripPicture) -> PlotFigure {
     let units = &inputs.summary.units;
     let (mut lines, mut legend) = (Vec::new(), Vec::new());
     for (body, points) in strip.below.iter().flatten() {
@@ -47,5 +47,5 @@ fn figure(inputs: &Inputs, strip: &Strip) -> Figure {
         lines,
         dashed: Vec::new(),
     };
-    Figure::single(panel, legend)
+    PlotFigure::single(panel, legend)
 }

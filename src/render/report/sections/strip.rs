@@ -1,14 +1,14 @@
 //! The pressure across each line of contact where it carries most, against Hertz.
 
-use crate::answer::pictures::Strip;
+use crate::answer::pictures::StripPicture;
 use crate::ground::geometry::AXES;
-use crate::render::plot::{Figure, Line, Panel, Scale, charts};
+use crate::render::plot::{Line, Panel, PlotFigure, Scale, charts};
 use crate::render::report::Inputs;
 use crate::render::text::significant;
 use maud::{Markup, html};
 
 /// Such as "upper_plate-upper_roller, line at x = 0 in, at y = 4 in".
-pub fn name(strip: &Strip, length: &str) -> String {
+pub fn name(strip: &StripPicture, length: &str) -> String {
     let row = significant(strip.profile.at, 3);
     let along = AXES[strip.axis];
     let across = significant(strip.across, 3);
@@ -34,7 +34,7 @@ pub fn pressures(inputs: &Inputs) -> Markup {
     }
 }
 
-fn figure(inputs: &Inputs, strip: &Strip) -> Figure {
+fn figure(inputs: &Inputs, strip: &StripPicture) -> PlotFigure {
     let units = &inputs.summary.units;
     let computed = strip.profile.points.clone();
     let largest = computed.iter().map(|p| p.1).fold(0.0, f64::max);
@@ -68,5 +68,5 @@ fn figure(inputs: &Inputs, strip: &Strip) -> Figure {
         lines,
         dashed: Vec::new(),
     };
-    Figure::single(panel, legend)
+    PlotFigure::single(panel, legend)
 }

@@ -1,6 +1,6 @@
 //! Between iterations: which nodes are closed, stick or slip, and what their multipliers become.
 
-use super::node::{Answer, Node};
+use super::node::{Node, NodeResponse};
 use super::parameters::{Law, MOST_RAISED};
 
 impl Law {
@@ -64,7 +64,7 @@ impl Law {
     /// slip. Where λ comes nearer too slowly, as under a pattern of shear that the bodies hardly give way
     /// to, ε_t is raised (a rule of Bertsekas, *Constrained Optimization and Lagrange Multiplier
     /// Methods*, 1982).
-    pub fn take_shear(&self, node: &mut Node, answer: &Answer) {
+    pub fn take_shear(&self, node: &mut Node, answer: &NodeResponse) {
         /// What may be left of the distance after λ took the shear; with more left, ε_t is raised.
         const MOST_LEFT: f64 = 0.5;
         let missed = self.violation(node, answer);

@@ -66,5 +66,5 @@ mod slip;
 mod tests;
 mod traction;
 
-pub use node::{Answer, Node, Status};
+pub use node::{Node, NodeResponse, Status};
 pub use parameters::{Law, MOST_RAISED};

@@ -42,7 +42,7 @@ pub struct Node {
 
 /// The traction z at a node, and its derivative ∂z/∂d.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Answer {
+pub struct NodeResponse {
     /// z: pressure and two shears.
     pub traction: [f64; 3],
     /// ∂z/∂d, symmetric.

@@ -1,6 +1,6 @@
 //! The parameters of a node's law: friction, penalties, stiffness.
 
-use super::node::{Answer, Node, Status};
+use super::node::{Node, NodeResponse, Status};
 
 /// What the law of a node depends on, the same in all iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ impl Law {
 
     /// How far λ still is from the traction, as a length: the closure, and where the node sticks also
     /// its elastic slip. Zero where the contact conditions hold.
-    pub fn violation(&self, node: &Node, answer: &Answer) -> f64 {
+    pub fn violation(&self, node: &Node, answer: &NodeResponse) -> f64 {
         /// A cautious node's elastic slip counts by this factor only: it moves no pressure.
         const SLIP_WEIGHT: f64 = 0.1;
         let miss = |i: usize| answer.traction[i] - node.multiplier[i];

@@ -1,6 +1,6 @@
 //! Within an iteration: the traction of a node as a function of its relative displacement d.
 
-use super::node::{Answer, Node, Status};
+use super::node::{Node, NodeResponse, Status};
 use super::parameters::Law;
 
 impl Law {
@@ -8,8 +8,8 @@ impl Law {
     ///
     /// The tangent is symmetric: the normal and the tangential part do not feel each other, as the
     /// bound on the shear is that of the iteration before, and both parts are symmetric themselves.
-    pub fn traction(&self, node: &Node, d: &[f64; 3]) -> Answer {
-        let mut answer = Answer::default();
+    pub fn traction(&self, node: &Node, d: &[f64; 3]) -> NodeResponse {
+        let mut answer = NodeResponse::default();
         if !node.closed {
             return answer;
         }

@@ -10,7 +10,7 @@ use crate::solver::solve::error::SolveError;
 use faer::Mat;
 
 /// A condensed group of bodies that hold together.
-pub struct Part {
+pub struct CondensedPart {
     /// The group's equations, ascending.
     pub equations: Vec<u32>,
     pub substructure: Substructure,
@@ -23,7 +23,7 @@ pub enum Made {
 }
 
 pub struct Condensed {
-    pub part: Part,
+    pub part: CondensedPart,
     pub zone: Vec<u32>,
     pub kept_vertices: Vec<u32>,
     /// The part's stiffness seen from the kept vertices.
@@ -84,7 +84,7 @@ impl Candidate {
                     .filter_map(|(v, kept)| kept.then_some(*v))
                     .collect(),
                 zone: group.zone,
-                part: Part {
+                part: CondensedPart {
                     equations,
                     substructure,
                 },

@@ -52,7 +52,7 @@ impl Size {
 }
 
 /// What counts of a body before it is condensed, or left sparse.
-struct Body {
+struct BodyCount {
     elements: usize,
     /// Unknowns that contact or flow acts on,
     kept: usize,
@@ -60,7 +60,7 @@ struct Body {
     dense: usize,
 }
 
-impl Body {
+impl BodyCount {
     /// Of an iteration with it condensed and sparse.
     fn seconds(&self) -> [f64; 2] {
         let condensing = factor_work(factor_entries(self.elements));
@@ -71,7 +71,7 @@ impl Body {
     }
 }
 
-fn bodies(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> Vec<Body> {
+fn bodies(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> Vec<BodyCount> {
     let vertex_of = dofs.vertices();
     let kept = |elements: &mut dyn Iterator<Item = usize>| {
         let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e).all());
@@ -83,7 +83,7 @@ fn bodies(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> Vec<Bo
         kept.len()
     };
     let elastic = |e: &usize| flow.binary_search(&(*e as u32)).is_err();
-    let of = |elements: Range<usize>| Body {
+    let of = |elements: Range<usize>| BodyCount {
         elements: elements.len(),
         kept: kept(&mut elements.clone()),
         dense: kept(&mut elements.filter(elastic)),
@@ -93,13 +93,13 @@ fn bodies(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> Vec<Bo
 }
 
 /// Bytes that a model of so many unknowns takes, from runs of 50 to 200 thousand (within a quarter).
-fn memory(bodies: &[Body], unknowns: usize, divided: bool) -> f64 {
+fn memory(bodies: &[BodyCount], unknowns: usize, divided: bool) -> f64 {
     let unknowns = unknowns as f64;
     if divided {
         return 6e3 * unknowns;
     }
     let entries: f64 = bodies.iter().map(|b| factor_entries(b.elements)).sum();
-    let seconds: Vec<_> = bodies.iter().map(Body::seconds).collect();
+    let seconds: Vec<_> = bodies.iter().map(BodyCount::seconds).collect();
     let condensed = (bodies.iter().zip(worth_condensing(&seconds))).filter(|(_, worth)| *worth);
     let kept: f64 = condensed.map(|(b, _)| b.kept as f64).sum();
     2e3 * unknowns + 14.4 * entries + 1.6 * kept.powi(2)

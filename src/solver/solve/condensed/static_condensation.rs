@@ -18,7 +18,7 @@ use crate::solver::fem::dofs::{DofMap, FIXED, Further};
 use crate::solver::linear::ordering::Block;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::solve::condensed::assembly::Condensing;
-use crate::solver::solve::condensed::condense::{Candidate, Made, Part};
+use crate::solver::solve::condensed::condense::{Candidate, CondensedPart, Made};
 use crate::solver::solve::condensed::cost::worth_condensing;
 use crate::solver::solve::condensed::groups::{Group, groups};
 use crate::solver::solve::error::SolveError;
@@ -31,7 +31,7 @@ use std::ops::Range;
 /// Equations and vertices are those of all unknowns; *kept* ones have numbers of their own.
 pub struct CondensedBodies {
     /// The condensed groups.
-    pub parts: Vec<Part>,
+    pub parts: Vec<CondensedPart>,
     /// Kept equation of each equation, or [`FIXED`].
     kept_of: Vec<u32>,
     /// Equation of each kept equation.

@@ -2,7 +2,7 @@
 
 use crate::model::material::j2;
 use crate::model::material::j2::PlasticPoint;
-use crate::solver::contact::law::{Answer, Node};
+use crate::solver::contact::law::{Node, NodeResponse};
 use crate::solver::fem::bbar::ElementVector;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::LIMIT_FLOW_SHARE;
@@ -40,7 +40,7 @@ pub struct Evaluation {
     /// External minus internal minus contact forces.
     pub residual: Vec<f64>,
     /// Contact answers and relative displacements, row by row.
-    pub contact: Vec<Answer>,
+    pub contact: Vec<NodeResponse>,
     pub relative: Vec<[f64; 3]>,
     pub plastic: Vec<PlasticAnswer>,
 }

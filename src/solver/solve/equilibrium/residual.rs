@@ -4,8 +4,8 @@
 //! strain of yielding elements takes off them, less the contact tractions t on both sides of each closed row.
 
 use crate::model::material::j2::PlasticPoint;
-use crate::solver::contact::law::Answer;
-use crate::solver::fem::element::Answer as ElementAnswer;
+use crate::solver::contact::law::NodeResponse;
+use crate::solver::fem::element::ElementResponse;
 use crate::solver::fem::loads::at_nodes;
 use crate::solver::solve::equilibrium::evaluation::{Evaluation, PlasticAnswer, Trial};
 use crate::solver::solve::equilibrium::history::History;
@@ -70,7 +70,7 @@ impl Model<'_> {
                 let Some(answer) = shape.answer(steel, elastic, &local, &free) else {
                     return Some(PlasticAnswer::lost(index, start));
                 };
-                let ElementAnswer { mut points, flows } = answer;
+                let ElementResponse { mut points, flows } = answer;
                 if !self.heated.is_empty() {
                     plastic_alone(&mut points, (&free, &start));
                 }
@@ -92,7 +92,7 @@ impl Model<'_> {
         history: &History,
         trial: &Trial,
         u: &[[f64; 3]],
-    ) -> (Vec<Answer>, Vec<[f64; 3]>) {
+    ) -> (Vec<NodeResponse>, Vec<[f64; 3]>) {
         self.rows
             .par_iter()
             .enumerate()

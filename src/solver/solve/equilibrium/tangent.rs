@@ -1,6 +1,6 @@
 //! The tangent matrix: elastic bodies, changed by what flows, and closed contact rows.
 
-use crate::solver::contact::law::Answer;
+use crate::solver::contact::law::NodeResponse;
 use crate::solver::linear::sparse::SymmetricMatrix;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
@@ -43,7 +43,7 @@ impl Model<'_> {
 
 impl ContactRow {
     /// Adds area · Cᵀ E C with the law's tangent E.
-    fn add_stiffness(&self, model: &Model, answer: &Answer, matrix: &mut SymmetricMatrix) {
+    fn add_stiffness(&self, model: &Model, answer: &NodeResponse, matrix: &mut SymmetricMatrix) {
         let (n, e) = (self.row.normal, &answer.tangent);
         let mut global = n.map(|i| n.map(|j| e[0][0] * i * j));
         if let Some(frame) = self.row.tangents {

@@ -1,6 +1,6 @@
 //! A correction, and what is left to be solved for while it is sought.
 
-use crate::solver::linear::krylov::Outcome;
+use crate::solver::linear::krylov::KrylovOutcome;
 
 /// How a correction was found.
 pub struct Correction {
@@ -22,7 +22,7 @@ impl Sought {
     pub fn take(
         &mut self,
         dx: &[f64],
-        outcome: &Outcome,
+        outcome: &KrylovOutcome,
         multiply: impl Fn(&[f64], &mut [f64]),
     ) -> bool {
         (self.found.dx.iter_mut().zip(dx)).for_each(|(x, d)| *x += d);

@@ -10,7 +10,7 @@
 //! Rounding is no matter: what comes out is a preconditioner.
 
 use crate::ground::geometry::add;
-use crate::solver::contact::law::Answer;
+use crate::solver::contact::law::NodeResponse;
 use crate::solver::fem::dofs::FIXED;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
@@ -41,7 +41,7 @@ struct LowRankChange {
     system: PartialPivLu<f64>,
 }
 
-fn row_tangent(row: &ContactRow, answer: &Answer) -> Tangent {
+fn row_tangent(row: &ContactRow, answer: &NodeResponse) -> Tangent {
     answer.tangent.map(|line| line.map(|v| v * row.row.area))
 }
 

@@ -1,12 +1,9 @@
 //! Peak stress and strain of bodies.
 
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
-use crate::analytic::subsurface::LineField;
+use super::strip_below::StripBelow;
 use crate::answer::results::curvature::Curvature;
-use crate::answer::results::hertz::{Departure, HeaviestLine};
-use crate::answer::results::hex::distance;
 use crate::answer::results::peaks::{BodyPeaks, MisesPeaks};
-use crate::model::scene::{ContactPair, Partner, Scene};
 
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
                        mesh; look at the elastic peak and the plastic strain";
@@ -32,10 +29,6 @@ const OF_FALL: f64 = 1.0 / 6.0;
 
 /// Facets in a half-width from which on the peak that is read counts for more than that of a half space.
 const FINE: f64 = 3.0;
-
-/// Facets in a half-width between which the nodal peak begins to be corrected by what extrapolation overshoots, and is wholly.
-/// On coarser meshes the stress below a strip is as much too small as extrapolation makes it too large.
-const CORRECTED: [f64; 2] = [3.0, 3.5];
 
 /// Share of the overshoot that is taken off: the stresses of B-bar at integration points are themselves a little below. On
 /// problem H 0.7 to 0.9 with two to eight facets in a half-width, below the strips of bearings 0.75 in the middle.
@@ -78,7 +71,7 @@ const BESIDE: f64 = 0.5;
 pub(super) fn claims(
     own: &[BodyPeaks],
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
-    strips: &[StripBelow],
+    strips: &[StripBelow<'_>],
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
@@ -154,85 +147,8 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
     }
 }
 
-/// A Hertzian strip on a body.
-pub(super) struct StripBelow {
-    pub body: usize,
-    /// A point of the line of contact, and the axis along it.
-    pub centre: [f64; 3],
-    pub axis: usize,
-    pub half_width: f64,
-    /// Distance of the nodes in its middle.
-    pub spacing: f64,
-    /// The larger of that and the one at its edge.
-    pub widest: f64,
-    /// Largest Mises stress below it in a half space.
-    pub mises: f64,
-    /// Coordinates of its rows along the axis, ascending, and their loads over that of the heaviest, of which those are.
-    pub rows: Vec<(f64, f64)>,
-}
-
-impl StripBelow {
-    /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side.
-    pub fn all(scene: &Scene, lines: &[Option<HeaviestLine>]) -> Vec<Self> {
-        let of_pair = |(pair, line): (&ContactPair, &Option<HeaviestLine>)| {
-            let line = line.as_ref()?;
-            // Of the elastic peak, flow or not; where lines merge no strip makes it.
-            let hertz = line
-                .contact
-                .filter(|_| line.is_long() && line.departs != Some(Departure::Width))?;
-            let shares = line.line.load.iter().map(|load| load / line.line_load);
-            let rows: Vec<(f64, f64)> = line.line.at.iter().copied().zip(shares).collect();
-            let on = |side: &Partner| {
-                let body = side.body(&scene.mesh)?;
-                let nu = scene.materials.get(body)?.poissons_ratio;
-                Some(Self {
-                    body,
-                    centre: line.line.heaviest.centre,
-                    axis: line.axis,
-                    half_width: hertz.half_width,
-                    spacing: line.line.heaviest.middle_spacing(),
-                    widest: line.line.heaviest.spacing(),
-                    mises: LineField::below(&hertz, nu).ok()?.peak_mises().value,
-                    rows: rows.clone(),
-                })
-            };
-            Some([on(&pair.upper), on(&pair.lower)])
-        };
-        let pairs = scene.contacts.iter().zip(lines).filter_map(of_pair);
-        pairs.flatten().flatten().collect()
-    }
-
-    /// Pressure, stress and width of the strip where it passes over that, over those of its heaviest row: roots of the loads
-    /// per length.
-    fn share(&self, at: &[f64; 3]) -> f64 {
-        let at = at[self.axis];
-        let next = self.rows.partition_point(|(row, _)| *row < at);
-        let row = |index: usize| self.rows.get(index).copied();
-        let load = match (next.checked_sub(1).and_then(row), row(next)) {
-            (Some((a, below)), Some((b, above))) => below + (above - below) * (at - a) / (b - a),
-            (Some((_, end)), None) | (None, Some((_, end))) => end,
-            (None, None) => 1.0,
-        };
-        load.max(0.0).sqrt()
-    }
-
-    /// Is the nodal peak below the strip corrected, where its load is that share of the largest? One where it is wholly.
-    fn resolves(&self, share: f64) -> f64 {
-        let [from, to] = CORRECTED;
-        let facets = share * self.half_width / self.widest;
-        ((facets - from) / (to - from)).clamp(0.0, 1.0)
-    }
-
-    /// Is that below the strip?
-    fn is_above(&self, at: &[f64; 3]) -> bool {
-        let mut below = *at;
-        below[self.axis] = self.centre[self.axis];
-        distance(self.centre, below) <= 3.0 * self.half_width.max(self.spacing)
-    }
-}
-
 /// The nodal peak of a body, and that away from loaded edges where it lies at one.
-fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow]) -> Vec<Figure> {
+fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_>]) -> Vec<Figure> {
     let Some((nodal, centroid)) = body.nodal.zip(body.centroid) else {
         return Vec::new();
     };
@@ -262,12 +178,12 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow]) 
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
         let left = 1.0 - corrected * (1.0 - OF_BAR);
         let (error, note) = match strip {
-            Some(strip) if strip.spacing > COARSEST * strip.half_width => (None, Some(COARSE)),
+            Some(strip) if strip.spacing() > COARSEST * strip.half_width => (None, Some(COARSE)),
             _ if is_next_to_edge => (Some(spread + (1.0 - corrected) * overshoot.max(0.0)), None),
             Some(strip) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second
                 // order.
-                let weight = (FINE * strip.widest / (share * strip.half_width))
+                let weight = (FINE * strip.widest() / (share * strip.half_width))
                     .min(1.0)
                     .powi(2);
                 let mises = share * strip.mises;

@@ -12,6 +12,7 @@ mod increments;
 mod mises;
 mod other;
 mod pressure;
+mod strip_below;
 
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::LoadedEdges;
@@ -22,8 +23,8 @@ use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
 use increments::Memory;
-use mises::StripBelow;
 use pressure::Contact;
+use strip_below::StripBelow;
 
 pub use descent::{Contacts, Travel};
 pub use figure::{Errors, Figure, Quantity, figure, unresolved};

@@ -1,0 +1,86 @@
+//! Hertzian strips and the stress below them, as a half space has it.
+
+use crate::analytic::subsurface::LineField;
+use crate::answer::results::hertz::{Departure, HeaviestLine};
+use crate::answer::results::hex::distance;
+use crate::model::scene::{ContactPair, Partner, Scene};
+
+/// Facets in a half-width between which the nodal peak begins to be corrected by what extrapolation overshoots, and is wholly.
+/// On coarser meshes the stress below a strip is as much too small as extrapolation makes it too large.
+const CORRECTED: [f64; 2] = [3.0, 3.5];
+
+/// A Hertzian strip on a body.
+pub(super) struct StripBelow<'l> {
+    pub body: usize,
+    /// Largest Mises stress below its heaviest row, in a half space.
+    pub mises: f64,
+    /// By that load.
+    pub half_width: f64,
+    line: &'l HeaviestLine,
+}
+
+impl<'l> StripBelow<'l> {
+    /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side.
+    pub fn all(scene: &Scene, lines: &'l [Option<HeaviestLine>]) -> Vec<Self> {
+        let of_pair = |(pair, line): (&ContactPair, &'l Option<HeaviestLine>)| {
+            let line = line.as_ref()?;
+            // Of the elastic peak, flow or not; where lines merge no strip makes it.
+            let hertz = line
+                .contact
+                .filter(|_| line.is_long() && line.departs != Some(Departure::Width))?;
+            let on = |side: &Partner| {
+                let body = side.body(&scene.mesh)?;
+                let nu = scene.materials.get(body)?.poissons_ratio;
+                Some(Self {
+                    body,
+                    mises: LineField::below(&hertz, nu).ok()?.peak_mises().value,
+                    half_width: hertz.half_width,
+                    line,
+                })
+            };
+            Some([on(&pair.upper), on(&pair.lower)])
+        };
+        let pairs = scene.contacts.iter().zip(lines).filter_map(of_pair);
+        pairs.flatten().flatten().collect()
+    }
+
+    /// Distance of the nodes in its middle.
+    pub fn spacing(&self) -> f64 {
+        self.line.line.heaviest.middle_spacing()
+    }
+
+    /// The larger of that and the one at its edge.
+    pub fn widest(&self) -> f64 {
+        self.line.line.heaviest.spacing()
+    }
+
+    /// Pressure, stress and width of the strip where it passes over that, over those of its heaviest row: roots of the loads
+    /// per length.
+    pub fn share(&self, at: &[f64; 3]) -> f64 {
+        let at = at[self.line.axis];
+        let rows = &self.line.line;
+        let next = rows.at.partition_point(|row| *row < at);
+        let row = |index: usize| Some((*rows.at.get(index)?, *rows.load.get(index)?));
+        let load = match (next.checked_sub(1).and_then(row), row(next)) {
+            (Some((a, below)), Some((b, above))) => below + (above - below) * (at - a) / (b - a),
+            (Some((_, end)), None) | (None, Some((_, end))) => end,
+            (None, None) => return 1.0,
+        };
+        (load / self.line.line_load).max(0.0).sqrt()
+    }
+
+    /// Is the nodal peak below the strip corrected, where its load is that share of the largest? One where it is wholly.
+    pub fn resolves(&self, share: f64) -> f64 {
+        let [from, to] = CORRECTED;
+        let facets = share * self.half_width / self.widest();
+        ((facets - from) / (to - from)).clamp(0.0, 1.0)
+    }
+
+    /// Is that below the strip?
+    pub fn is_above(&self, at: &[f64; 3]) -> bool {
+        let centre = self.line.line.heaviest.centre;
+        let mut below = *at;
+        below[self.line.axis] = centre[self.line.axis];
+        distance(centre, below) <= 3.0 * self.half_width.max(self.spacing())
+    }
+}

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use brinell::case;
 use brinell::case::bearing::{
-    BearingGeometry, CROSSED, MeshRequest, Preset, RollerEnd, fingerprint, gmsh_parameters,
-    write_with_fingerprint,
+    BearingGeometry, CROSSED, MeshRequest, Preset, RollerEnd, RollerShape, fingerprint,
+    gmsh_parameters, write_with_fingerprint,
 };
 use brinell::model::mesh::gmsh;
 use brinell::product::job;
@@ -61,16 +61,18 @@ fn ship_case(name: &str) -> Result<()> {
 /// The bearing of the reference study, in inches.
 fn reference(length: f64, offset: f64) -> BearingGeometry {
     BearingGeometry {
-        diameter: 3.0,
-        wall: Some(0.75),
-        length,
+        roller: RollerShape {
+            diameter: 3.0,
+            wall: Some(0.75),
+            length,
+            end: RollerEnd::Square,
+        },
         slope: 4f64.to_radians(),
         offset,
         intermediate_thickness: 1.0,
         upper_thickness: 1.0,
         lower_thickness: 1.0,
         plan: [length, length],
-        end: RollerEnd::Square,
         skew: [0.0; 2],
     }
 }

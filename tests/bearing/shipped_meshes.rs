@@ -4,7 +4,7 @@ use std::path::Path;
 
 use brinell::case::Kind;
 use brinell::case::bearing::{
-    BearingGeometry, MeshRequest, Preset, RollerEnd, fingerprint, mesh_scale,
+    BearingGeometry, MeshRequest, Preset, RollerEnd, RollerShape, fingerprint, mesh_scale,
 };
 use brinell::model::mesh::msh;
 
@@ -14,16 +14,18 @@ fn shipped_meshes_carry_the_fingerprints_of_their_bearings() {
         for (place, offset) in [("centre", 0.0), ("offset-1.25", 1.25), ("offset-2.5", 2.5)] {
             for preset in [Preset::H025, Preset::ReportLike] {
                 let geometry = BearingGeometry {
-                    diameter: 3.0,
-                    wall: Some(0.75),
-                    length,
+                    roller: RollerShape {
+                        diameter: 3.0,
+                        wall: Some(0.75),
+                        length,
+                        end: RollerEnd::Square,
+                    },
                     slope: 4f64.to_radians(),
                     offset,
                     intermediate_thickness: 1.0,
                     upper_thickness: 1.0,
                     lower_thickness: 1.0,
                     plan: [length, length],
-                    end: RollerEnd::Square,
                     skew: [0.0; 2],
                 };
                 let request = MeshRequest {

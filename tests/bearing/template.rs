@@ -3,24 +3,26 @@
 use std::collections::{BTreeSet, HashMap};
 
 use brinell::case::bearing::{
-    BearingGeometry, CROSSED, MeshRequest, Preset, Roller, RollerEnd, Strips, elements,
-    gmsh_parameters, rescale, shape_roller_ends,
+    BearingGeometry, CROSSED, MeshRequest, Preset, Roller, RollerEnd, RollerShape, Strips,
+    elements, gmsh_parameters, rescale, shape_roller_ends,
 };
 use brinell::model::mesh::{Mesh, gmsh, msh};
 use brinell::model::scene::EDGE_REACH;
 
 fn initial() -> BearingGeometry {
     BearingGeometry {
-        diameter: 3.0,
-        wall: Some(0.75),
-        length: 8.0,
+        roller: RollerShape {
+            diameter: 3.0,
+            wall: Some(0.75),
+            length: 8.0,
+            end: RollerEnd::Square,
+        },
         slope: 4f64.to_radians(),
         offset: 0.0,
         intermediate_thickness: 1.0,
         upper_thickness: 1.0,
         lower_thickness: 1.0,
         plan: [8.0, 8.0],
-        end: RollerEnd::Square,
         skew: [0.0; 2],
     }
 }
@@ -34,7 +36,10 @@ fn displaced(offset: f64) -> BearingGeometry {
 
 fn solid() -> BearingGeometry {
     BearingGeometry {
-        wall: None,
+        roller: RollerShape {
+            wall: None,
+            ..initial().roller
+        },
         ..initial()
     }
 }
@@ -63,7 +68,7 @@ fn check_count(mesh: &Mesh, geometry: &BearingGeometry, request: &MeshRequest) {
     let whole = request.full || !geometry.is_centred();
     let counted = elements(geometry, &request.sizes(geometry), whole);
     let made = mesh.hexes.len() as f64;
-    let within = if geometry.wall.is_some() { 0.0 } else { 0.1 };
+    let within = if geometry.roller.wall.is_some() { 0.0 } else { 0.1 };
     assert!(
         (counted / made - 1.0).abs() <= within,
         "{counted} counted, {made} made"
@@ -166,8 +171,8 @@ fn check_surfaces(mesh: &Mesh, geometry: &BearingGeometry, whole: bool) {
             round(Roller::Lower, radius),
         ),
     ];
-    if geometry.wall.is_some() {
-        let bore = geometry.bore_radius();
+    if geometry.roller.wall.is_some() {
+        let bore = geometry.roller.bore_radius();
         wanted.push((
             "upper_roller_bore",
             Some("upper_roller"),
@@ -239,15 +244,21 @@ fn quarter_of_the_hollow_bearing() {
 fn a_mesh_sized_by_its_lines() {
     let base = initial();
     let thin = BearingGeometry {
-        wall: Some(0.25),
-        end: RollerEnd::Radius(0.1),
+        roller: RollerShape {
+            wall: Some(0.25),
+            end: RollerEnd::Radius(0.1),
+            ..base.clone().roller
+        },
         ..base.clone()
     };
     let long = BearingGeometry {
-        length: 15.0,
+        roller: RollerShape {
+            length: 15.0,
+            end: RollerEnd::Crown(0.003),
+            ..displaced(6.0).roller
+        },
         plan: [15.0, 18.0],
         upper_thickness: 3.0,
-        end: RollerEnd::Crown(0.003),
         ..displaced(6.0)
     };
     let shallow = BearingGeometry {
@@ -323,17 +334,20 @@ fn displaced_bearings_are_whole() {
 #[test]
 fn a_plane_of_nodes_parts_loaded_ends_from_the_rest() {
     let geometry = displaced(2.5);
-    check_planes(&geometry, EDGE_REACH * geometry.length);
+    check_planes(&geometry, EDGE_REACH * geometry.roller.length);
     let radius = 0.3;
     let rounded = BearingGeometry {
-        end: RollerEnd::Radius(radius),
+        roller: RollerShape {
+            end: RollerEnd::Radius(radius),
+            ..geometry.roller
+        },
         ..geometry
     };
     check_planes(&rounded, radius);
 }
 
 fn check_planes(geometry: &BearingGeometry, from_end: f64) {
-    let end = 0.5 * geometry.length;
+    let end = 0.5 * geometry.roller.length;
     let beside = end - from_end;
     let mesh = mesh(geometry, &request(Preset::H025));
     for (body, axes) in [
@@ -384,7 +398,10 @@ fn solid_rollers_have_a_core() {
     let quarter = mesh(&solid(), &request(Preset::H025));
     check(&quarter, &solid(), true, false);
     let geometry = BearingGeometry {
-        wall: None,
+        roller: RollerShape {
+            wall: None,
+            ..displaced(2.5).roller
+        },
         ..displaced(2.5)
     };
     let whole = mesh(&geometry, &request(Preset::H025));
@@ -440,9 +457,12 @@ impl Nearby {
 #[test]
 fn other_bearings_and_other_plates() {
     let bearing = |diameter: f64, wall: f64, length: f64, degrees: f64| BearingGeometry {
-        diameter,
-        wall: Some(wall),
-        length,
+        roller: RollerShape {
+            diameter,
+            wall: Some(wall),
+            length,
+            ..initial().roller
+        },
         slope: degrees.to_radians(),
         plan: [length, length],
         ..initial()
@@ -473,9 +493,12 @@ fn other_bearings_and_other_plates() {
 fn the_unit_of_length_does_not_matter() {
     let inch = initial();
     let metre = BearingGeometry {
-        diameter: 3.0 * 0.0254,
-        wall: Some(0.75 * 0.0254),
-        length: 8.0 * 0.0254,
+        roller: RollerShape {
+            diameter: 3.0 * 0.0254,
+            wall: Some(0.75 * 0.0254),
+            length: 8.0 * 0.0254,
+            ..initial().roller
+        },
         intermediate_thickness: 0.0254,
         upper_thickness: 0.0254,
         lower_thickness: 0.0254,
@@ -498,8 +521,11 @@ fn shaped_ends_keep_the_elements_sound() {
     for end in [RollerEnd::Radius(0.125), RollerEnd::Crown(0.01)] {
         for wall in [Some(0.75), None] {
             let geometry = BearingGeometry {
-                end,
-                wall,
+                roller: RollerShape {
+                    end,
+                    wall,
+                    ..initial().roller
+                },
                 ..initial()
             };
             let mut mesh = mesh(&geometry, &request(Preset::H025));

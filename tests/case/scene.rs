@@ -138,8 +138,8 @@ fn dimensions_of_a_bearing() {
         &format!("plate_thickness = {thick}"),
     ));
     let geometry = bearing(&case).geometry.crossed().unwrap();
-    assert_eq!(geometry.wall, None);
-    assert_eq!(geometry.end, RollerEnd::Crown(2e-4));
+    assert_eq!(geometry.roller.wall, None);
+    assert_eq!(geometry.roller.end, RollerEnd::Crown(2e-4));
     assert_eq!(geometry.plan, [9.0, 10.0]);
     assert_eq!(geometry.upper_thickness, 1.0);
     assert_eq!(geometry.intermediate_thickness, 2.0);
@@ -435,9 +435,9 @@ fn shipped_cases() {
             let case = read(&folder.join(format!("{design}-{place}.toml"))).unwrap();
             let bearing = bearing(&case);
             let geometry = bearing.geometry.crossed().unwrap();
-            assert_eq!((geometry.length, geometry.offset), (length, offset));
+            assert_eq!((geometry.roller.length, geometry.offset), (length, offset));
             assert_eq!((bearing.load, bearing.friction), (65.0, 0.15));
-            assert_eq!((geometry.diameter, geometry.wall), (3.0, Some(0.75)));
+            assert_eq!((geometry.roller.diameter, geometry.roller.wall), (3.0, Some(0.75)));
             assert_eq!(bearing.is_whole(), offset > 0.0);
             assert!(case.discrepancies.len() >= 4);
             let mesh = shipped(&format!("{design}-{place}-auto"));

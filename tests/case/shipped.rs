@@ -43,9 +43,9 @@ fn bearings_of_the_study_beyond_section_2_6_2() {
         let steel = bearing.steels.of("upper_roller").unwrap();
         let read = [
             bearing.load,
-            g.diameter,
-            g.wall.unwrap_or(0.0),
-            g.length,
+            g.roller.diameter,
+            g.roller.wall.unwrap_or(0.0),
+            g.roller.length,
             g.slope.to_degrees(),
             g.intermediate_thickness,
             g.plan[0],
@@ -88,7 +88,7 @@ fn the_wall_sweep_is_the_initial_design_with_other_walls() {
             assert!((wall - 3.0 * ratio).abs() < 1e-12);
         }
         let mut geometry = initial.geometry.crossed().unwrap().clone();
-        geometry.wall = wall;
+        geometry.roller.wall = wall;
         assert_eq!(bearing.geometry.crossed(), Some(&geometry));
         assert_eq!(bearing.load, initial.load);
         assert_eq!(bearing.friction, initial.friction);

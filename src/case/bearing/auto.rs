@@ -106,7 +106,7 @@ mod tests {
             vec![line(true, at + 0.01, 0.03)],
             vec![line(true, 0.0, 0.15), line(false, 0.0, 0.1)],
         ] {
-            let strips = Strips::found(geometry.diameter, &lines).unwrap();
+            let strips = Strips::found(geometry.roller.diameter, &lines).unwrap();
             let sizes = geometry.preset_sizes(Preset::Auto, &strips);
             let reach = sizes.fine_elements * sizes.roller_size;
             for line in lines {
@@ -115,6 +115,6 @@ mod tests {
                 assert!(!line.is_served(sizes.plate_size, 0.5 * line.half_width));
             }
         }
-        assert_eq!(Strips::found(geometry.diameter, &[]), None);
+        assert_eq!(Strips::found(geometry.roller.diameter, &[]), None);
     }
 }

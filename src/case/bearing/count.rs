@@ -48,7 +48,7 @@ impl Count<'_> {
 
     fn roller(&self) -> f64 {
         let (geometry, sizes) = (self.geometry, self.sizes);
-        let radius = 0.5 * geometry.diameter;
+        let radius = 0.5 * geometry.roller.diameter;
         let centred = geometry.offset == 0.0;
         let fine = |at| (at, Some(sizes.roller_size), sizes.fine_elements);
         let any = |at| (at, None, sizes.fine_elements);
@@ -64,17 +64,20 @@ impl Count<'_> {
         let grading = self.grading(sizes.growth, sizes.around_cap, 1.0);
         let around = self.halved(&grading, &stops);
 
-        let inner = geometry.wall.map_or(0.5 * radius, |wall| radius - wall);
+        let inner = geometry
+            .roller
+            .wall
+            .map_or(0.5 * radius, |wall| radius - wall);
         let surface = (radius, Some(sizes.roller_size), sizes.fine_layers);
         let wall = self.grading(sizes.depth_growth, sizes.wall_cap, sizes.wall_least);
         let through = wall.elements(&[(inner, None, 1.0), surface]);
 
         let least = if centred { sizes.along_least } else { 1.0 };
         let grading = self.grading(sizes.along_growth, sizes.along_cap, least);
-        let along = self.along_roller(&grading, 0.5 * geometry.length, None);
+        let along = self.along_roller(&grading, 0.5 * geometry.roller.length, None);
 
         // Each side of the core of a solid roller has a quarter of the elements of a turn.
-        let core = match (geometry.wall, self.whole) {
+        let core = match (geometry.roller.wall, self.whole) {
             (Some(_), _) => 0.0,
             (None, true) => around * around / 16.0,
             (None, false) => around * around / 8.0,
@@ -104,7 +107,7 @@ impl Count<'_> {
     /// Of a roller or plate that ends so far from the middle: a plate that is shorter than the roller has a sharp edge.
     fn end_zone(&self, half: f64) -> EndZone {
         let zone = self.geometry.end_zone(self.sizes.uniform);
-        match half < 0.5 * self.geometry.length * (1.0 - 1e-9) {
+        match half < 0.5 * self.geometry.roller.length * (1.0 - 1e-9) {
             true => zone.sharp(),
             false => zone,
         }
@@ -128,8 +131,12 @@ impl Count<'_> {
         let grading = self.grading(sizes.growth, sizes.plan_cap, 1.0);
         let across = self.halved(&grading, &stops);
 
-        let outside = along > geometry.length * (1.0 + 1e-9) && !sizes.uniform;
-        let far = if outside { geometry.length } else { along };
+        let outside = along > geometry.roller.length * (1.0 + 1e-9) && !sizes.uniform;
+        let far = if outside {
+            geometry.roller.length
+        } else {
+            along
+        };
         let cap = if sizes.uniform {
             sizes.plan_cap
         } else {
@@ -165,14 +172,14 @@ impl Count<'_> {
     /// From edge to edge of the intermediate plate, over the V line (of a centred bearing, either of them).
     fn across_plate(&self, half: f64) -> Vec<Stop> {
         let (geometry, sizes) = (self.geometry, self.sizes);
-        let v_line = geometry.offset + 0.5 * geometry.diameter * geometry.slope.sin();
+        let v_line = geometry.offset + 0.5 * geometry.roller.diameter * geometry.slope.sin();
         let any = |at| (at, None, 1.0);
         let fine = |at| (at, Some(sizes.plate_size), sizes.fine_elements);
         match (sizes.uniform, geometry.offset == 0.0) {
             (true, _) => vec![any(-half), any(0.0), any(half)],
             (_, true) => vec![any(-half), fine(-v_line), any(0.0), fine(v_line), any(half)],
             (_, false) => {
-                let end = 0.5 * geometry.length;
+                let end = 0.5 * geometry.roller.length;
                 let outside = half > end * (1.0 + 1e-9) && end > v_line * (1.0 + 1e-9);
                 let last = if outside { end } else { half };
                 let mut stops = vec![any(-half), any(0.0), fine(v_line)];

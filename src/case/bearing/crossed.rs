@@ -49,7 +49,7 @@ impl BearingGeometry {
             },
             sharing: 1,
             determinate: self.is_centred(),
-            overhang: (0.5 * (self.plan[axis] - self.length)).max(0.0),
+            overhang: (0.5 * (self.plan[axis] - self.roller.length)).max(0.0),
             plate_thickness: match plate {
                 "upper_plate" => self.upper_thickness,
                 "lower_plate" => self.lower_thickness,
@@ -63,9 +63,9 @@ impl BearingGeometry {
         if uniform {
             return EndZone::default();
         }
-        let room = 0.5 * self.length - self.v_line();
+        let room = 0.5 * self.roller.length - self.v_line();
         let faces = [self.plan[0].max(self.plan[1])];
-        EndZone::new(&self.roller(), faces, (!self.is_centred(), room))
+        EndZone::new(&self.roller, faces, (!self.is_centred(), room))
     }
 }
 
@@ -79,12 +79,7 @@ impl Layout for BearingGeometry {
     }
 
     fn roller(&self) -> RollerShape {
-        RollerShape {
-            diameter: self.diameter,
-            wall: self.wall,
-            length: self.length,
-            end: self.end,
-        }
+        self.roller
     }
 
     fn offset(&self) -> f64 {
@@ -112,9 +107,9 @@ impl Layout for BearingGeometry {
     fn bodies(&self) -> Vec<(String, f64)> {
         let sizes = [
             ("upper_plate", self.upper_thickness),
-            ("upper_roller", self.diameter),
+            ("upper_roller", self.roller.diameter),
             ("intermediate_plate", self.intermediate_thickness),
-            ("lower_roller", self.diameter),
+            ("lower_roller", self.roller.diameter),
             ("lower_plate", self.lower_thickness),
         ];
         sizes.map(|(body, size)| (body.to_owned(), size)).into()
@@ -144,7 +139,7 @@ impl Layout for BearingGeometry {
 
     fn predicted(&self, load: f64, _full: bool, compliance: &[f64]) -> Result<Strips, DomainError> {
         let [upper, upper_valley, lower_valley, lower] = *compliance else {
-            return Ok(Strips::nominal(self.diameter));
+            return Ok(Strips::nominal(self.roller.diameter));
         };
         Strips::predicted(self, load, [upper, lower], [upper_valley, lower_valley])
     }
@@ -152,9 +147,9 @@ impl Layout for BearingGeometry {
     fn parameters(&self, full: bool, uniform: bool) -> Vec<Parameter> {
         let flag = |set: bool| f64::from(u8::from(set));
         let mut parameters = vec![
-            Parameter::length("Diameter", self.diameter),
-            Parameter::length("Wall", self.wall.unwrap_or(0.0)),
-            Parameter::length("RollerLength", self.length),
+            Parameter::length("Diameter", self.roller.diameter),
+            Parameter::length("Wall", self.roller.wall.unwrap_or(0.0)),
+            Parameter::length("RollerLength", self.roller.length),
             Parameter::number("Slope", self.slope),
             Parameter::length("Offset", self.offset),
             Parameter::length("UpperThickness", self.upper_thickness),

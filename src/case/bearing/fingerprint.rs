@@ -70,15 +70,15 @@ mod tests {
         let inch = initial();
         let mut millimetre = inch.clone();
         for length in [
-            &mut millimetre.diameter,
-            &mut millimetre.length,
+            &mut millimetre.roller.diameter,
+            &mut millimetre.roller.length,
             &mut millimetre.intermediate_thickness,
             &mut millimetre.upper_thickness,
             &mut millimetre.lower_thickness,
         ] {
             *length *= 25.4;
         }
-        millimetre.wall = Some(0.75 * 25.4);
+        millimetre.roller.wall = Some(0.75 * 25.4);
         millimetre.plan = [8.0 * 25.4; 2];
         for preset in Preset::ALL {
             let request = MeshRequest {
@@ -96,10 +96,10 @@ mod tests {
         let request = MeshRequest::default();
         let mut seen = vec![fingerprint(&initial(), &request)];
         let mut longer = initial();
-        longer.length += 1e-6;
+        longer.roller.length += 1e-6;
         seen.push(fingerprint(&longer, &request));
         let mut solid = initial();
-        solid.wall = None;
+        solid.roller.wall = None;
         seen.push(fingerprint(&solid, &request));
         for preset in [Preset::H025, Preset::H0125] {
             let request = MeshRequest {

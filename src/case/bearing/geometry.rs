@@ -1,6 +1,6 @@
 //! Dimensions of the bearing and where its parts lie.
 
-use super::end_shape::RollerEnd;
+use super::roller_shape::RollerShape;
 
 /// A rolling bearing: two crossed rollers between three plates.
 ///
@@ -10,12 +10,8 @@ use super::end_shape::RollerEnd;
 /// y = s, the lower plate is centred on y = 2 s. The stack just touches at every interface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BearingGeometry {
-    /// D, of both rollers.
-    pub diameter: f64,
-    /// Wall of hollow rollers; `None` for solid ones.
-    pub wall: Option<f64>,
-    /// L, of both rollers.
-    pub length: f64,
+    /// Both rollers.
+    pub roller: RollerShape,
     /// θ, of the two faces on either side of each valley line, in radians.
     pub slope: f64,
     /// s, of the roller axes from the centre planes of the intermediate plate.
@@ -28,8 +24,6 @@ pub struct BearingGeometry {
     pub lower_thickness: f64,
     /// Plates along x and along y.
     pub plan: [f64; 2],
-    /// Of both rollers.
-    pub end: RollerEnd,
     /// By how much each is turned about the vertical, in radians: the upper one and the lower one.
     pub skew: [f64; 2],
 }
@@ -80,12 +74,7 @@ impl Roller {
 impl BearingGeometry {
     /// R = D/2.
     pub fn radius(&self) -> f64 {
-        self.diameter / 2.0
-    }
-
-    /// Radius of the bore; zero for a solid roller.
-    pub fn bore_radius(&self) -> f64 {
-        self.wall.map_or(0.0, |wall| self.radius() - wall)
+        self.roller.radius()
     }
 
     /// Are the rollers in the middle? Then the bearing is symmetric about x = 0 and y = 0.

@@ -22,7 +22,7 @@ impl BearingGeometry {
 
     fn check_slope(&self) -> Result<(), GeometryError> {
         // A core of hexahedra needs room between the V line and its corner at 45 degrees.
-        let (most, range) = match self.wall {
+        let (most, range) = match self.roller.wall {
             Some(_) => (FRAC_PI_4, "must lie between 0.05 and 45 deg"),
             None => (
                 FRAC_PI_4 - 0.1,
@@ -50,7 +50,7 @@ impl BearingGeometry {
             )?;
         }
         let plate = self.plan[0].min(self.plan[1]) / 2.0 - sine;
-        let most = plate.min(self.length / 2.0);
+        let most = plate.min(self.roller.length / 2.0);
         GeometryError::unless(
             self.offset >= 0.0 && self.offset < most,
             "offset",
@@ -72,9 +72,9 @@ mod tests {
     fn impossible_bearings_are_refused_by_name() {
         type Spoil = fn(&mut BearingGeometry);
         let spoilt: [(&str, Spoil); 14] = [
-            ("roller_diameter", |b| b.diameter = 0.0),
-            ("roller_length", |b| b.length = -1.0),
-            ("roller_length", |b| b.length = f64::NAN),
+            ("roller_diameter", |b| b.roller.diameter = 0.0),
+            ("roller_length", |b| b.roller.length = -1.0),
+            ("roller_length", |b| b.roller.length = f64::NAN),
             ("plate_thickness.upper", |b| b.upper_thickness = -1.0),
             ("plate_thickness.intermediate", |b| {
                 b.intermediate_thickness = 0.0
@@ -82,14 +82,14 @@ mod tests {
             ("plate_thickness.lower", |b| {
                 b.lower_thickness = f64::INFINITY
             }),
-            ("roller_wall", |b| b.wall = Some(1.6)),
+            ("roller_wall", |b| b.roller.wall = Some(1.6)),
             ("slope", |b| b.slope = 45f64.to_radians()),
             ("slope", |b| b.slope = 0.0),
             ("offset", |b| b.offset = 4.0),
             ("offset", |b| b.offset = -0.1),
             ("plate_size", |b| b.plan[1] = 0.2),
-            ("roller_end.radius", |b| b.end = RollerEnd::Radius(0.8)),
-            ("roller_end.crown", |b| b.end = RollerEnd::Crown(-1.0)),
+            ("roller_end.radius", |b| b.roller.end = RollerEnd::Radius(0.8)),
+            ("roller_end.crown", |b| b.roller.end = RollerEnd::Crown(-1.0)),
         ];
         assert!(initial().check().is_ok());
         for (key, spoil) in spoilt {
@@ -99,7 +99,7 @@ mod tests {
             assert_eq!(error.key, key, "{error}");
         }
         let mut thick = initial();
-        thick.wall = Some(2.0);
+        thick.roller.wall = Some(2.0);
         let text = thick.check().expect_err("too thick").to_string();
         assert_eq!(
             text,

@@ -13,7 +13,7 @@ use super::strips::Strips;
 /// The element sizes for a bearing whose lines of contact are as wide as `strips`; all but
 /// `auto` look at the diameter alone.
 pub(super) fn sizes(preset: Preset, geometry: &BearingGeometry, strips: &Strips) -> Sizes {
-    let (roller, unit) = (geometry.roller(), unit(geometry.diameter));
+    let (roller, unit) = (geometry.roller(), unit(geometry.roller.diameter));
     match preset {
         Preset::Auto => auto::sizes(&roller, auto_own(geometry), strips),
         Preset::H025 => graded(&roller, own(geometry), 0.025 * unit, [2.0, 1.0]),
@@ -32,9 +32,9 @@ fn half_plan(geometry: &BearingGeometry) -> f64 {
 }
 
 fn own(geometry: &BearingGeometry) -> OwnSizes {
-    let unit = unit(geometry.diameter);
+    let unit = unit(geometry.roller.diameter);
     OwnSizes {
-        crossing_size: (0.1 * unit).min(geometry.length / 2.0 / 20.0),
+        crossing_size: (0.1 * unit).min(geometry.roller.length / 2.0 / 20.0),
         plan_cap: unit.min(half_plan(geometry) / 4.0),
         middle_cap: (0.7 * unit).min(half_plan(geometry) / 5.0),
         depth_cap: (0.3 * unit).min(geometry.thinnest_plate() / 3.0),
@@ -43,11 +43,11 @@ fn own(geometry: &BearingGeometry) -> OwnSizes {
 }
 
 fn auto_own(geometry: &BearingGeometry) -> OwnSizes {
-    let diameter = geometry.diameter;
+    let diameter = geometry.roller.diameter;
     // Loads are largest there where rollers are centred; where they are displaced, near the ends.
     let finer = if geometry.is_centred() { 2.0 } else { 1.0 };
     OwnSizes {
-        crossing_size: (diameter / 10.0).min(geometry.length / 20.0) / finer,
+        crossing_size: (diameter / 10.0).min(geometry.roller.length / 20.0) / finer,
         plan_cap: (0.43 * diameter).min(half_plan(geometry) / 4.0),
         middle_cap: (0.33 * diameter).min(half_plan(geometry) / 5.0),
         depth_cap: (0.1 * diameter).min(geometry.thinnest_plate() / 3.0),
@@ -89,8 +89,8 @@ pub(super) fn graded(
 
 /// Rollers: 24 elements around, 2 through the wall, 0.5 in along; plates: 0.3 in, 3 layers.
 fn report_like(geometry: &BearingGeometry) -> Sizes {
-    let unit = unit(geometry.diameter);
-    let around = PI * geometry.diameter / 24.0;
+    let unit = unit(geometry.roller.diameter);
+    let around = PI * geometry.roller.diameter / 24.0;
     let wall = geometry.roller().nominal_wall();
     Sizes {
         uniform: true,

@@ -3,6 +3,7 @@
 
 use super::end_shape::RollerEnd;
 use super::geometry::BearingGeometry;
+use super::roller_shape::RollerShape;
 use super::skew;
 use crate::case::assumption::Assumption;
 use crate::case::error::{CaseError, ErrorKind};
@@ -60,16 +61,18 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         let skew = self.skew(2)?;
         let [upper_thickness, intermediate_thickness, lower_thickness] = self.thicknesses()?;
         Ok(BearingGeometry {
-            diameter,
-            wall,
-            length,
+            roller: RollerShape {
+                diameter,
+                wall,
+                length,
+                end: self.end()?,
+            },
             slope,
             offset: self.offset()?,
             intermediate_thickness,
             upper_thickness,
             lower_thickness,
             plan: self.plate_size(length)?,
-            end: self.end()?,
             skew: [skew[0], skew[1]],
         })
     }

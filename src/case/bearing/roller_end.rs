@@ -64,7 +64,7 @@ mod tests {
     fn outer_nodes_drop_bore_nodes_stay() {
         let mut bearing = initial();
         bearing.offset = 2.5;
-        bearing.end = RollerEnd::Crown(0.01);
+        bearing.roller.end = RollerEnd::Crown(0.01);
         for roller in Roller::BOTH {
             let centre = bearing.roller_centre(roller);
             let at = |radius: f64, along: f64| {

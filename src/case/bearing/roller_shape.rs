@@ -17,6 +17,16 @@ pub struct RollerShape {
 }
 
 impl RollerShape {
+    /// R = D/2.
+    pub fn radius(&self) -> f64 {
+        self.diameter / 2.0
+    }
+
+    /// Radius of the bore; zero for a solid roller.
+    pub fn bore_radius(&self) -> f64 {
+        self.wall.map_or(0.0, |wall| self.radius() - wall)
+    }
+
     /// The wall, or of a solid roller the half of its radius, to go by with element sizes.
     pub(super) fn nominal_wall(&self) -> f64 {
         self.wall.unwrap_or(self.diameter / 4.0)

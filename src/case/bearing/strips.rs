@@ -61,12 +61,13 @@ impl Strips {
         flat: [f64; 2],
         valley: [f64; 2],
     ) -> Result<Self, DomainError> {
-        let slender = geometry.length / geometry.diameter;
+        let slender = geometry.roller.length / geometry.roller.diameter;
         let [on_flat, in_valley] = if geometry.is_centred() {
-            let even = load / geometry.length;
+            let even = load / geometry.roller.length;
             [even * (1.0 + 0.05 * slender.powf(1.4)), 1.1 * even]
         } else {
-            let linear = DisplacedRoller::new(load, geometry.length, geometry.offset)?.linear();
+            let linear =
+                DisplacedRoller::new(load, geometry.roller.length, geometry.offset)?.linear();
             [1.25 * linear.largest, 1.08 * linear.largest]
         };
         let width = |load: f64, compliance: f64| {
@@ -78,7 +79,7 @@ impl Strips {
             width(in_valley, valley[0])?,
             width(in_valley, valley[1])?,
         ];
-        Ok(Self::even(geometry.diameter, &widths))
+        Ok(Self::even(geometry.roller.diameter, &widths))
     }
 
     /// Lines of these half-widths where statics predicts them, on rollers of this diameter.

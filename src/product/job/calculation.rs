@@ -64,9 +64,9 @@ fn scope(case: &Case, scene: &Scene) -> Vec<String> {
 fn sketch(geometry: &Dimensions) -> Sketch {
     match geometry {
         Dimensions::Crossed(g) => Sketch::Crossed(CrossedSketch {
-            diameter: g.diameter,
-            wall: g.wall,
-            length: g.length,
+            diameter: g.roller.diameter,
+            wall: g.roller.wall,
+            length: g.roller.length,
             slope: g.slope,
             offset: g.offset,
             thickness: [
@@ -75,16 +75,16 @@ fn sketch(geometry: &Dimensions) -> Sketch {
                 g.lower_thickness,
             ],
             plan: g.plan,
-            ends: ends(g.end),
+            ends: ends(g.roller.end),
         }),
         Dimensions::Line(g) => Sketch::Line(LineSketch {
-            diameter: g.diameter,
-            wall: g.wall,
-            length: g.length,
+            diameter: g.roller.diameter,
+            wall: g.roller.wall,
+            length: g.roller.length,
             places: (1..=g.rollers).map(|number| g.place(number)).collect(),
             thickness: [g.upper.thickness, g.lower.thickness],
             plan: [g.upper.plan, g.lower.plan],
-            ends: ends(g.end),
+            ends: ends(g.roller.end),
             curved: g.curve.map(|curve| {
                 format!(
                     "The face of the {} plate is a cylinder along the roller, {}, of radius {}; drawn flat.",

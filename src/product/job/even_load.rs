@@ -49,9 +49,9 @@ impl EvenLoad {
         scene: &Scene,
     ) -> Result<Self, DomainError> {
         let hertz = handbook(&Handbook {
-            diameter: g.diameter,
-            wall: g.wall,
-            length: g.length,
+            diameter: g.roller.diameter,
+            wall: g.roller.wall,
+            length: g.roller.length,
             load: bearing.load,
             roller: metal(scene, "upper_roller"),
             plate: metal(scene, "intermediate_plate"),

@@ -19,7 +19,7 @@ use crate::analytic::sizing::{
     Constants, PRESSURE_LIMIT, PRINTED, equivalent_modulus, exact, final_length,
 };
 use crate::analytic::{DomainError, Elastic, contact_compliance};
-use crate::case::bearing::BearingGeometry;
+use crate::case::bearing::{BearingGeometry, RollerShape};
 use crate::ground::units::Dimension;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -112,16 +112,18 @@ impl Candidate {
             None => rounded_up(units, PLATE_TO_WALL * wall),
         };
         let mut geometry = BearingGeometry {
-            diameter,
-            wall: Some(wall),
-            length: 0.0,
+            roller: RollerShape {
+                diameter,
+                wall: Some(wall),
+                length: 0.0,
+                end: request.end.value,
+            },
             slope: request.slope.value,
             offset: request.roller_displacement(),
             intermediate_thickness: plate,
             upper_thickness: plate,
             lower_thickness: plate,
             plan: [0.0; 2],
-            end: request.end.value,
             skew: [0.0; 2],
         };
         let printed = contact.lengths(PRINTED)?;
@@ -136,7 +138,7 @@ impl Candidate {
         };
         let rounded = || rounded_up(units, required_length);
         let length = request.length.unwrap_or_else(rounded);
-        geometry.length = length;
+        geometry.roller.length = length;
         geometry.plan = [length; 2];
         check(&geometry, request)?;
         let friction = rolling_friction(request.rolling_lever.value, 0.5 * diameter)?;
@@ -269,17 +271,19 @@ fn eccentricity(geometry: &BearingGeometry) -> f64 {
 
 /// Of two hollow cylinders and three plates, the middle one thicker towards its edges.
 fn volume(geometry: &BearingGeometry) -> f64 {
-    let ring = PI * (geometry.radius().powi(2) - geometry.bore_radius().powi(2));
+    let ring = PI * (geometry.radius().powi(2) - geometry.roller.bore_radius().powi(2));
     let plan = geometry.plan[0] * geometry.plan[1];
     let wedge = 0.25 * (geometry.plan[0] + geometry.plan[1]) * geometry.slope.tan();
     let plates =
         geometry.upper_thickness + geometry.intermediate_thickness + geometry.lower_thickness;
-    2.0 * ring * geometry.length + plan * (plates + wedge)
+    2.0 * ring * geometry.roller.length + plan * (plates + wedge)
 }
 
 fn check(geometry: &BearingGeometry, request: &Request) -> Result<(), SizeError> {
     geometry.check().map_err(|error| SizeError::Geometry {
-        diameter: request.units.show(geometry.diameter, Dimension::LENGTH),
+        diameter: request
+            .units
+            .show(geometry.roller.diameter, Dimension::LENGTH),
         error,
     })
 }

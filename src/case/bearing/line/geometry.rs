@@ -1,6 +1,6 @@
 //! Dimensions of parallel rollers between two plates, and where they lie.
 
-use crate::case::bearing::end_shape::RollerEnd;
+use crate::case::bearing::roller_shape::RollerShape;
 
 /// One to twelve rollers side by side between two plates.
 ///
@@ -12,14 +12,8 @@ pub struct LineGeometry {
     pub rollers: usize,
     /// Distance between the axes of neighbours; 0 for a single roller.
     pub spacing: f64,
-    /// D, of all rollers.
-    pub diameter: f64,
-    /// Wall of hollow rollers; `None` for solid ones.
-    pub wall: Option<f64>,
-    /// L, of all rollers.
-    pub length: f64,
-    /// Of all rollers.
-    pub end: RollerEnd,
+    /// Each of the rollers.
+    pub roller: RollerShape,
     /// By how much each is turned about the vertical, in radians; missing ones lie straight.
     pub skew: Vec<f64>,
     /// The plate above.

@@ -31,7 +31,7 @@ impl LineGeometry {
     pub(super) fn end_zone(&self) -> EndZone {
         let part = |plate: &LinePlate| plate.plan[0] / self.rollers as f64;
         let faces = [&self.upper, &self.lower].map(|plate| plate.plan[1].max(part(plate)));
-        EndZone::new(&self.roller(), faces, (true, 0.5 * self.length))
+        EndZone::new(&self.roller, faces, (true, 0.5 * self.roller.length))
     }
 
     fn is_whole(&self, full: bool) -> bool {
@@ -78,15 +78,15 @@ impl LineGeometry {
             roller_above: !upper,
             axis: 1,
             radius: match curvature {
-                0.0 => self.diameter / 2.0,
-                curvature => 1.0 / (2.0 / self.diameter + curvature),
+                0.0 => self.roller.diameter / 2.0,
+                curvature => 1.0 / (2.0 / self.roller.diameter + curvature),
             },
             curvature,
             slope: 0.0,
             lines: vec![self.place(number)],
             sharing: self.rollers,
             determinate: self.rollers == 1 || (self.rollers == 2 && self.alike),
-            overhang: (0.5 * (own.plan[1] - self.length)).max(0.0),
+            overhang: (0.5 * (own.plan[1] - self.roller.length)).max(0.0),
             plate_thickness: own.thickness,
         }
     }
@@ -102,12 +102,7 @@ impl Layout for LineGeometry {
     }
 
     fn roller(&self) -> RollerShape {
-        RollerShape {
-            diameter: self.diameter,
-            wall: self.wall,
-            length: self.length,
-            end: self.end,
-        }
+        self.roller
     }
 
     fn offset(&self) -> f64 {
@@ -115,7 +110,7 @@ impl Layout for LineGeometry {
     }
 
     fn height_range(&self) -> [f64; 2] {
-        let radius = self.diameter / 2.0;
+        let radius = self.roller.diameter / 2.0;
         [
             -radius - self.lower.thickness,
             radius + self.upper.thickness,
@@ -138,7 +133,7 @@ impl Layout for LineGeometry {
 
     /// Also a hollow roller is turned from a bar.
     fn bodies(&self) -> Vec<(String, f64)> {
-        let rollers = (1..=self.rollers).map(|number| (self.body(number), self.diameter));
+        let rollers = (1..=self.rollers).map(|number| (self.body(number), self.roller.diameter));
         let upper = ("upper_plate".to_owned(), self.upper.thickness);
         let lower = ("lower_plate".to_owned(), self.lower.thickness);
         let all = std::iter::once(upper).chain(rollers);
@@ -173,16 +168,16 @@ impl Layout for LineGeometry {
     fn predicted(&self, load: f64, full: bool, compliance: &[f64]) -> Result<Strips, DomainError> {
         let mut widths = Vec::new();
         for (seat, compliance) in self.seats(full).iter().zip(compliance) {
-            let even = seat.even(load) / self.length;
+            let even = seat.even(load) / self.roller.length;
             let width = |line_load: f64| {
                 LineContact::new(line_load, seat.radius, *compliance).map(|line| line.half_width)
             };
             widths.push(width(even)?);
-            if seat.overhang > 0.0 && self.end == RollerEnd::Square {
+            if seat.overhang > 0.0 && self.roller.end == RollerEnd::Square {
                 widths.push(width(AT_ENDS * even)?);
             }
         }
-        Ok(Strips::even(self.diameter, &widths))
+        Ok(Strips::even(self.roller.diameter, &widths))
     }
 
     fn parameters(&self, full: bool, _uniform: bool) -> Vec<Parameter> {
@@ -190,9 +185,9 @@ impl Layout for LineGeometry {
         let mut parameters = vec![
             Parameter::number("Rollers", self.rollers as f64),
             Parameter::length("Spacing", self.spacing),
-            Parameter::length("Diameter", self.diameter),
-            Parameter::length("Wall", self.wall.unwrap_or(0.0)),
-            Parameter::length("RollerLength", self.length),
+            Parameter::length("Diameter", self.roller.diameter),
+            Parameter::length("Wall", self.roller.wall.unwrap_or(0.0)),
+            Parameter::length("RollerLength", self.roller.length),
             Parameter::length("UpperThickness", self.upper.thickness),
             Parameter::length("LowerThickness", self.lower.thickness),
             Parameter::length("UpperX", self.upper.plan[0]),
@@ -224,23 +219,25 @@ impl Layout for LineGeometry {
             };
             grading.elements(stops)
         };
-        let radius = self.diameter / 2.0;
+        let radius = self.roller.diameter / 2.0;
         let fine = |at, size| (at, Some(size), sizes.fine_elements);
         let any = |at| (at, None, 1.0);
         // A quarter of the turn, from a line of contact to the side.
         let turn = [fine(0.0, sizes.roller_size), any(0.5 * PI * radius)];
         let quarter = count(sizes.growth, sizes.around_cap, 1.0, &turn);
-        let inner = self.wall.map_or(0.5 * radius, |wall| radius - wall);
+        let inner = self.roller.wall.map_or(0.5 * radius, |wall| radius - wall);
         let surface = (radius, Some(sizes.roller_size), sizes.fine_layers);
         let depth = (sizes.depth_growth, sizes.wall_cap, sizes.wall_least);
         let through = count(depth.0, depth.1, depth.2, &[any(inner), surface]);
-        let core = match self.wall {
+        let core = match self.roller.wall {
             Some(_) => 0.0,
             None => quarter * quarter,
         };
         let along =
             |least, stops: &[Stop]| count(sizes.along_growth, sizes.along_cap, least, stops);
-        let ends = self.end_zone().stops(sizes.end_size, 0.5 * self.length);
+        let ends = self
+            .end_zone()
+            .stops(sizes.end_size, 0.5 * self.roller.length);
         let half = along(sizes.along_least, &[any(0.0), ends[0]]) + along(1.0, &ends);
         let roller = (4.0 * quarter * through + core) * 2.0 * half;
         let plate = |plate: &LinePlate| {
@@ -258,7 +255,7 @@ impl Layout for LineGeometry {
                 sizes.depth_least,
                 &stops,
             );
-            let beyond = 0.5 * (plate.plan[1] - self.length) / sizes.along_cap;
+            let beyond = 0.5 * (plate.plan[1] - self.roller.length) / sizes.along_cap;
             2.0 * across * self.rollers as f64 * 2.0 * (half + beyond.max(0.0)) * deep
         };
         let all = self.rollers as f64 * roller + plate(&self.upper) + plate(&self.lower);

@@ -35,7 +35,7 @@ impl LineGeometry {
     }
 
     fn check_spacing(&self) -> Result<(), GeometryError> {
-        let least = (1.0 + APART) * self.diameter;
+        let least = (1.0 + APART) * self.roller.diameter;
         GeometryError::unless(
             self.rollers == 1 || self.spacing >= least,
             "spacing",
@@ -47,7 +47,7 @@ impl LineGeometry {
 
     fn check_plate(&self, key: &'static str, plate: &LinePlate) -> Result<(), GeometryError> {
         let [across, along] = plate.plan;
-        let least = 2.0 * (self.place(self.rollers) + BEYOND * self.diameter);
+        let least = 2.0 * (self.place(self.rollers) + BEYOND * self.roller.diameter);
         GeometryError::unless(
             across >= least,
             key,
@@ -55,7 +55,7 @@ impl LineGeometry {
             || format!("must be at least {least} along x"),
             "the plates must reach a tenth of a diameter beyond the lines of contact of the outermost rollers",
         )?;
-        let least = self.length;
+        let least = self.roller.length;
         GeometryError::unless(
             along >= least * (1.0 - 1e-12),
             key,
@@ -82,7 +82,7 @@ impl LineGeometry {
         let least = if curve.convex {
             half
         } else {
-            half.max(1.02 * self.diameter / 2.0)
+            half.max(1.02 * self.roller.diameter / 2.0)
         };
         GeometryError::unless(
             curve.radius > least,
@@ -94,7 +94,7 @@ impl LineGeometry {
         let depth = curve.recedes(half).abs();
         let most = match curve.convex {
             true => 0.8 * plate.thickness,
-            false => 0.8 * self.diameter / 2.0,
+            false => 0.8 * self.roller.diameter / 2.0,
         };
         GeometryError::unless(
             depth <= most,

@@ -3,6 +3,7 @@
 
 use super::geometry::{LineGeometry, LinePlate, PlateCurve};
 use crate::case::bearing::reader::BearingReader;
+use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
 use crate::case::parse::Field;
@@ -35,10 +36,12 @@ impl BearingReader<'_, '_> {
         Ok(LineGeometry {
             rollers,
             spacing,
-            diameter,
-            wall,
-            length,
-            end: self.end()?,
+            roller: RollerShape {
+                diameter,
+                wall,
+                length,
+                end: self.end()?,
+            },
             skew: self.skew(rollers)?,
             upper: LinePlate {
                 thickness: upper,

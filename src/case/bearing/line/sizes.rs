@@ -11,7 +11,7 @@ use crate::case::bearing::strips::Strips;
 /// The sizes of a preset for lines of these widths.
 pub(super) fn sizes(preset: Preset, geometry: &LineGeometry, strips: &Strips) -> Sizes {
     let (roller, own) = (geometry.roller(), own(geometry));
-    let unit = unit(geometry.diameter);
+    let unit = unit(geometry.roller.diameter);
     match preset {
         Preset::Auto => auto::sizes(&roller, own, strips),
         Preset::H025 => graded(&roller, own, 0.025 * unit, [2.0, 1.0]),
@@ -27,7 +27,7 @@ pub(super) fn sizes(preset: Preset, geometry: &LineGeometry, strips: &Strips) ->
 }
 
 fn own(geometry: &LineGeometry) -> OwnSizes {
-    let (diameter, plates) = (geometry.diameter, [geometry.upper, geometry.lower]);
+    let (diameter, plates) = (geometry.roller.diameter, [geometry.upper, geometry.lower]);
     let least = |of: &dyn Fn(usize) -> f64| of(0).min(of(1));
     let half_plan = least(&|plate| plates[plate].plan[0]) / 2.0;
     let pitch = match geometry.rollers {
@@ -36,7 +36,7 @@ fn own(geometry: &LineGeometry) -> OwnSizes {
     };
     OwnSizes {
         // Nothing crosses the rollers, and there is no plate in the middle.
-        crossing_size: (diameter / 6.0).min(geometry.length / 16.0),
+        crossing_size: (diameter / 6.0).min(geometry.roller.length / 16.0),
         middle_cap: diameter,
         plan_cap: (0.3 * diameter).min(pitch / 4.0),
         depth_cap: (0.1 * diameter).min(least(&|plate| plates[plate].thickness) / 3.0),

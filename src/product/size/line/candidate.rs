@@ -3,7 +3,7 @@
 use super::request::LineRequest;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::{DomainError, Elastic, contact_compliance};
-use crate::case::bearing::{Layout, LineGeometry, LinePlate};
+use crate::case::bearing::{Layout, LineGeometry, LinePlate, RollerShape};
 use crate::ground::units::Dimension;
 use crate::product::size::practical::rounded_up;
 use crate::product::size::{PressureSpread, SizeError};
@@ -71,10 +71,12 @@ impl LineCandidate {
         let geometry = LineGeometry {
             rollers,
             spacing,
-            diameter,
-            wall: request.wall.map(|share| share * diameter),
-            length,
-            end: request.end.value,
+            roller: RollerShape {
+                diameter,
+                wall: request.wall.map(|share| share * diameter),
+                length,
+                end: request.end.value,
+            },
             skew: Vec::new(),
             upper: own,
             lower: own,
@@ -87,12 +89,15 @@ impl LineCandidate {
         })?;
         let line_load = request.load / (lines * length);
         let pressed = LineContact::new(line_load, 0.5 * diameter, compliance)?;
-        let bore = geometry.wall.map_or(0.0, |wall| diameter - 2.0 * wall);
+        let bore = geometry
+            .roller
+            .wall
+            .map_or(0.0, |wall| diameter - 2.0 * wall);
         let ring = PI / 4.0 * (diameter * diameter - bore * bore);
         Ok(Self {
             rollers,
             diameter,
-            wall: geometry.wall,
+            wall: geometry.roller.wall,
             spacing,
             plate,
             required_length,

@@ -68,7 +68,11 @@ fn check_count(mesh: &Mesh, geometry: &BearingGeometry, request: &MeshRequest) {
     let whole = request.full || !geometry.is_centred();
     let counted = elements(geometry, &request.sizes(geometry), whole);
     let made = mesh.hexes.len() as f64;
-    let within = if geometry.roller.wall.is_some() { 0.0 } else { 0.1 };
+    let within = if geometry.roller.wall.is_some() {
+        0.0
+    } else {
+        0.1
+    };
     assert!(
         (counted / made - 1.0).abs() <= within,
         "{counted} counted, {made} made"

@@ -437,7 +437,10 @@ fn shipped_cases() {
             let geometry = bearing.geometry.crossed().unwrap();
             assert_eq!((geometry.roller.length, geometry.offset), (length, offset));
             assert_eq!((bearing.load, bearing.friction), (65.0, 0.15));
-            assert_eq!((geometry.roller.diameter, geometry.roller.wall), (3.0, Some(0.75)));
+            assert_eq!(
+                (geometry.roller.diameter, geometry.roller.wall),
+                (3.0, Some(0.75))
+            );
             assert_eq!(bearing.is_whole(), offset > 0.0);
             assert!(case.discrepancies.len() >= 4);
             let mesh = shipped(&format!("{design}-{place}-auto"));

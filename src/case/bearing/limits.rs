@@ -88,8 +88,12 @@ mod tests {
             ("offset", |b| b.offset = 4.0),
             ("offset", |b| b.offset = -0.1),
             ("plate_size", |b| b.plan[1] = 0.2),
-            ("roller_end.radius", |b| b.roller.end = RollerEnd::Radius(0.8)),
-            ("roller_end.crown", |b| b.roller.end = RollerEnd::Crown(-1.0)),
+            ("roller_end.radius", |b| {
+                b.roller.end = RollerEnd::Radius(0.8)
+            }),
+            ("roller_end.crown", |b| {
+                b.roller.end = RollerEnd::Crown(-1.0)
+            }),
         ];
         assert!(initial().check().is_ok());
         for (key, spoil) in spoilt {

@@ -4,8 +4,7 @@ use super::node::Node;
 use super::parameters::Law;
 
 impl Law {
-    /// Sets the linearised shear of a slipping node, λ + `slope` (d − `origin`), about the `shear` and d
-    /// of now.
+    /// Sets the linearised shear of a slipping node, λ + `slope` (d − `origin`), from the `shear` and d of now.
     ///
     /// Wanted is λ with |λ + c d| λ = μ p (λ + c d): the shear has the size μ p and the direction of
     /// λ + c d. With
@@ -26,11 +25,13 @@ impl Law {
     /// A node that slips steadily has a = μ p and b − μ p = c |d|: its shear turns by μ p / |d| and grows
     /// no more. Where b hardly exceeds μ p, the slope across is cut off at ε_t.
     ///
+    /// A slip along n alone makes the shear μ p n: that is λ here, and the slip along n of now is the origin. (λ of now, cut
+    /// off at μ p, asks a node that hardly slips for a slip across that it cannot have.)
+    ///
     /// λ is the shear cut off at μ p. A node whose shear was far larger may stick by that though it slips: there λ is the
     /// shear itself, or the shear would turn against a slope as steep as ε_t, by next to nothing in each iteration.
     pub(super) fn linearise_slip(&self, node: &mut Node, shear: [f64; 2], d: [f64; 2]) {
         let (c, bound) = (self.stiffness, node.bound);
-        node.origin = d;
         let clip = |v: [f64; 2]| {
             let size = v[0].hypot(v[1]);
             let share = if size > bound { bound / size } else { 1.0 };
@@ -56,9 +57,9 @@ impl Law {
         let slip_along = d[0] * n[0] + d[1] * n[1];
         let across = bound * c / excess;
         let forward = c * (bound - along) / (excess + along).max(f64::MIN_POSITIVE);
-        let next = clip([0, 1].map(|i| bound * n[i] + across * (d[i] - slip_along * n[i])));
+        node.origin = n.map(|n| slip_along * n);
         for i in 0..2 {
-            node.multiplier[1 + i] = next[i];
+            node.multiplier[1 + i] = bound * n[i];
             for j in 0..2 {
                 let nn = n[i] * n[j];
                 node.slope[i][j] = across * (f64::from(u8::from(i == j)) - nn) + forward * nn;

@@ -95,18 +95,32 @@ fn a_slipping_shear_settles_on_the_bound_along_the_slip() {
 /// A node on springs as stiff as c, pulled by any shear from any other, settles in few iterations.
 #[test]
 fn a_node_on_springs_settles_soon() {
-    const MOST: usize = 12;
+    for pull in [1.2, 3.0, 9.0] {
+        settles(2.5, 12, pull, 12);
+    }
+}
+
+/// Across its shear a node that hardly slips all but sticks: what it had slipped there is gone in an iteration. It is pulled
+/// on, up to 75 degrees aside.
+#[test]
+fn a_node_that_begins_to_slip_settles_as_soon() {
+    for (from, pull) in [(0.2, 1.001), (0.2, 1.01), (0.9, 1.001), (0.9, 1.01)] {
+        settles(from, 5, pull, 8);
+    }
+}
+
+/// From shears `from` times the bound, so many times 15 degrees and less `aside` of their pull, nodes settle under a `pull` of
+/// any direction, times the bound, in `most` iterations.
+fn settles(from: f64, aside: usize, pull: f64, most: usize) {
     let bound = LAW.bound(&[10.0, 0.0, 0.0]);
     let turn = |k: usize, size: f64| {
         let angle = k as f64 * std::f64::consts::PI / 12.0;
         [size * angle.cos(), size * angle.sin()]
     };
-    for (from, towards, pull) in (0..24)
-        .flat_map(|k| [(k, 1.2), (k, 3.0), (k, 9.0)])
-        .flat_map(|(k, pull)| (0..24).map(move |from| (from, k, pull)))
-    {
+    let starts = |k: usize| (24 + k - aside..=24 + k + aside).map(move |start| (start, k));
+    for (start, towards) in (0..24).flat_map(starts) {
         let pulled = turn(towards, pull * bound);
-        let [s, t] = turn(from, 2.5 * bound);
+        let [s, t] = turn(start, from * bound);
         let mut node = closed([10.0, s, t], false);
         node.raised = MOST_RAISED;
         LAW.linearise_slip(
@@ -114,7 +128,7 @@ fn a_node_on_springs_settles_soon() {
             [s, t],
             [0, 1].map(|i| (pulled[i] - [s, t][i]) / LAW.stiffness),
         );
-        let settles = (0..MOST).any(|_| {
+        let settles = (0..most).any(|_| {
             // Balance: the node's shear is the pull less what the springs take.
             let d = balance(&node, pulled);
             let traction = LAW.traction(&node, &d).traction;
@@ -129,7 +143,7 @@ fn a_node_on_springs_settles_soon() {
         });
         assert!(
             settles,
-            "from {from}, towards {towards}, {pull} times the bound"
+            "from {start}, towards {towards}, {pull} times the bound"
         );
         let [_, s, t] = node.multiplier;
         // Alone on springs that are alike in all directions it slips the way that it is pulled.

@@ -122,7 +122,7 @@ fn cost(cost: &PredictedCost, machine: &Machine) -> String {
         format!("{least} to {most}")
     };
     format!(
-        "PredictedCost, estimated\n  \
+        "Cost, estimated\n  \
          unknowns   {}, contact acts on {} of them\n  \
          solver     {}\n  \
          memory     {}; {memory}\n  \

@@ -48,7 +48,7 @@ impl Count<'_> {
 
     fn roller(&self) -> f64 {
         let (geometry, sizes) = (self.geometry, self.sizes);
-        let radius = 0.5 * geometry.roller.diameter;
+        let radius = geometry.radius();
         let centred = geometry.offset == 0.0;
         let fine = |at| (at, Some(sizes.roller_size), sizes.fine_elements);
         let any = |at| (at, None, sizes.fine_elements);
@@ -172,7 +172,7 @@ impl Count<'_> {
     /// From edge to edge of the intermediate plate, over the V line (of a centred bearing, either of them).
     fn across_plate(&self, half: f64) -> Vec<Stop> {
         let (geometry, sizes) = (self.geometry, self.sizes);
-        let v_line = geometry.offset + 0.5 * geometry.roller.diameter * geometry.slope.sin();
+        let v_line = geometry.v_line();
         let any = |at| (at, None, 1.0);
         let fine = |at| (at, Some(sizes.plate_size), sizes.fine_elements);
         match (sizes.uniform, geometry.offset == 0.0) {

@@ -20,10 +20,10 @@ pub fn shape_roller_ends(mesh: &mut Mesh, geometry: &dyn Layout, full: bool) {
     }
 }
 
-fn move_node(point: &mut [f64; 3], roller: &RollerPlace, geometry: &dyn Layout) {
-    let (axis, across, centre) = (roller.axis, 1 - roller.axis, roller.centre);
-    let outer = geometry.diameter() / 2.0;
-    let inner = geometry.wall().map_or(0.0, |wall| outer - wall);
+fn move_node(point: &mut [f64; 3], place: &RollerPlace, geometry: &dyn Layout) {
+    let (axis, across, centre) = (place.axis, 1 - place.axis, place.centre);
+    let roller = geometry.roller();
+    let (outer, inner) = (roller.radius(), roller.bore_radius());
     let aside = point[across] - centre[across];
     let up = point[2] - centre[2];
     let radius = aside.hypot(up);
@@ -31,7 +31,7 @@ fn move_node(point: &mut [f64; 3], roller: &RollerPlace, geometry: &dyn Layout) 
         return;
     }
     let along = point[axis] - centre[axis];
-    let drop = (geometry.end()).drop_at(along, geometry.length(), outer);
+    let drop = roller.end.drop_at(along, roller.length, outer);
     let scale = 1.0 - drop * (radius - inner) / (outer - inner) / radius;
     point[across] = centre[across] + aside * scale;
     point[2] = centre[2] + up * scale;

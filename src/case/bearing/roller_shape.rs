@@ -2,6 +2,7 @@
 
 use super::end_shape::RollerEnd;
 use super::error::GeometryError;
+use std::f64::consts::PI;
 
 /// The dimensions of all rollers of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +26,11 @@ impl RollerShape {
     /// Radius of the bore; zero for a solid roller.
     pub fn bore_radius(&self) -> f64 {
         self.wall.map_or(0.0, |wall| self.radius() - wall)
+    }
+
+    /// Area of its cross-section.
+    pub fn cross_section(&self) -> f64 {
+        PI * (self.radius().powi(2) - self.bore_radius().powi(2))
     }
 
     /// The wall, or of a solid roller the half of its radius, to go by with element sizes.

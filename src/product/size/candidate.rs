@@ -22,7 +22,6 @@ use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::case::bearing::{BearingGeometry, RollerShape};
 use crate::ground::units::Dimension;
 use serde::Serialize;
-use std::f64::consts::PI;
 
 /// Plates over the wall: 1 in over 0.75 in in section 2.6.2 and in prototype 1. Prototype 2 has
 /// 1.11, the case study of chapter 5 has 1.
@@ -271,7 +270,7 @@ fn eccentricity(geometry: &BearingGeometry) -> f64 {
 
 /// Of two hollow cylinders and three plates, the middle one thicker towards its edges.
 fn volume(geometry: &BearingGeometry) -> f64 {
-    let ring = PI * (geometry.radius().powi(2) - geometry.roller.bore_radius().powi(2));
+    let ring = geometry.roller.cross_section();
     let plan = geometry.plan[0] * geometry.plan[1];
     let wedge = 0.25 * (geometry.plan[0] + geometry.plan[1]) * geometry.slope.tan();
     let plates =

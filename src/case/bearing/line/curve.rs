@@ -14,7 +14,7 @@ pub fn curve_plate(mesh: &mut Mesh, geometry: &LineGeometry) {
     };
     for node in nodes_of(mesh, body) {
         let point = &mut mesh.points[node];
-        let from_face = up * point[2] - geometry.roller.diameter / 2.0;
+        let from_face = up * point[2] - geometry.roller.radius();
         let share = 1.0 - from_face / plate.thickness;
         point[2] += up * share * curve.recedes(point[0]);
     }

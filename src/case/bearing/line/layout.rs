@@ -78,7 +78,7 @@ impl LineGeometry {
             roller_above: !upper,
             axis: 1,
             radius: match curvature {
-                0.0 => self.roller.diameter / 2.0,
+                0.0 => self.roller.radius(),
                 curvature => 1.0 / (2.0 / self.roller.diameter + curvature),
             },
             curvature,
@@ -110,7 +110,7 @@ impl Layout for LineGeometry {
     }
 
     fn height_range(&self) -> [f64; 2] {
-        let radius = self.roller.diameter / 2.0;
+        let radius = self.roller.radius();
         [
             -radius - self.lower.thickness,
             radius + self.upper.thickness,
@@ -219,7 +219,7 @@ impl Layout for LineGeometry {
             };
             grading.elements(stops)
         };
-        let radius = self.roller.diameter / 2.0;
+        let radius = self.roller.radius();
         let fine = |at, size| (at, Some(size), sizes.fine_elements);
         let any = |at| (at, None, 1.0);
         // A quarter of the turn, from a line of contact to the side.

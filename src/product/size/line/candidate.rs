@@ -8,7 +8,6 @@ use crate::ground::units::Dimension;
 use crate::product::size::practical::rounded_up;
 use crate::product::size::{PressureSpread, SizeError};
 use serde::Serialize;
-use std::f64::consts::PI;
 
 /// Plates over the diameter where they are left open: what a solid roller of 200 mm has in the book, 0.3.
 pub const PLATE_TO_DIAMETER: f64 = 0.3;
@@ -89,11 +88,7 @@ impl LineCandidate {
         })?;
         let line_load = request.load / (lines * length);
         let pressed = LineContact::new(line_load, 0.5 * diameter, compliance)?;
-        let bore = geometry
-            .roller
-            .wall
-            .map_or(0.0, |wall| diameter - 2.0 * wall);
-        let ring = PI / 4.0 * (diameter * diameter - bore * bore);
+        let ring = geometry.roller.cross_section();
         Ok(Self {
             rollers,
             diameter,

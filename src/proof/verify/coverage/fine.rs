@@ -81,7 +81,7 @@ fn scaled(case: &Case, coarse: &SolvedBearing, scale: f64) -> Result<Case, CaseE
     let rollers = geometry.rollers(bearing.mesh.full);
     let roller = rollers.first().map_or("", |roller| roller.body.as_str());
     let steel = bearing.steels.of(roller)?;
-    let radius = geometry.diameter() / 2.0;
+    let radius = geometry.roller().radius();
     let compliance = 2.0 * (1.0 - steel.poissons_ratio.powi(2)) / steel.youngs_modulus;
     let half_width = |load: f64| (4.0 * load * radius * compliance / PI).sqrt();
     let widths = coarse.strips.values().map(|s| half_width(s.line_load));

@@ -117,15 +117,14 @@ impl CoverageRun<'_> {
             for bearing in self.bearings(set) {
                 let both = self.plastic && !bearing.is_elastic()?;
                 let steels: &[bool] = if both { &[true, false] } else { &[true] };
+                let of = |elastic: bool| known.of(&bearing).filter(|s| s.has(elastic));
+                let unknown = steels.iter().filter(|elastic| of(**elastic).is_none());
+                let named = unknown.map(|e| format!("{}, {}", bearing.name, steel(*e)));
+                answer.unknown.extend(named);
                 let runs = (presets.iter()).flat_map(|p| steels.iter().map(move |e| (p, *e)));
                 for (preset, elastic) in runs {
-                    let stored = known.of(&bearing).filter(|s| s.has(elastic));
-                    if stored.is_none() {
-                        let name = format!("{}, {}", bearing.name, steel(elastic));
-                        answer.unknown.push(name);
-                    }
                     let name = format!("{}, {preset}, {}", bearing.name, steel(elastic));
-                    let truths = (stored, &scatter);
+                    let truths = (of(elastic), &scatter);
                     let keep = &self.keep;
                     match measure::measure(&bearing, preset, elastic, truths, keep, self.observer) {
                         Ok(run) => {
@@ -148,8 +147,6 @@ impl CoverageRun<'_> {
                 }
             }
         }
-        answer.unknown.sort();
-        answer.unknown.dedup();
         Ok(answer)
     }
 }

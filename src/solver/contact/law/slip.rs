@@ -32,12 +32,11 @@ impl Law {
     /// shear itself, or the shear would turn against a slope as steep as ε_t, by next to nothing in each iteration.
     pub(super) fn linearise_slip(&self, node: &mut Node, shear: [f64; 2], d: [f64; 2]) {
         let (c, bound) = (self.stiffness, node.bound);
-        let clip = |v: [f64; 2]| {
-            let size = v[0].hypot(v[1]);
-            let share = if size > bound { bound / size } else { 1.0 };
-            v.map(|v| share * v)
+        let size = shear[0].hypot(shear[1]);
+        let old = match size > bound {
+            true => shear.map(|s| bound / size * s),
+            false => shear,
         };
-        let old = clip(shear);
         let trial = |shear: [f64; 2]| {
             let trial = [0, 1].map(|i| shear[i] + c * d[i]);
             (trial, trial[0].hypot(trial[1]))

@@ -72,7 +72,7 @@ impl Travel {
     }
 
     /// How far the value may be off; `None` where nothing is known of it.
-    fn error(&self) -> Option<f64> {
+    pub(super) fn error(&self) -> Option<f64> {
         if self.missing.is_none() {
             return Some(0.0);
         }

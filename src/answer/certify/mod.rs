@@ -84,6 +84,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         &StripBelow::all(scene, evidence.lines),
     );
     claims.extend(other::bores(evidence.bores));
+    let missed_travel = evidence.travel.and_then(|travel| travel.error());
+    let horizontal = other::horizontal_forces(scene, contacts, missed_travel);
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
         let contact = Contact {
@@ -95,7 +97,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             edges: evidence.edges,
         };
         claims.extend(contact.claims());
-        claims.extend(other::horizontal_force(scene, interface, line));
+        claims.extend(horizontal.get(pair).cloned().flatten());
         if tilted {
             claims.extend(other::eccentricity(scene, interface, line, too_stiff));
         }

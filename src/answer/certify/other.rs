@@ -1,5 +1,6 @@
 //! Bores, horizontal forces, eccentricities and dents.
 
+use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
@@ -58,15 +59,51 @@ const ONE_ROW: f64 = 0.5;
 /// were found off by half of it.
 const WELL_PLACED: f64 = 0.05;
 
+/// The forces of all interfaces across the load, in their order; `None` where there is none.
+///
+/// Bodies that nothing else holds pass such a force from contact to contact: it is as well known as at the worst of those
+/// that carry the same.
+pub(super) fn horizontal_forces(
+    scene: &Scene,
+    contacts: Contacts,
+    missed_travel: Option<f64>,
+) -> Vec<Option<Figure>> {
+    /// Of the force along the load, how far forces differ that are the same.
+    const SAME: f64 = 1e-6;
+    let of_pair = |(pair, interface)| {
+        let line = contacts.lines.get(pair).and_then(Option::as_ref);
+        horizontal_force(scene, interface, line, missed_travel)
+    };
+    let alone: Vec<_> = (contacts.interfaces.iter().enumerate())
+        .map(of_pair)
+        .collect();
+    let worst_of_same = |(figure, interface): (&Option<Figure>, &Interface)| {
+        let mut figure = figure.clone()?;
+        let same = |other: &&Figure| {
+            (other.value - figure.value).abs() <= SAME * interface.normal_force.abs()
+        };
+        let errors = alone.iter().flatten().filter(same);
+        let errors = errors.filter_map(|other| other.error.discretisation);
+        figure.error.discretisation = errors.reduce(f64::max);
+        Some(figure)
+    };
+    (alone.iter().zip(contacts.interfaces))
+        .map(worst_of_same)
+        .collect()
+}
+
 /// The force of an interface across the load, where there is one. Where no strip is known to be resolved it is as good as
 /// that of a strip of one node to either side.
 ///
 /// A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
-/// that force no better than to a share of their distance; two nodes and more to a half-width place it well.
-pub(super) fn horizontal_force(
+/// that force no better than to a share of their distance; two nodes and more to a half-width place it well. A mesh that
+/// is too stiff bends too little, and a surface that bends less is turned less along its line: a travel missed is an angle
+/// missed of about that travel over half of the line.
+fn horizontal_force(
     scene: &Scene,
     interface: &Interface,
     line: Option<&HeaviestLine>,
+    missed_travel: Option<f64>,
 ) -> Option<Figure> {
     /// Of the force along the load, what counts as none.
     const NONE: f64 = 1e-6;
@@ -79,14 +116,19 @@ pub(super) fn horizontal_force(
         let strip = &line.line.heaviest;
         strip.spacing() / strip.half_width
     });
-    let turned = line.map_or(0.0, |line| {
+    let misplaced = line.map_or(0.0, |line| {
         line.contact.map_or(0.0, |hertz| {
             let spacing = line.line.heaviest.middle_spacing();
             let unplaced = (2.0 - hertz.half_width / spacing).clamp(WELL_PLACED, 1.0);
             // A roller has two such places, as far apart as it is wide.
-            ONE_ROW * unplaced * spacing / (2.0 * hertz.radius) * interface.normal_force.abs()
+            ONE_ROW * unplaced * spacing / (2.0 * hertz.radius)
         })
     });
+    let unturned = line.map_or(0.0, |line| {
+        let half_length = 0.5 * (line.line.length + line.line.lifted_off);
+        missed_travel.unwrap_or(0.0) / half_length
+    });
+    let turned = (misplaced + unturned) * interface.normal_force.abs();
     (across > NONE * interface.normal_force.abs()).then(|| Figure {
         error: Errors {
             discretisation: Some(SHEAR * coarseness * across + turned),

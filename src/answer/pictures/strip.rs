@@ -5,7 +5,7 @@ use crate::analytic::subsurface::LineField;
 use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::depth::mises_along;
 use crate::answer::results::hertz::line_contact;
-use crate::answer::results::line_load::Slices;
+use crate::answer::results::line_axis::line_axis;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strip_profile::{StripProfile, strip_profile};
 use crate::model::scene::Scene;
@@ -46,7 +46,7 @@ const REACH: f64 = 6.0;
 pub fn strips(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<StripPicture> {
     let mut all = Vec::new();
     for (pair, contact) in scene.contacts.iter().enumerate() {
-        let Some(axis) = Slices::equal(scene, pair, 1).map(|s| s.axis) else {
+        let Some(axis) = line_axis(scene, pair) else {
             continue;
         };
         for line in contact_lines(scene, state, pair, axis) {

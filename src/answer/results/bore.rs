@@ -5,8 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Vector3};
-
+use super::circle::circle_centre;
 use super::load::{direction, face_corners};
 use super::quad::{area_vector, corner, derivatives};
 use super::recovery::Recovered;
@@ -230,21 +229,6 @@ fn angles_from_load(scene: &Scene, nodes: &[u32], circle: &Circle) -> Vec<f64> {
         sine.abs().atan2(cosine.abs())
     };
     nodes.iter().map(angle).collect()
-}
-
-/// Centre of the circle that fits `points` best: least squares on |p|² = 2 c·p + k.
-pub(super) fn circle_centre(points: &[[f64; 2]]) -> Option<[f64; 2]> {
-    // Shifted to a point of the set, so that a roller far off the origin fits as well.
-    let [u0, v0] = *points.first()?;
-    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for [u, v] in points {
-        let row = Vector3::new(u - u0, v - v0, 1.0);
-        matrix += row * row.transpose();
-        right += row * (row.x * row.x + row.y * row.y);
-    }
-    let solution = matrix.lu().solve(&right)?;
-    let centre = [u0 + 0.5 * solution.x, v0 + 0.5 * solution.y];
-    centre.iter().all(|c| c.is_finite()).then_some(centre)
 }
 
 /// Strain in the tangent plane of the bore at a node.

@@ -4,11 +4,11 @@
 //! how the bodies bend, not from the few nodes across a strip. Where the strip is Hertzian the closed
 //! form turns it into the pressure.
 
-use super::bore::circle_centre;
+use super::circle::FittedCircle;
 use super::contact_lines::{ContactLine, across, contact_lines};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
-use super::line_load::Slices;
+use super::line_axis::line_axis;
 use super::strip_row::StripRow;
 use crate::analytic::hertz::LineContact;
 use crate::ground::geometry::{dot, norm, sub};
@@ -73,7 +73,7 @@ impl HeaviestLine {
 
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
-        let axis = Slices::equal(scene, pair, 1)?.axis;
+        let axis = line_axis(scene, pair)?;
         let lines = contact_lines(scene, state, pair, axis);
         let loaded = lines.iter().filter_map(|line| Some((line.peak()?.0, line)));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -275,8 +275,6 @@ fn about(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Surface
 }
 
 fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option<f64> {
-    /// Of the radius, how far nodes may be off the circle.
-    const OFF: f64 = 1e-3;
     let nodes = surface.nodes();
     let off = |n: &u32| (mesh.points[*n as usize][axis] - at).abs();
     let nearest = nodes.iter().map(off).fold(f64::INFINITY, f64::min);
@@ -286,15 +284,10 @@ fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option
     let points: Vec<[f64; 2]> = row
         .map(|n| [u, v].map(|k| mesh.points[*n as usize][k]))
         .collect();
-    let middle = circle_centre(&points)?;
-    let from = |p: &[f64; 2]| (p[0] - middle[0]).hypot(p[1] - middle[1]);
-    let radius = points.iter().map(from).sum::<f64>() / points.len() as f64;
-    let fits = points
-        .iter()
-        .all(|p| (from(p) - radius).abs() <= OFF * radius);
-    if !(fits && radius.is_finite() && points.len() > 3) {
-        return None;
-    }
+    let FittedCircle {
+        centre: middle,
+        radius,
+    } = FittedCircle::through(&points)?;
     // Convex where facets face away from the middle.
     let outward = surface.faces.iter().map(|face| {
         let corners = face.corners(mesh);

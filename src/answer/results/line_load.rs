@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::line_axis::{extent, line_axis};
 use super::load::{self, cutting_pair, times};
 use crate::ground::geometry::dot;
 use crate::model::mesh::Surface;
-use crate::model::mesh::shape::{Shape, fit};
-use crate::model::scene::{Partner, Scene};
+use crate::model::scene::Scene;
 use crate::model::state::State;
 
 /// Where a line load is cut into slices.
@@ -33,13 +33,11 @@ pub struct LineLoad {
 }
 
 impl Slices {
-    /// `count` equal slices over the extent of the carrier surface of pair `pair`, along the roller,
-    /// or along the longer horizontal side of the more slender of the two surfaces where none of them
-    /// is a cylinder along an axis. `None` without such a surface or without extent.
+    /// `count` equal slices over the extent of the carrier surface of pair `pair`, along its lines of contact.
+    /// `None` without such a surface or without extent.
     pub fn equal(scene: &Scene, pair: usize, count: usize) -> Option<Self> {
-        let surface = scene.carrier(pair)?;
-        let axis = roller_axis(scene, pair).unwrap_or_else(|| longest_axis(scene, pair, surface));
-        let [low, high] = extent(scene, surface, axis);
+        let axis = line_axis(scene, pair)?;
+        let [low, high] = extent(&scene.mesh, scene.carrier(pair)?, axis);
         let step = (high - low) / count.max(1) as f64;
         let whole = step.is_finite() && step > 0.0;
         whole.then(|| Self {
@@ -47,57 +45,6 @@ impl Slices {
             edges: (0..=count.max(1)).map(|i| low + step * i as f64).collect(),
         })
     }
-}
-
-/// Least and largest coordinate of a surface along an axis.
-fn extent(scene: &Scene, surface: &Surface, axis: usize) -> [f64; 2] {
-    let nodes = surface.faces.iter().flat_map(|f| f.nodes);
-    let at = nodes.map(|n| scene.mesh.points[n as usize][axis]);
-    let ends = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-        (low.min(p), high.max(p))
-    });
-    [ends.0, ends.1]
-}
-
-/// The longer horizontal side of the more slender surface of a pair; of the carrier, if both are alike.
-fn longest_axis(scene: &Scene, pair: usize, carrier: &Surface) -> usize {
-    // A mirrored side is twice as long as it looks.
-    let length = |surface: &Surface, axis: usize| {
-        let [low, high] = extent(scene, surface, axis);
-        match scene.mirrors.contains(&axis) {
-            true => 2.0 * (high - low),
-            false => high - low,
-        }
-    };
-    let slenderness = |surface: &Surface| {
-        let [a, b] = [0, 1].map(|axis| length(surface, axis));
-        a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
-    };
-    let contact = &scene.contacts[pair];
-    let sides = [&contact.upper, &contact.lower].into_iter();
-    let other = sides.filter_map(|side| side.surface(&scene.mesh));
-    let more = |most: &Surface, other: &Surface| slenderness(other) > 1.001 * slenderness(most);
-    let slender = other.fold(carrier, |most, other| match more(most, other) {
-        true => other,
-        false => most,
-    });
-    usize::from(length(slender, 1) > length(slender, 0))
-}
-
-/// The axis along which, or nearly, one of the surfaces of a pair is a cylinder: rollers may be a tenth of a radian askew.
-fn roller_axis(scene: &Scene, pair: usize) -> Option<usize> {
-    let contact = &scene.contacts[pair];
-    [&contact.upper, &contact.lower]
-        .into_iter()
-        .find_map(|side| {
-            let Partner::Surface(name) = side else {
-                return None;
-            };
-            let Shape::Cylinder { axis, .. } = fit(&scene.mesh, scene.mesh.surface(name)?) else {
-                return None;
-            };
-            (0..3).find(|i| axis[*i].abs() > 0.99)
-        })
 }
 
 /// Line load of contact pair `pair`, of the whole bearing.

@@ -6,6 +6,7 @@
 pub mod around;
 pub mod balance;
 pub mod bore;
+mod circle;
 pub mod contact_lines;
 pub mod curvature;
 pub mod dent;
@@ -18,6 +19,7 @@ pub mod hertz;
 pub mod hex;
 pub mod interface;
 pub mod levels;
+pub mod line_axis;
 pub mod line_load;
 pub mod load;
 pub mod peaks;

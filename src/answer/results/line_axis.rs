@@ -1,0 +1,97 @@
+//! The axis along which the lines of contact of a pair run.
+
+use super::circle::FittedCircle;
+use crate::model::mesh::shape::{Shape, fit};
+use crate::model::mesh::{Mesh, Surface};
+use crate::model::scene::{Partner, Scene};
+
+/// The axis (0, 1, 2) of the lines of contact pair `pair`: that about which one of its surfaces is round, a cylinder or
+/// a roller with fillets or a crown; else the longer horizontal side of the more slender of the two. `None` where
+/// the pair has no carrier surface.
+pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
+    let carrier = scene.carrier(pair)?;
+    let contact = &scene.contacts[pair];
+    let sides = [&contact.upper, &contact.lower].into_iter();
+    let sides: Vec<&Surface> = sides
+        .filter_map(|side| match side {
+            Partner::Surface(name) => scene.mesh.surface(name),
+            Partner::Plane { .. } => None,
+        })
+        .collect();
+    let round = sides
+        .iter()
+        .find_map(|surface| axis_of_rotation(&scene.mesh, surface));
+    Some(round.unwrap_or_else(|| longest_axis(scene, &sides, carrier)))
+}
+
+/// Least and largest coordinate of a surface along an axis.
+pub(super) fn extent(mesh: &Mesh, surface: &Surface, axis: usize) -> [f64; 2] {
+    let nodes = surface.faces.iter().flat_map(|f| f.nodes);
+    let at = nodes.map(|n| mesh.points[n as usize][axis]);
+    let ends = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+        (low.min(p), high.max(p))
+    });
+    [ends.0, ends.1]
+}
+
+/// The axis along which, or nearly, a surface is a cylinder (rollers may be a tenth of a radian askew), or about which
+/// its rows of nodes are round. A sphere has none.
+fn axis_of_rotation(mesh: &Mesh, surface: &Surface) -> Option<usize> {
+    match fit(mesh, surface) {
+        Shape::Cylinder { axis, .. } => (0..3).find(|i| axis[*i].abs() > 0.99),
+        Shape::Facets => (0..3).find(|axis| is_round_about(mesh, surface, *axis)),
+        Shape::Plane { .. } | Shape::Sphere { .. } => None,
+    }
+}
+
+/// Do the nodes of a surface stand in rows across `axis`, each on a circle, and all circles about one line? Those of a
+/// surface that is nearly plane stand on circles that are much larger than itself: they count as straight.
+fn is_round_about(mesh: &Mesh, surface: &Surface, axis: usize) -> bool {
+    const FEWEST_ROWS: usize = 3;
+    /// Of the radius, how far the centres may be apart.
+    const CENTRED: f64 = 1e-3;
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let [low, high] = extent(mesh, surface, axis);
+    let mut nodes: Vec<[f64; 3]> = (surface.nodes().iter())
+        .map(|n| mesh.points[*n as usize])
+        .collect();
+    nodes.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
+    let same_row = |a: &[f64; 3], b: &[f64; 3]| b[axis] - a[axis] <= 1e-6 * (high - low);
+    let circles: Option<Vec<FittedCircle>> = (nodes.chunk_by(same_row))
+        .map(|row| FittedCircle::through(&row.iter().map(|p| [p[u], p[v]]).collect::<Vec<_>>()))
+        .collect();
+    let Some(circles) = circles.filter(|circles| circles.len() >= FEWEST_ROWS) else {
+        return false;
+    };
+    let size = [u, v].map(|i| extent(mesh, surface, i)).map(|[a, b]| b - a);
+    let first = circles[0].centre;
+    circles.iter().all(|circle| {
+        let [x, y] = circle.centre;
+        let off = (x - first[0]).hypot(y - first[1]);
+        off <= CENTRED * circle.radius && circle.radius <= size[0].max(size[1])
+    })
+}
+
+/// The longer horizontal side of the more slender surface of a pair; of the carrier, if both are alike.
+fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
+    // A mirrored side is twice as long as it looks.
+    let length = |surface: &Surface, axis: usize| {
+        let [low, high] = extent(&scene.mesh, surface, axis);
+        match scene.mirrors.contains(&axis) {
+            true => 2.0 * (high - low),
+            false => high - low,
+        }
+    };
+    let slenderness = |surface: &Surface| {
+        let [a, b] = [0, 1].map(|axis| length(surface, axis));
+        a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
+    };
+    let more = |most: &Surface, other: &Surface| slenderness(other) > 1.001 * slenderness(most);
+    let slender = sides
+        .iter()
+        .fold(carrier, |most, other| match more(most, other) {
+            true => other,
+            false => most,
+        });
+    usize::from(length(slender, 1) > length(slender, 0))
+}

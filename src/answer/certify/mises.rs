@@ -18,9 +18,6 @@ const UNCERTAIN_FLOW: &str =
 
 const COARSE: &str = "below a strip of contact whose half-width is a node apart or less: there is no peak to be read";
 
-/// Distance of nodes over the half-width of a strip above which the peak below is not read.
-const COARSEST: f64 = 0.9;
-
 /// What nodal averages miss of a peak that lies between nodes, at most, of itself,
 const SMOOTH: f64 = 0.02;
 /// and of the fall from the peak to the smallest nodal value of the elements around it: of a parabola with its peak in the
@@ -67,7 +64,7 @@ const BESIDE: f64 = 0.5;
 ///
 /// Below a Hertzian strip the half space says how large the peak is, within what the bodies add to it:
 /// the distance from that is an error, too, and with a node and less in a half-width there is no peak
-/// to be read at all.
+/// to be read at all: neither that below the strip, nor a smaller one elsewhere.
 pub(super) fn claims(
     own: &[BodyPeaks],
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
@@ -178,7 +175,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
         let left = 1.0 - corrected * (1.0 - OF_BAR);
         let (error, note) = match strip {
-            Some(strip) if strip.spacing() > COARSEST * strip.half_width => (None, Some(COARSE)),
+            Some(strip) if !strip.shows() => (None, Some(COARSE)),
             _ if is_next_to_edge => (Some(spread + (1.0 - corrected) * overshoot.max(0.0)), None),
             Some(strip) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second
@@ -194,6 +191,14 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
                 let between = (OF_FALL * around.fall).min(SMOOTH * nodal.value);
                 (Some(spread + between), None)
             }
+        };
+        // A peak elsewhere, as on a bore, is the largest only if it is above what the mesh does not show.
+        let hidden = |strip: &&&StripBelow<'_>| {
+            !strip.shows() && error.is_some_and(|error| strip.mises > value + error)
+        };
+        let (error, note) = match strips.iter().find(hidden) {
+            Some(_) => (None, Some(COARSE)),
+            None => (error, note),
         };
         Figure {
             error: Errors {

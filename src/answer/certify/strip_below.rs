@@ -9,6 +9,9 @@ use crate::model::scene::{ContactPair, Partner, Scene};
 /// On coarser meshes the stress below a strip is as much too small as extrapolation makes it too large.
 const CORRECTED: [f64; 2] = [3.0, 3.5];
 
+/// Distance of nodes over the half-width of a strip above which the peak below is not read.
+const COARSEST: f64 = 0.9;
+
 /// A Hertzian strip on a body.
 pub(super) struct StripBelow<'l> {
     pub body: usize,
@@ -47,6 +50,11 @@ impl<'l> StripBelow<'l> {
     /// Distance of the nodes in its middle.
     pub fn spacing(&self) -> f64 {
         self.line.line.heaviest.middle_spacing()
+    }
+
+    /// Does the mesh show the peak below it?
+    pub fn shows(&self) -> bool {
+        self.spacing() <= COARSEST * self.half_width
     }
 
     /// The larger of that and the one at its edge.

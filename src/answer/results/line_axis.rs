@@ -95,3 +95,43 @@ fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
         });
     usize::from(length(slender, 1) > length(slender, 0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::mesh::block::{Block, cylindrical, uniform};
+    use std::f64::consts::TAU;
+
+    /// A roller along x, half as long as it is wide, whose radius falls by `drop` towards its ends.
+    fn roller(drop: impl Fn(f64) -> f64 + 'static) -> Mesh {
+        let along_x = move |[r, angle, x]: [f64; 3]| {
+            let [y, z, x] = cylindrical([r - drop(x), angle, x]);
+            [x, y, z]
+        };
+        Block::new(
+            "roller",
+            uniform(1.5, 2.0, 1),
+            uniform(0.0, TAU / 2.0, 24),
+            uniform(-1.0, 1.0, 10),
+        )
+        .mapped(along_x)
+        .build()
+        .unwrap()
+    }
+
+    fn axis_of(mesh: &Mesh, name: &str) -> Option<usize> {
+        axis_of_rotation(mesh, mesh.surface(name).unwrap())
+    }
+
+    /// The axis of a short roller with a fillet or a crown is that about which it is round, not its longer side.
+    #[test]
+    fn a_roller_is_round_about_its_axis_whatever_its_ends_are() {
+        let fillet = |x: f64| 0.3 - (0.16 - (x.abs() - 0.7).max(0.0).powi(2)).sqrt() + 0.1;
+        let crown = |x: f64| 0.01 * x * x;
+        assert_eq!(axis_of(&roller(|_| 0.0), "x_max"), Some(0));
+        assert_eq!(axis_of(&roller(fillet), "x_max"), Some(0));
+        assert_eq!(axis_of(&roller(crown), "x_max"), Some(0));
+        // Its flat end has none.
+        assert_eq!(axis_of(&roller(crown), "z_max"), None);
+    }
+}

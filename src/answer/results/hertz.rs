@@ -28,6 +28,9 @@ pub struct HeaviestLine {
     pub line_load: f64,
     /// Share by which that load stands out from the straight line between the rows beside it.
     pub kink: f64,
+    /// Share by which another row away from loaded edges would carry more, if it stood out as far to the other side of
+    /// the straight line between the rows beside it; 0 where none would.
+    pub hidden: f64,
     /// Hertz's contact under that load, of bodies with the curvature that they have there; `None`
     /// where a surface has no curvature that is known, or the two do not curve apart.
     pub contact: Option<LineContact>,
@@ -82,7 +85,13 @@ impl HeaviestLine {
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
         let hertz = line_contact(scene, contact, (axis, row), line_load);
-        let kink = kink(line, axis, scene.mirrors.contains(&axis), edges);
+        let rows = RowsBeside {
+            line,
+            axis,
+            mirrored: scene.mirrors.contains(&axis),
+            edges,
+        };
+        let kink = rows.kink(row.row);
         let departs = hertz.and_then(|hertz| {
             if apart < MERGED * 2.0 * hertz.half_width {
                 return Some(Departure::Width);
@@ -92,6 +101,7 @@ impl HeaviestLine {
         Some(Self {
             line_load,
             kink,
+            hidden: rows.hidden(),
             contact: hertz,
             departs,
             axis,
@@ -133,32 +143,53 @@ fn distance_to_the_next(line: &ContactLine, lines: &[ContactLine], mirrored: boo
         .fold(f64::INFINITY, f64::min)
 }
 
-/// By how much the largest load per length stands out, relative to itself, from the rows on either side. Where a
-/// loaded edge is beside it, that says nothing of a row that is away from it.
-fn kink(line: &ContactLine, axis: usize, mirrored: bool, edges: &LoadedEdges) -> f64 {
-    let row = line.heaviest.row;
-    let (at, load) = (&line.at, &line.load);
-    let is_at_edge = |at: f64| {
-        let mut centre = line.heaviest.centre;
-        centre[axis] = at;
-        edges.are_near(&centre)
-    };
-    let counts = |beside: &usize| is_at_edge(at[row]) || !is_at_edge(at[*beside]);
-    let beside = |row: usize| Some(row).filter(counts).map(|row| (at[row], load[row]));
-    let before = match row.checked_sub(1) {
-        Some(before) => beside(before),
-        // Behind a mirror the next row stands once more.
-        None if mirrored && at.len() > 1 => Some((2.0 * at[0] - at[1], load[1])),
-        None => None,
-    };
-    let after = Some(row + 1).filter(|after| *after < at.len());
-    let after = after.and_then(beside);
-    let straight = match (before, after) {
-        (Some((a, p)), Some((b, q))) => p + (q - p) * (at[row] - a) / (b - a),
-        (Some((_, p)), None) | (None, Some((_, p))) => p,
-        (None, None) => return 0.0,
-    };
-    ((load[row] - straight) / load[row]).abs()
+/// The rows of a line, each with those beside it.
+struct RowsBeside<'a> {
+    line: &'a ContactLine,
+    axis: usize,
+    /// Does a mirror plane cut the line?
+    mirrored: bool,
+    edges: &'a LoadedEdges,
+}
+
+impl RowsBeside<'_> {
+    /// By how much the load per length of a row stands out, relative to itself, from the rows on either side. Where a
+    /// loaded edge is beside it, that says nothing of a row that is away from it.
+    fn kink(&self, row: usize) -> f64 {
+        let (at, load) = (&self.line.at, &self.line.load);
+        let counts = |beside: &usize| self.is_at_edge(row) || !self.is_at_edge(*beside);
+        let beside = |row: usize| Some(row).filter(counts).map(|row| (at[row], load[row]));
+        let before = match row.checked_sub(1) {
+            Some(before) => beside(before),
+            // Behind a mirror the next row stands once more.
+            None if self.mirrored && at.len() > 1 => Some((2.0 * at[0] - at[1], load[1])),
+            None => None,
+        };
+        let after = Some(row + 1).filter(|after| *after < at.len());
+        let after = after.and_then(beside);
+        let straight = match (before, after) {
+            (Some((a, p)), Some((b, q))) => p + (q - p) * (at[row] - a) / (b - a),
+            (Some((_, p)), None) | (None, Some((_, p))) => p,
+            (None, None) => return 0.0,
+        };
+        ((load[row] - straight) / load[row]).abs()
+    }
+
+    /// See [`HeaviestLine::hidden`].
+    fn hidden(&self) -> f64 {
+        let load = &self.line.load;
+        let heaviest = self.line.heaviest.row;
+        let others = (0..load.len()).filter(|row| *row != heaviest && load[*row] > 0.0);
+        let away = others.filter(|row| !self.is_at_edge(*row));
+        away.map(|row| load[row] * (1.0 + self.kink(row)) / load[heaviest] - 1.0)
+            .fold(0.0, f64::max)
+    }
+
+    fn is_at_edge(&self, row: usize) -> bool {
+        let mut centre = self.line.heaviest.centre;
+        centre[self.axis] = self.line.at[row];
+        self.edges.are_near(&centre)
+    }
 }
 
 fn departure(

@@ -1,6 +1,7 @@
 //! The page of the book about the commands, from the definitions that parse them.
 
 use super::command;
+use crate::ground::markdown::table;
 use clap::builder::StyledStr;
 use clap::{Arg, Command};
 
@@ -40,10 +41,9 @@ fn describe(command: &Command, text: &mut String) {
         let id = argument.get_id().as_str();
         id != "help" && !argument.is_hide_set()
     });
-    let rows: String = described.map(row).collect();
+    let rows: Vec<[String; 3]> = described.map(row).collect();
     if !rows.is_empty() {
-        text.push_str("| argument | default | meaning |\n|---|---|---|\n");
-        text.push_str(&rows);
+        text.push_str(&table(["argument", "default", "meaning"], rows));
     }
     if let Some(after) = command.get_after_help() {
         text.push_str(&format!("\n```text\n{after}\n```\n"));
@@ -56,7 +56,7 @@ fn about(command: &Command) -> String {
 }
 
 /// A row of the table: what is written, what is taken where it is not, what it does.
-fn row(argument: &Arg) -> String {
+fn row(argument: &Arg) -> [String; 3] {
     let help = argument.get_help().map(StyledStr::to_string);
     let help = help.unwrap_or_default();
     let (meaning, worded) = match help.split_once(" [default: ") {
@@ -90,14 +90,11 @@ fn row(argument: &Arg) -> String {
     } else {
         format!(" One of: {}.", values.join(", "))
     };
-    let escape = |text: String| text.replace('|', "\\|").replace('\n', " ");
-    format!(
-        "| `{}` | {} | {}{} |\n",
-        escape(written(argument)),
-        escape(default),
-        escape(ended(&meaning)),
-        escape(one_of)
-    )
+    [
+        format!("`{}`", written(argument)),
+        default,
+        format!("{}{one_of}", ended(&meaning)),
+    ]
 }
 
 /// The argument as it is typed.

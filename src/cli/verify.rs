@@ -286,9 +286,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
         written.map_err(|error| bad(miette::miette!("{error}")))?;
     }
     let criteria = coverage::criteria(&answer.records);
-    for criterion in &criteria {
-        say(&coverage::criterion(criterion));
-    }
+    say(coverage::demands(&criteria).trim_end());
     if write && !answer.interrupted {
         let page = coverage::page(&answer.records, &sets, &answer.unsolved, &answer.unknown);
         let path = coverage_page(all.seed);

@@ -4,5 +4,6 @@ pub mod file;
 pub mod geometry;
 pub(crate) mod hash;
 pub(crate) mod input;
+pub mod markdown;
 pub mod memory;
 pub mod units;

@@ -3,6 +3,7 @@
 use super::grade::{Grade, Strength};
 use super::list::Grades;
 use crate::case::error::CaseError;
+use crate::ground::markdown::table;
 
 /// The page, in Markdown.
 ///
@@ -18,12 +19,20 @@ pub fn page() -> Result<String, CaseError> {
          names, or the option `--grades`:\n\n```toml\n[[grade]]\nname = \"Shop steel\"\nalso = [\"SS\"]\nsource = \"mill \
          certificate 17\"\nyoungs_modulus = \"205 GPa\"\npoissons_ratio = 0.29\nyield_stress = [{ up_to = \"50 mm\", \
          value = \"800 MPa\" }, { up_to = \"120 mm\", value = \"750 MPa\" }]\nultimate_strength = \"950 MPa\"\nhardness = \
-         280\n```\n\n| name | also | yield stress | ultimate strength | E | ν | HB | source |\n|---|---|---|---|---|---|---|---|\n",
+         280\n```\n\n",
     );
     let grades = Grades::shipped()?;
-    for grade in grades.all() {
-        text.push_str(&row(grade));
-    }
+    let headings = [
+        "name",
+        "also",
+        "yield stress",
+        "ultimate strength",
+        "E",
+        "ν",
+        "HB",
+        "source",
+    ];
+    text.push_str(&table(headings, grades.all().iter().map(row)));
     for grade in grades.all() {
         if let Some(note) = &grade.note {
             text.push_str(&format!("\n{}: {note}.\n", grade.name));
@@ -32,7 +41,7 @@ pub fn page() -> Result<String, CaseError> {
     Ok(text)
 }
 
-fn row(grade: &Grade) -> String {
+fn row(grade: &Grade) -> [String; 8] {
     let strength = |strength: &Option<Strength>| {
         strength
             .as_ref()
@@ -41,15 +50,14 @@ fn row(grade: &Grade) -> String {
     let hardness = grade
         .hardness
         .map_or_else(|| "-".to_owned(), |h| h.to_string());
-    format!(
-        "| {} | {} | {} | {} | {} | {} | {} | {} |\n",
-        grade.name,
+    [
+        grade.name.clone(),
         grade.also.join(", "),
         strength(&grade.yield_stress),
         strength(&grade.ultimate_strength),
-        grade.youngs_modulus,
-        grade.poissons_ratio,
+        grade.youngs_modulus.to_string(),
+        grade.poissons_ratio.to_string(),
         hardness,
-        grade.source
-    )
+        grade.source.clone(),
+    ]
 }

@@ -12,6 +12,8 @@ pub mod schema;
 mod template_loads;
 mod templates;
 
+use crate::ground::markdown::table;
+
 pub use bearing::{BEARING, BEARING_MESH, PLATE_THICKNESS, ROLLER_END};
 pub use common::{ACTION, COMBINATION, COMPARISON, CONTROLS, HARDENING, ROOT, STEEL, TITLE_BLOCK};
 pub use line_bearing::{
@@ -65,16 +67,14 @@ impl Keys {
 
     fn section(&self) -> String {
         let rows = self.keys.iter().map(|key| {
-            format!(
-                "| `{}` | {} | {} | {} |\n",
-                key.name, key.takes, key.default, key.meaning
-            )
+            let name = format!("`{}`", key.name);
+            [&name, key.takes, key.default, key.meaning].map(str::to_owned)
         });
         format!(
-            "\n### {}\n\n{}\n\n| key | takes | default | meaning |\n|---|---|---|---|\n{}",
+            "\n### {}\n\n{}\n\n{}",
             self.heading,
             self.about,
-            rows.collect::<String>()
+            table(["key", "takes", "default", "meaning"], rows)
         )
     }
 }

@@ -7,13 +7,6 @@ use crate::render::text::significant;
 /// Digits of a printed value.
 pub const DIGITS: usize = 4;
 
-/// Heading and rule of a table.
-pub fn head<'a>(cells: impl IntoIterator<Item = &'a str>) -> String {
-    let cells: Vec<&str> = cells.into_iter().collect();
-    let rule = "|---".repeat(cells.len());
-    format!("| {} |\n{rule}|\n", cells.join(" | "))
-}
-
 /// A figure with its error.
 pub fn cell(reading: Option<RowReading>) -> String {
     match reading {

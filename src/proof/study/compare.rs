@@ -1,14 +1,15 @@
 //! What the study prints beside what is computed.
 
-use super::cells::{cell, head, printed};
+use super::cells::{cell, printed};
 use super::member::SolvedMember;
 use super::quantities::ROWS;
+use crate::ground::markdown;
 use crate::render::Summary;
 use crate::render::text::significant;
 
 /// One line a printed value.
 pub fn table(solved: &[SolvedMember]) -> String {
-    let mut text = head([
+    let headings = [
         "case",
         "Mises stress of",
         "printed, ksi",
@@ -19,7 +20,8 @@ pub fn table(solved: &[SolvedMember]) -> String {
         "resolved, elastic, away from edges",
         "largest plastic strain, %",
         "Hertz, even load",
-    ]);
+    ];
+    let mut rows = Vec::new();
     for case in solved {
         let (Some(coarse), Some(fine)) = (&case.report_like, case.finest()) else {
             continue;
@@ -36,7 +38,7 @@ pub fn table(solved: &[SolvedMember]) -> String {
             };
             let [centroid, nodal] =
                 ["centroid", "nodal"].map(|r| format!("Mises, {r}, {bodies}, ksi"));
-            let cells = [
+            rows.push([
                 case.name.to_owned(),
                 bodies.to_owned(),
                 significant(report, 3),
@@ -48,9 +50,8 @@ pub fn table(solved: &[SolvedMember]) -> String {
                 read("largest plastic strain, %", fine),
                 row.hertz
                     .map_or_else(|| "-".to_owned(), |h| significant(h, 4)),
-            ];
-            text.push_str(&format!("| {} |\n", cells.join(" | ")));
+            ]);
         }
     }
-    text
+    markdown::table(headings, rows)
 }

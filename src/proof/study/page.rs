@@ -1,10 +1,11 @@
 //! The generated parts of the page of the study.
 
-use super::cells::{DIGITS, cell, head};
+use super::cells::{DIGITS, cell};
 use super::compare;
 use super::member::SolvedMember;
 use super::quantities::ROWS;
 use crate::ground::file::{FileError, write_atomically};
+use crate::ground::markdown::table;
 use crate::product::target::{Level, RefinedFigure};
 use crate::render::Summary;
 use crate::render::page::{PageError, insert};
@@ -74,15 +75,14 @@ fn series(solved: &[SolvedMember]) -> String {
 /// One line a quantity, one column a run, under its heading.
 fn quantities<'s>(columns: impl Iterator<Item = (String, Option<&'s Summary>)>) -> String {
     let (names, runs): (Vec<String>, Vec<Option<&Summary>>) = columns.unzip();
-    let mut text = head(std::iter::once("").chain(names.iter().map(String::as_str)));
-    for quantity in &ROWS {
+    let headings = std::iter::once("").chain(names.iter().map(String::as_str));
+    let rows = ROWS.iter().filter_map(|quantity| {
         let readings = runs.iter().map(|run| run.and_then(quantity.read));
         let cells: Vec<String> = readings.map(cell).collect();
-        if cells.iter().any(|c| c != "-") {
-            text.push_str(&format!("| {} | {} |\n", quantity.name, cells.join(" | ")));
-        }
-    }
-    text
+        let is_known = cells.iter().any(|c| c != "-");
+        is_known.then(|| std::iter::once(quantity.name.to_owned()).chain(cells))
+    });
+    table(headings, rows)
 }
 
 /// Of a level, in a heading.
@@ -103,8 +103,7 @@ fn cost(solved: &[SolvedMember]) -> String {
         "CPU, s",
         "memory, MB",
     ];
-    let mut text = head(headings);
-    let mut row = |cells: [String; 8]| text.push_str(&format!("| {} |\n", cells.join(" | ")));
+    let mut rows: Vec<[String; 8]> = Vec::new();
     let seconds = |s: f64| significant(s, 3);
     for case in solved {
         for level in &case.resolved {
@@ -120,7 +119,7 @@ fn cost(solved: &[SolvedMember]) -> String {
                 ]
             });
             let memory = level.cost.peak_memory_bytes;
-            row([
+            rows.push([
                 case.name.to_owned(),
                 name(level),
                 what,
@@ -132,7 +131,7 @@ fn cost(solved: &[SolvedMember]) -> String {
             ]);
         }
         let sum = |of: fn(&Level) -> f64| seconds(case.resolved.iter().map(of).sum());
-        row([
+        rows.push([
             format!("**{}**", case.name),
             "all".to_owned(),
             if case.missed.is_none() {
@@ -147,7 +146,7 @@ fn cost(solved: &[SolvedMember]) -> String {
             String::new(),
         ]);
     }
-    text
+    table(headings, rows)
 }
 
 /// Writes the parts into the page.

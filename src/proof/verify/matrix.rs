@@ -1,6 +1,7 @@
 //! The matrix of claims, for the terminal and for the documentation.
 
 use super::LadderClaim;
+use crate::ground::markdown::table;
 
 /// A number with five digits, as short as it goes.
 fn number(x: f64) -> String {
@@ -71,39 +72,47 @@ pub fn head() -> String {
 
 /// The page `docs/verification.md`.
 pub fn page(claims: &[LadderClaim]) -> String {
-    let mut text = format!(
+    format!(
         "# Verification\n\n\
          Written by `brinell verify --all --write`; do not edit. Each claim is solved afresh.\n\
          Errors are relative to the reference unless the claim says otherwise; `shown` marks values\n\
          that stand beside the claims, have no tolerance and are counted apart. Seconds are wall-clock, those of the\n\
          solution that the value was read from.\n\n\
-         {}.\n\n\
-         | | family | claim | reference | value | error | allowed | unknowns | s |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
-        tally(claims)
-    );
-    for c in claims {
-        text.push_str(&format!(
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {:.2} |\n",
-            verdict(c),
-            c.family,
-            c.claim,
-            number(c.reference),
-            number(c.value),
-            share(c.error),
-            share(c.tolerance),
-            c.dofs,
-            c.seconds
-        ));
-    }
-    text.push_str("\n## Sources and tolerances\n\n| family | claim | reference from | why this tolerance |\n|---|---|---|---|\n");
-    for c in claims {
-        text.push_str(&format!(
-            "| {} | {} | {} | {} |\n",
-            c.family, c.claim, c.source, c.why
-        ));
-    }
-    text
+         {}.\n\n{}\n\
+         ## Sources and tolerances\n\n{}",
+        tally(claims),
+        table(HEADINGS, claims.iter().map(solved)),
+        table(
+            ["family", "claim", "reference from", "why this tolerance"],
+            claims.iter().map(|c| [c.family, &c.claim, c.source, c.why]),
+        )
+    )
+}
+
+const HEADINGS: [&str; 9] = [
+    "",
+    "family",
+    "claim",
+    "reference",
+    "value",
+    "error",
+    "allowed",
+    "unknowns",
+    "s",
+];
+
+fn solved(c: &LadderClaim) -> [String; 9] {
+    [
+        verdict(c).to_owned(),
+        c.family.to_owned(),
+        c.claim.clone(),
+        number(c.reference),
+        number(c.value),
+        share(c.error),
+        share(c.tolerance),
+        c.dofs.to_string(),
+        format!("{:.2}", c.seconds),
+    ]
 }
 
 #[cfg(test)]

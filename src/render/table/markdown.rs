@@ -1,19 +1,13 @@
 //! Tables in the Markdown pages that the program writes.
 
+use super::Table;
 use super::text::{cell, heading};
-use super::{Heading, Table};
+use crate::ground::markdown;
 
 /// Headings and rows; the title and what else is said stands in the text of the page.
 pub fn markdown(table: &Table) -> String {
-    let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
-    let headings: Vec<String> = table.headings.iter().map(heading).collect();
-    let rule = |_: &Heading| "---".to_string();
-    let rule: Vec<String> = table.headings.iter().map(rule).collect();
-    let mut text = format!("{}|{}|\n", line(headings), rule.join("|"));
-    for row in &table.rows {
-        text.push_str(&line(row.iter().map(cell).collect()));
-    }
-    text
+    let rows = table.rows.iter().map(|row| row.iter().map(cell));
+    markdown::table(table.headings.iter().map(heading), rows)
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ mod tally;
 pub use bearing::Bearing;
 pub use criteria::{CoverageCriterion, criteria};
 pub use measure::{BarVerdict, ClaimRecord, judge};
-pub use page::{criterion, line, page};
+pub use page::{demands, line, page};
 pub use pair::Truth;
 pub use reference::References;
 pub use run::{CoverageAnswer, CoverageRun, presets};

@@ -5,8 +5,8 @@ use super::exclusion::ClaimPair;
 use super::measure::{BarVerdict, ClaimRecord};
 use super::set::Set;
 use super::tally::Tally;
+use crate::ground::markdown::table;
 use crate::render::text::significant;
-use std::fmt::Write;
 
 /// How many of the worst are named.
 const WORST_LISTED: usize = 10;
@@ -17,8 +17,12 @@ fn percent(share: Option<f64>) -> String {
     })
 }
 
-/// A demand in a line.
-pub fn criterion(c: &CoverageCriterion) -> String {
+/// Demands and what was found of them.
+pub fn demands(criteria: &[CoverageCriterion]) -> String {
+    table(["", "", "wanted", "found"], criteria.iter().map(demand))
+}
+
+fn demand(c: &CoverageCriterion) -> [String; 4] {
     let [wanted, found] = [Some(c.wanted), c.found].map(|value| match c.wanted > 1.0 {
         true => value.map_or("-".to_owned(), |v| significant(v, 3)),
         false => percent(value),
@@ -29,36 +33,44 @@ pub fn criterion(c: &CoverageCriterion) -> String {
         None => "-",
     };
     let sense = if c.least { "at least" } else { "at most" };
-    format!("| {mark} | {} | {sense} {wanted} | {found} |", c.what)
+    [
+        mark.to_owned(),
+        c.what.clone(),
+        format!("{sense} {wanted}"),
+        found,
+    ]
 }
-
-fn row(name: &str, tally: &Tally) -> String {
-    format!(
-        "| {name} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-        tally.claims,
-        percent(tally.covered()),
-        percent(tally.undecided()),
-        percent(tally.without_bar()),
-        percent(tally.error),
-        percent(tally.error_90),
-        percent(tally.bar),
-        tally.width().map_or("-".to_owned(), |w| significant(w, 2)),
-    )
-}
-
-const HEAD: &str = "claims | hold | undecidable | unresolved | true error | nine of ten | bar | bar / error |\n\
-                    |---|---|---|---|---|---|---|---|---|\n";
 
 /// A table of groups of claims that make a claim at all.
-fn table(title: &str, records: &[ClaimRecord], key: impl Fn(&ClaimRecord) -> String) -> String {
-    let mut text = format!("| {title} | {HEAD}");
-    for name in groups(records, &key) {
+fn groups_by(title: &str, records: &[ClaimRecord], key: impl Fn(&ClaimRecord) -> String) -> String {
+    let headings = [
+        title,
+        "claims",
+        "hold",
+        "undecidable",
+        "unresolved",
+        "true error",
+        "nine of ten",
+        "bar",
+        "bar / error",
+    ];
+    let rows = groups(records, &key).into_iter().filter_map(|name| {
         let tally = Tally::of(records.iter().filter(|r| key(r) == name));
-        if tally.claims > 0 {
-            text.push_str(&row(&name, &tally));
-        }
-    }
-    text
+        (tally.claims > 0).then(|| {
+            let width = tally.width().map_or("-".to_owned(), |w| significant(w, 2));
+            let shares = [
+                tally.covered(),
+                tally.undecided(),
+                tally.without_bar(),
+                tally.error,
+                tally.error_90,
+                tally.bar,
+            ];
+            let counted = [name, tally.claims.to_string()].into_iter();
+            counted.chain(shares.map(percent)).chain([width])
+        })
+    });
+    table(headings, rows)
 }
 
 /// The claims that are farthest outside of their bars.
@@ -71,29 +83,34 @@ fn worst(records: &[ClaimRecord]) -> String {
     };
     let mut missed: Vec<&ClaimRecord> = records.iter().filter(outside).collect();
     missed.sort_by(|a, b| ratio(b).total_cmp(&ratio(a)));
-    let mut text = "| bearing | mesh | steel | figure | where | true error | bar | error / bar |\n\
-                    |---|---|---|---|---|---|---|---|\n"
-        .to_owned();
-    for record in missed.into_iter().take(WORST_LISTED) {
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} |",
-            record.bearing,
-            record.preset,
-            if record.elastic {
-                "elastic"
-            } else {
-                "as drawn"
-            },
-            record.reading.what,
-            record.reading.place,
+    let headings = [
+        "bearing",
+        "mesh",
+        "steel",
+        "figure",
+        "where",
+        "true error",
+        "bar",
+        "error / bar",
+    ];
+    let row = |record: &ClaimRecord| {
+        let steel = if record.elastic {
+            "elastic"
+        } else {
+            "as drawn"
+        };
+        [
+            record.bearing.clone(),
+            record.preset.clone(),
+            steel.to_owned(),
+            record.reading.what.clone(),
+            record.reading.place.clone(),
             percent(record.error()),
             percent(record.bar()),
             significant(ratio(record), 2),
-        );
-    }
-    text
+        ]
+    };
+    table(headings, missed.into_iter().take(WORST_LISTED).map(row))
 }
 
 /// The pairs of claims that exclude each other by most.
@@ -101,29 +118,31 @@ fn excluded(records: &[ClaimRecord]) -> String {
     let mut pairs = ClaimPair::all(records);
     pairs.retain(ClaimPair::exclude_each_other);
     pairs.sort_by(|a, b| b.distance().total_cmp(&a.distance()));
-    let mut text = "| bearing | figure | where | one mesh | another | distance / sum of bars |\n\
-                    |---|---|---|---|---|---|\n"
-        .to_owned();
-    for pair in pairs.into_iter().take(WORST_LISTED) {
+    let headings = [
+        "bearing",
+        "figure",
+        "where",
+        "one mesh",
+        "another",
+        "distance / sum of bars",
+    ];
+    let claim = |record: &ClaimRecord| {
+        let value = significant(record.reading.value, 3);
+        let bar = significant(record.reading.bar.unwrap_or(0.0), 3);
+        format!("{}: {value} ± {bar}", record.preset)
+    };
+    let row = |pair: ClaimPair| {
         let [a, b] = pair.records();
-        let claim = |record: &ClaimRecord| {
-            let value = significant(record.reading.value, 3);
-            let bar = significant(record.reading.bar.unwrap_or(0.0), 3);
-            format!("{}: {value} ± {bar}", record.preset)
-        };
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} |",
-            a.bearing,
-            a.reading.what,
-            a.reading.place,
+        [
+            a.bearing.clone(),
+            a.reading.what.clone(),
+            a.reading.place.clone(),
             claim(a),
             claim(b),
             significant(pair.distance(), 2),
-        );
-    }
-    text
+        ]
+    };
+    table(headings, pairs.into_iter().take(WORST_LISTED).map(row))
 }
 
 /// The page. `unsolved` says of the runs that failed, or are beyond a limit, why, `unknown` names bearings without true values.
@@ -134,7 +153,6 @@ pub fn page(
     unknown: &[String],
 ) -> String {
     let sets: Vec<String> = sets.iter().map(Set::to_string).collect();
-    let demands: Vec<String> = criteria(records).iter().map(criterion).collect();
     let missing = match unknown {
         [] => String::new(),
         names => format!(
@@ -159,7 +177,7 @@ pub fn page(
          are of those that can be decided. Errors and bars are relative, in the middle of the group.\n\
          Errors of `auto` that a limit is set for are counted where the true value is known to a third of the limit.\n\
          {missing}{failed}\n\
-         ## What is asked\n\n| | | wanted | found |\n|---|---|---|---|\n{}\n\n\
+         ## What is asked\n\n{}\n\
          ## By mesh\n\n{}\n## By figure\n\n{}\n## By figure and mesh\n\n{}\n## By bearing\n\n{}\n\
          ## The worst\n\n{}\n\
          ## Claims that exclude each other\n\nOne of the two at least is wrong, whatever is true.\n\n{}",
@@ -169,14 +187,14 @@ pub fn page(
         } else {
             " and as it is"
         },
-        demands.join("\n"),
-        table("mesh", records, |r| r.preset.clone()),
-        table("figure", records, |r| r.reading.what.clone()),
-        table("figure, mesh", records, |r| format!(
+        demands(&criteria(records)),
+        groups_by("mesh", records, |r| r.preset.clone()),
+        groups_by("figure", records, |r| r.reading.what.clone()),
+        groups_by("figure, mesh", records, |r| format!(
             "{}, {}",
             r.reading.what, r.preset
         )),
-        table("bearing", records, |r| r.bearing.clone()),
+        groups_by("bearing", records, |r| r.bearing.clone()),
         worst(records),
         excluded(records),
     )

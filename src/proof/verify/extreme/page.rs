@@ -1,6 +1,7 @@
 //! The table of extreme cases, for the terminal and for the documentation.
 
 use super::outcome::{ExtremeOutcome, ExtremeVerdict};
+use crate::ground::markdown::table;
 
 /// What came of a case, in words.
 fn words(outcome: &ExtremeOutcome) -> String {
@@ -42,27 +43,35 @@ pub fn line(outcome: &ExtremeOutcome) -> String {
 /// The section of `docs/stability.md`.
 pub fn section(outcomes: &[ExtremeOutcome]) -> String {
     let failed = outcomes.iter().filter(|o| !o.holds()).count();
-    let mut text = format!(
+    format!(
         "Written by `brinell verify --suite extreme --write`; do not edit. Each row is a case of\n\
          [`cases/extreme`](../cases/extreme/suite.toml), run as a user's case is. It must be solved\n\
          with the value that theory gives, or be refused with a diagnosis that names the cause. The\n\
          error is relative to that value, the largest where several are checked.\n\n\
-         {} cases, {failed} not as expected.\n\n\
-         | | case | expected | outcome | iterations | cut-backs | s |\n\
-         |---|---|---|---|---|---|---|\n",
-        outcomes.len()
-    );
-    for o in outcomes {
-        text.push_str(&format!(
-            "| {} | {} | {} | {} | {} | {} | {:.2} |\n",
-            mark(o),
-            o.what,
-            o.expected,
-            words(o).replace('|', "\\|"),
-            o.iterations,
-            o.cut_backs,
-            o.seconds
-        ));
-    }
-    text
+         {} cases, {failed} not as expected.\n\n{}",
+        outcomes.len(),
+        table(HEADINGS, outcomes.iter().map(row))
+    )
+}
+
+const HEADINGS: [&str; 7] = [
+    "",
+    "case",
+    "expected",
+    "outcome",
+    "iterations",
+    "cut-backs",
+    "s",
+];
+
+fn row(o: &ExtremeOutcome) -> [String; 7] {
+    [
+        mark(o).to_owned(),
+        o.what.clone(),
+        o.expected.clone(),
+        words(o).to_owned(),
+        o.iterations.to_string(),
+        o.cut_backs.to_string(),
+        format!("{:.2}", o.seconds),
+    ]
 }

@@ -1,6 +1,7 @@
 //! Random cases in words: a line each for the terminal, a section of the page.
 
 use super::{RandomOutcome, RandomVerdict};
+use crate::ground::markdown::table;
 use crate::render::text::percent;
 
 /// Iterations that most accepted increments take less than.
@@ -101,17 +102,17 @@ pub fn section(arguments: &str, sets: &[(&str, Vec<RandomOutcome>)]) -> String {
         if failed.is_empty() {
             continue;
         }
-        text.push_str("\n| | case | iterations | s | what came of it |\n|---|---|---|---|---|\n");
-        for o in failed {
-            text.push_str(&format!(
-                "| {} | {} | {} | {:.1} | {} |\n",
-                mark(o),
-                o.name,
-                o.iterations,
-                o.seconds,
-                words(o).replace('|', "/"),
-            ));
-        }
+        let headings = ["", "case", "iterations", "s", "what came of it"];
+        let rows = failed.into_iter().map(|o| {
+            [
+                mark(o).to_owned(),
+                o.name.clone(),
+                o.iterations.to_string(),
+                format!("{:.1}", o.seconds),
+                words(o).to_owned(),
+            ]
+        });
+        text.push_str(&format!("\n{}", table(headings, rows)));
     }
     text
 }

@@ -43,8 +43,8 @@ const WELL: f64 = 0.67;
 const BESIDE_EDGE: f64 = 0.02;
 /// Share of the kink at the peak of a line load that is its error,
 const KINK: f64 = 0.2;
-/// and of what rows elsewhere hide,
-const HIDDEN: f64 = 0.25;
+/// share of what rows elsewhere hide that it is at least,
+const HIDDEN: f64 = 0.3;
 /// and beside a loaded edge, where loads rise with a power of the distance and the last rows of the mesh cut that off.
 const KINK_AT_EDGE: f64 = 0.5;
 /// What a pressure that is read may be off beside its distance from Hertz's.
@@ -270,7 +270,8 @@ fn load_error(line: &HeaviestLine) -> f64 {
         Some(Departure::LoadedEdge) => BESIDE_EDGE + KINK_AT_EDGE * line.kink,
         _ => KINK * line.kink,
     };
-    coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge + HIDDEN * line.hidden
+    let own = coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge;
+    own.max(HIDDEN * line.hidden)
 }
 
 /// See [`UNSEEN`].

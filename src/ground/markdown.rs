@@ -19,10 +19,8 @@ fn cell(words: impl AsRef<str>) -> String {
 }
 
 fn line(cells: impl IntoIterator<Item = String>) -> String {
-    let cells = cells.into_iter().map(|cell| format!("{cell} |"));
-    let mut line = String::from("|");
-    cells.for_each(|cell| line = format!("{line} {cell}"));
-    line + "\n"
+    let cells: Vec<String> = cells.into_iter().collect();
+    format!("| {} |\n", cells.join(" | "))
 }
 
 #[cfg(test)]

@@ -193,12 +193,10 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
             }
         };
         // A peak elsewhere, as on a bore, is the largest only if it is above what the mesh does not show.
-        let hidden = |strip: &&&StripBelow<'_>| {
-            !strip.shows() && error.is_some_and(|error| strip.mises > value + error)
-        };
-        let (error, note) = match strips.iter().find(hidden) {
-            Some(_) => (None, Some(COARSE)),
-            None => (error, note),
+        let may_hide = |most: f64| strips.iter().any(|s| !s.shows() && s.mises > most);
+        let (error, note) = match error {
+            Some(error) if may_hide(value + error) => (None, Some(COARSE)),
+            error => (error, note),
         };
         Figure {
             error: Errors {

@@ -43,10 +43,11 @@ const WELL: f64 = 0.67;
 const BESIDE_EDGE: f64 = 0.02;
 /// Share of the kink at the peak of a line load that is its error,
 const KINK: f64 = 0.2;
-/// share of what rows elsewhere hide that it is at least,
-const HIDDEN: f64 = 0.3;
 /// and beside a loaded edge, where loads rise with a power of the distance and the last rows of the mesh cut that off.
 const KINK_AT_EDGE: f64 = 0.5;
+/// Share of what rows elsewhere on a line hide that the error of its largest load is at least. Where loads alternate from row
+/// to row, the largest may be another one (docs/coverage.md).
+const HIDDEN: f64 = 0.3;
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
 /// The same of a half-width, for a spacing of a at the edge; it falls with the square of the spacing.

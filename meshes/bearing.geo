@@ -39,7 +39,7 @@ DefineConstant[
   EndSize = {0.15, Name "Mesh/Size at the roller ends"}
   // Radius of rounded ends, 0: sharp. They begin at a line of nodes.
   EndRadius = {0, Name "Mesh/Radius of rounded ends"}
-  // A line of nodes at that distance from sharp ends that carry; 0: none.
+  // A line of nodes at that distance from sharp ends that carry, and from where a fillet begins; 0: none.
   EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2, Name "Mesh/Growth across"}

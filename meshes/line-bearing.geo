@@ -35,7 +35,7 @@ DefineConstant[
   EndSize = {10, Name "Mesh/Size at the roller ends"}
   // Radius of rounded ends, 0: sharp. They begin at a line of nodes.
   EndRadius = {0, Name "Mesh/Radius of rounded ends"}
-  // A line of nodes at that distance from sharp ends that carry; 0: none.
+  // A line of nodes at that distance from sharp ends that carry, and from where a fillet begins; 0: none.
   EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2.5, Name "Mesh/Growth across"}
@@ -284,7 +284,7 @@ For Plate In {0 : 1}
   sp_at[] = {};
   sp_size[] = {};
   sp_fine[] = {};
-  sp_least[] = {1, 1, 1};
+  sp_least[] = {1, 1, 1, 1};
   If (!MirrorY)
     If (Outside)
       sp_at[] += -PlateY / 2;

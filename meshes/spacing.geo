@@ -93,26 +93,31 @@ Return
 //
 //   in   en_at      where the end is, on either side of zero: if it is negative other stops come after it
 //        en_radius  radius of the rounded end, which begins at a stop; 0: sharp
-//        EdgeReach  distance of a stop from a sharp end; 0: none
-//        EndSize    element size at a sharp end and at both of these stops
+//        EdgeReach  distance of a stop from a sharp end, or from where a fillet begins; 0: none
+//        EndSize    element size at a sharp end and where a fillet begins
 //   out  appended to sp_at[], sp_size[], sp_fine[] and sp_least[]
 
 Macro End
-  en_length = en_radius > 0 ? en_radius : EdgeReach;
-  en_size = en_radius > 0 ? sp_any : EndSize;
-  If (en_length <= 0)
-    sp_at[] += en_at;
-    sp_size[] += en_size;
-    sp_fine[] += 1;
-  ElseIf (en_at < 0)
-    sp_at[] += {en_at, en_at + en_length};
-    sp_size[] += {en_size, EndSize};
-    sp_fine[] += {1, 1};
-    sp_least[] += 1;
-  Else
-    sp_at[] += {en_at - en_length, en_at};
-    sp_size[] += {EndSize, en_size};
-    sp_fine[] += {1, 1};
-    sp_least[] += 1;
+  // From inside to the end.
+  en_in[] = {};
+  en_size[] = {};
+  If (EdgeReach > 0)
+    en_in[] += en_radius + EdgeReach;
+    en_size[] += Max(EndSize, EdgeReach / 3);
   EndIf
+  If (en_radius > 0)
+    en_in[] += en_radius;
+    en_size[] += EndSize;
+  EndIf
+  en_in[] += 0;
+  en_size[] += en_radius > 0 ? sp_any : EndSize;
+  For en_i In {0 : #en_in[] - 1}
+    en_k = en_at < 0 ? #en_in[] - 1 - en_i : en_i;
+    sp_at[] += en_at < 0 ? en_at + en_in[en_k] : en_at - en_in[en_k];
+    sp_size[] += en_size[en_k];
+    sp_fine[] += 1;
+    If (en_i > 0)
+      sp_least[] += 1;
+    EndIf
+  EndFor
 Return

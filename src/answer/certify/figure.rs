@@ -122,12 +122,19 @@ pub enum Quantity {
     PeakPlasticStrain,
     /// Largest consistent nodal pressure.
     PeakPressure,
+    /// Where that is at a loaded edge, or where a fillet that the mesh does not resolve may hide a higher one: the largest
+    /// away from there.
+    PressureAway,
     /// Hertz's pressure under the largest load per length.
     HertzPressure,
     /// Largest load per length, normal to the surface.
     LineLoad,
+    /// Where that is at a fillet that the mesh does not resolve: the largest away from there.
+    LineLoadAway,
     /// Half-width of the strip, or of the most heavily loaded line of contact.
     HalfWidth,
+    /// The same where the line carries most away from such a fillet.
+    HalfWidthAway,
     /// Area of a contact, of the whole.
     ContactArea,
     /// Length in contact of the most heavily loaded line.
@@ -172,11 +179,14 @@ impl Errors {
 }
 
 impl Quantity {
-    /// Of a Mises peak, the one away from loaded edges.
+    /// Of a figure that may be at a loaded edge, the one away from such edges.
     pub fn away_from_edges(self) -> Option<Self> {
         match self {
             Self::PeakMises => Some(Self::MisesAway),
             Self::ElasticPeakMises => Some(Self::ElasticMisesAway),
+            Self::PeakPressure => Some(Self::PressureAway),
+            Self::LineLoad => Some(Self::LineLoadAway),
+            Self::HalfWidth => Some(Self::HalfWidthAway),
             _ => None,
         }
     }
@@ -191,9 +201,12 @@ impl Quantity {
             Self::ElasticMisesAway => "Mises away from edges, elastic",
             Self::PeakPlasticStrain => "peak plastic strain",
             Self::PeakPressure => "peak pressure",
+            Self::PressureAway => "pressure away from edges",
             Self::HertzPressure => "Hertz's p0 of the line load",
             Self::LineLoad => "largest line load",
+            Self::LineLoadAway => "line load away from edges",
             Self::HalfWidth => "half-width",
+            Self::HalfWidthAway => "half-width away from edges",
             Self::ContactArea => "contact area",
             Self::ContactLength => "length in contact",
             Self::Eccentricity => "eccentricity",
@@ -208,6 +221,7 @@ impl Quantity {
         match self {
             Self::Descent
             | Self::HalfWidth
+            | Self::HalfWidthAway
             | Self::ContactLength
             | Self::Eccentricity
             | Self::Dent => Measure::Length,
@@ -216,9 +230,10 @@ impl Quantity {
             | Self::ElasticPeakMises
             | Self::ElasticMisesAway
             | Self::PeakPressure
+            | Self::PressureAway
             | Self::HertzPressure
             | Self::BoreMises => Measure::Stress,
-            Self::LineLoad => Measure::LineLoad,
+            Self::LineLoad | Self::LineLoadAway => Measure::LineLoad,
             Self::ContactArea => Measure::Area,
             Self::HorizontalForce => Measure::Force,
             Self::PeakPlasticStrain => Measure::Ratio,

@@ -142,13 +142,16 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
         | Quantity::ElasticPeakMises
         | Quantity::ElasticMisesAway
         | Quantity::BoreMises
-        | Quantity::PeakPressure => Some(stress),
+        | Quantity::PeakPressure
+        | Quantity::PressureAway => Some(stress),
         Quantity::HalfWidth
+        | Quantity::HalfWidthAway
         | Quantity::ContactArea
         | Quantity::ContactLength
         | Quantity::Eccentricity
         | Quantity::HertzPressure
         | Quantity::LineLoad
+        | Quantity::LineLoadAway
         | Quantity::HorizontalForce => (peak > 0.0).then(|| claim.value.abs() * stress / peak),
         Quantity::PeakPlasticStrain => Some(strain),
         Quantity::Dent => None,

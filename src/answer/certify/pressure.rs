@@ -15,6 +15,7 @@ use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 use std::collections::BTreeSet;
+use std::iter;
 
 const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
                       the mesh";
@@ -79,11 +80,6 @@ pub(super) struct Contact<'a> {
 }
 
 impl Contact<'_> {
-    /// The line that carries most, where the contact is one.
-    fn line(&self) -> Option<&HeaviestLine> {
-        self.line.filter(|line| line.is_long())
-    }
-
     /// Peak pressure, Hertz's pressure, largest line load, half-width, area and length.
     pub(super) fn claims(&self) -> Vec<Figure> {
         let Some(field) = self.state.contacts.get(self.pair) else {
@@ -92,13 +88,10 @@ impl Contact<'_> {
         if self.interface.max_pressure <= 0.0 {
             return Vec::new();
         }
-        let mut claims = vec![self.peak_pressure(field)];
+        let mut claims = self.pressures(field);
         if let Some(line) = self.line {
-            claims.extend([
-                self.line_load(line),
-                self.half_width(line),
-                self.length(line),
-            ]);
+            claims.extend(self.along(line));
+            claims.push(self.length(line));
             claims.extend(self.hertz_pressure(line));
         }
         let copies = times(&cutting_pair(self.scene, self.pair));
@@ -127,28 +120,56 @@ impl Contact<'_> {
         }
     }
 
-    fn peak_pressure(&self, field: &ContactField) -> Figure {
-        let value = self.interface.max_pressure;
-        let claim = |error, why| self.claim(Quantity::PeakPressure, value, error, why);
-        let falls = fall(self.scene, field, self.pair);
-        let unseen = self.edges.unseen_pressure(self.pair);
-        let at_edge = (self.interface.max_pressure_at).is_some_and(|at| self.edges.are_near(&at));
-        let at_edge = at_edge && falls > EVEN;
-        let unresolved = match at_edge {
-            _ if unseen > value => Some(FILLET),
-            true if unseen > 0.0 => Some(FILLET),
-            true => Some(EDGE),
-            false => (self.shapelessness(field) > SHAPELESS).then_some(SHAPE),
+    /// The largest pressure; where an edge decides it, the largest away from edges, too.
+    fn pressures(&self, field: &ContactField) -> Vec<Figure> {
+        let Some(top) = self.largest(field, |_| true) else {
+            return Vec::new();
         };
-        if let Some(why) = unresolved {
-            return Figure {
-                at_edge,
-                ..claim(None, why)
-            };
+        let value = field.pressure[top];
+        let at_edge =
+            self.is_near_edge(field, top) && fall(self.scene, field, self.pair, top) > EVEN;
+        let hides = self.edges.unseen_pressure(self.pair) > if at_edge { 0.0 } else { value };
+        let why = match at_edge {
+            _ if hides => FILLET,
+            true => EDGE,
+            false => return vec![self.pressure(Quantity::PeakPressure, field, top, self.line)],
+        };
+        let whole = Figure {
+            at_edge,
+            ..self.claim(Quantity::PeakPressure, value, None, why)
+        };
+        let line = self.line.and_then(HeaviestLine::away);
+        let away = self.largest(field, |i| !self.is_near_edge(field, i));
+        let away = away.map(|top| self.pressure(Quantity::PressureAway, field, top, line));
+        iter::once(whole).chain(away).collect()
+    }
+
+    /// The node with the largest pressure of those that press and count.
+    fn largest(&self, field: &ContactField, counts: impl Fn(usize) -> bool) -> Option<usize> {
+        let pressing = (0..field.nodes.len()).filter(|i| field.pressure[*i] > 0.0 && counts(*i));
+        pressing.max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]))
+    }
+
+    fn is_near_edge(&self, field: &ContactField, node: usize) -> bool {
+        let at = &self.scene.mesh.points[field.nodes[node] as usize];
+        self.edges.are_near(at)
+    }
+
+    /// The pressure of a node as the largest there is, on or beside a line.
+    fn pressure(
+        &self,
+        what: Quantity,
+        field: &ContactField,
+        top: usize,
+        line: Option<&HeaviestLine>,
+    ) -> Figure {
+        let value = field.pressure[top];
+        if self.shapelessness(field, top) > SHAPELESS {
+            return self.claim(what, value, None, SHAPE);
         }
-        let fall = || FALL * falls;
-        let error = self
-            .line()
+        let fall = || FALL * fall(self.scene, field, self.pair, top);
+        let error = line
+            .filter(|line| line.is_long())
             .map_or_else(fall, |line| match (line.contact, line.departs) {
                 // The pressure that the line load makes is known better than what few nodes read of it. That of many
                 // is off by the second order of their distance, and is right where the bodies are no half spaces.
@@ -163,46 +184,59 @@ impl Contact<'_> {
                 }
                 _ => fall(),
             });
-        let error = Some(error);
-        claim(error, COARSE)
+        self.claim(what, value, Some(error), COARSE)
     }
 
-    /// See [`SHAPELESS`]; at the node with the largest pressure.
-    fn shapelessness(&self, field: &ContactField) -> f64 {
+    /// See [`SHAPELESS`]; at a node.
+    fn shapelessness(&self, field: &ContactField, node: usize) -> f64 {
         let (scene, pair) = (self.scene, &self.scene.contacts[self.pair]);
-        let pressures = field.pressure.iter().enumerate();
-        let top = pressures.max_by(|a, b| a.1.total_cmp(b.1));
-        let (Some((top, pressure)), Some(surface), Ok(compliance)) =
-            (top, scene.carrier(self.pair), scene.compliance(pair))
+        let (Some(surface), Ok(compliance)) = (scene.carrier(self.pair), scene.compliance(pair))
         else {
             return 0.0;
         };
         let faces = surface
             .faces
             .iter()
-            .filter(|face| face.nodes.contains(&field.nodes[top]));
+            .filter(|face| face.nodes.contains(&field.nodes[node]));
         let sides = faces.flat_map(|face| {
             let corners = face.corners(&scene.mesh);
             [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
         });
         let side = sides.fold(f64::INFINITY, f64::min);
-        field.sagitta[top] / (compliance * pressure * side)
+        field.sagitta[node] / (compliance * field.pressure[node] * side)
     }
 
-    fn line_load(&self, line: &HeaviestLine) -> Figure {
+    /// Of the line that carries most; where a fillet that the mesh hides decides that, away from it, too.
+    fn along(&self, line: &HeaviestLine) -> Vec<Figure> {
+        let own = [
+            self.line_load(Quantity::LineLoad, line),
+            self.half_width(Quantity::HalfWidth, line),
+        ];
+        let away = line.away().filter(|_| self.hides_load(line));
+        let away = away.map(|line| {
+            [
+                self.line_load(Quantity::LineLoadAway, line),
+                self.half_width(Quantity::HalfWidthAway, line),
+            ]
+        });
+        own.into_iter().chain(away.into_iter().flatten()).collect()
+    }
+
+    /// Where the mesh hides what presses there it hides what that carries, too.
+    fn hides_load(&self, line: &HeaviestLine) -> bool {
+        line.departs == Some(Departure::LoadedEdge) && self.edges.unseen_pressure(self.pair) > 0.0
+    }
+
+    fn line_load(&self, what: Quantity, line: &HeaviestLine) -> Figure {
         let at_edge = line.departs == Some(Departure::LoadedEdge);
         let (error, why) = match line.departs {
             Some(Departure::Width) => (None, MERGED),
-            // Where the mesh hides what presses there it hides what that carries, too.
-            Some(Departure::LoadedEdge) if self.edges.unseen_pressure(self.pair) > 0.0 => {
-                (None, FILLET)
-            }
-            Some(Departure::LoadedEdge) => (Some(load_error(line)), EDGE),
+            _ if self.hides_load(line) => (None, FILLET),
             _ => (Some(load_error(line)), COARSE),
         };
         Figure {
             at_edge,
-            ..self.claim(Quantity::LineLoad, line.line_load, error, why)
+            ..self.claim(what, line.line_load, error, why)
         }
     }
 
@@ -217,7 +251,7 @@ impl Contact<'_> {
         ))
     }
 
-    fn half_width(&self, line: &HeaviestLine) -> Figure {
+    fn half_width(&self, what: Quantity, line: &HeaviestLine) -> Figure {
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
@@ -230,7 +264,7 @@ impl Contact<'_> {
             (Some(_), Some(Departure::Width)) => None,
             _ => Some(0.5 * edge * edge + load_error(line)),
         };
-        self.claim(Quantity::HalfWidth, a, error, MERGED)
+        self.claim(what, a, error, MERGED)
     }
 
     /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.
@@ -319,14 +353,11 @@ fn largest_mean(row: &StripRow, a: f64) -> f64 {
         .max(f64::MIN_POSITIVE)
 }
 
-/// By how much the pressure falls from its peak to the neighbours of that node, in the mean.
-fn fall(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+/// By how much the pressure falls from a peak at `top` to the neighbours of that node, in the mean.
+fn fall(scene: &Scene, field: &ContactField, pair: usize, top: usize) -> f64 {
     let Some(surface) = scene.carrier(pair) else {
         return 1.0;
     };
-    let top =
-        (0..field.nodes.len()).max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]));
-    let Some(top) = top else { return 1.0 };
     let node = field.nodes[top];
     let mut beside = BTreeSet::new();
     for face in &surface.faces {

@@ -110,6 +110,17 @@ struct PressingRun {
 /// The lines of contact pair `pair` along `axis`, by their place across; empty where the carrier's
 /// nodes do not stand in rows (a row has three nodes or more) or nothing presses.
 pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> Vec<ContactLine> {
+    contact_lines_by(scene, state, pair, axis, &|_| true)
+}
+
+/// The same, the heaviest row of each among those that count; empty where none does.
+pub(super) fn contact_lines_by(
+    scene: &Scene,
+    state: &State,
+    pair: usize,
+    axis: usize,
+    counts: &dyn Fn(&StripRow) -> bool,
+) -> Vec<ContactLine> {
     let Some(rows) = Rows::new(scene, state, pair, axis) else {
         return Vec::new();
     };
@@ -125,7 +136,7 @@ pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> 
         }
     }
     (lines.iter())
-        .map(|runs| rows.line(scene, state, pair, runs))
+        .filter_map(|runs| rows.line(scene, state, pair, runs, counts))
         .collect()
 }
 
@@ -276,33 +287,37 @@ impl Rows {
         }
     }
 
-    fn line(&self, scene: &Scene, state: &State, pair: usize, runs: &[PressingRun]) -> ContactLine {
+    fn line(
+        &self,
+        scene: &Scene,
+        state: &State,
+        pair: usize,
+        runs: &[PressingRun],
+        counts: &dyn Fn(&StripRow) -> bool,
+    ) -> Option<ContactLine> {
         let mut load = vec![0.0; self.at.len()];
         for run in runs {
             load[run.row] += run.force / self.length[run.row];
         }
-        let heaviest = runs.iter().reduce(|most, run| {
-            let per_length = |run: &PressingRun| run.force / self.length[run.row];
-            if per_length(run) > per_length(most) {
-                run
-            } else {
-                most
-            }
-        });
-        let heaviest = heaviest.map(|run| self.strip(scene, state, pair, run));
+        let per_length = |run: &PressingRun| run.force / self.length[run.row];
+        let mut heaviest_first: Vec<&PressingRun> = runs.iter().collect();
+        heaviest_first.sort_by(|a, b| per_length(b).total_cmp(&per_length(a)));
+        let heaviest = (heaviest_first.iter())
+            .map(|run| self.strip(scene, state, pair, run))
+            .find(counts)?;
         let total: f64 = runs.iter().map(|r| r.force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
         let doubled = |axis: usize| if scene.mirrors.contains(&axis) { 2 } else { 1 };
         let cut = runs.iter().any(|r| r.mirrored);
-        ContactLine {
+        Some(ContactLine {
             across: runs.iter().map(|r| r.force * r.across).sum::<f64>() / total,
             at: self.at.clone(),
             load,
             length: length * doubled(self.axis) as f64,
             lifted_off: (self.length.iter().sum::<f64>() - length) * doubled(self.axis) as f64,
             images: if cut { 1 } else { doubled(self.across) },
-            heaviest: heaviest.unwrap_or_default(),
-        }
+            heaviest,
+        })
     }
 }

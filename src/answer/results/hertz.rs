@@ -5,7 +5,7 @@
 //! form turns it into the pressure.
 
 use super::circle::FittedCircle;
-use super::contact_lines::{ContactLine, across, contact_lines};
+use super::contact_lines::{ContactLine, across, contact_lines_by};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
 use super::line_axis::line_axis;
@@ -36,6 +36,8 @@ pub struct HeaviestLine {
     pub contact: Option<LineContact>,
     /// Why the strip is not Hertz's, if it is not.
     pub departs: Option<Departure>,
+    /// See [`Self::away`].
+    away: Option<Box<Self>>,
 }
 
 /// Why a strip is not Hertz's.
@@ -76,9 +78,27 @@ impl HeaviestLine {
 
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
+        let mut line = Self::among(scene, state, pair, edges, &|_| true)?;
+        if line.departs == Some(Departure::LoadedEdge) {
+            let is_away = |row: &StripRow| !edges.are_near(&row.centre);
+            line.away = Self::among(scene, state, pair, edges, &is_away).map(Box::new);
+        }
+        Some(line)
+    }
+
+    /// The same, of the rows that count.
+    fn among(
+        scene: &Scene,
+        state: &State,
+        pair: usize,
+        edges: &LoadedEdges,
+        counts: &dyn Fn(&StripRow) -> bool,
+    ) -> Option<Self> {
         let axis = line_axis(scene, pair)?;
-        let lines = contact_lines(scene, state, pair, axis);
-        let loaded = lines.iter().filter_map(|line| Some((line.peak()?.0, line)));
+        let lines = contact_lines_by(scene, state, pair, axis, counts);
+        let loaded = lines
+            .iter()
+            .map(|line| (line.load[line.heaviest.row], line));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let mirrored = across(scene, axis).is_some_and(|across| scene.mirrors.contains(&across));
         let apart = distance_to_the_next(line, &lines, mirrored);
@@ -106,7 +126,13 @@ impl HeaviestLine {
             departs,
             axis,
             line: line.clone(),
+            away: None,
         })
+    }
+
+    /// Where its heaviest row is at a loaded edge: the line that carries most away from such edges.
+    pub fn away(&self) -> Option<&Self> {
+        self.away.as_deref()
     }
 
     /// See [`ContactLine::is_long`].

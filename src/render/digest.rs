@@ -6,7 +6,7 @@ use super::terminal::headline;
 use super::text::{list, percent, significant};
 use super::utilisation::{Utilisation, first_largest, largest, utilisations};
 use super::verdict::verdict;
-use crate::answer::certify::{Figure, Quantity};
+use crate::answer::certify::{Figure, Quantity, is_replaced};
 use std::fmt::Write;
 
 /// The digest of a run whose checks miss the limits `missed`, every line ended, in the units of the case.
@@ -82,14 +82,31 @@ fn load(summary: &Summary) -> String {
     text
 }
 
-/// The largest figure of a kind; one that is resolved, where there is any.
+/// The largest figure of a kind, or away from edges where that stands in its place; one that is resolved, where there is any.
 fn largest_of(summary: &Summary, what: Quantity) -> Option<&Figure> {
+    let claims = &summary.answer.certificate;
     let of_kind = |resolved: bool| {
-        let all = summary.answer.certificate.iter();
-        let all = all.filter(move |f| f.what == what && f.is_resolved() == resolved);
-        first_largest(all, |f| f.value)
+        let same = claims
+            .iter()
+            .filter(|f| f.what == what || Some(f.what) == what.away_from_edges());
+        let standing = same.filter(|f| !is_replaced(claims, f));
+        first_largest(standing.filter(|f| f.is_resolved() == resolved), |f| {
+            f.value
+        })
     };
     of_kind(true).or_else(|| of_kind(false))
+}
+
+/// What edges and fillets make of that figure, where others stand in its place.
+fn at_edges(summary: &Summary, what: Quantity) -> String {
+    let claims = &summary.answer.certificate;
+    let replaced = claims
+        .iter()
+        .filter(|f| f.what == what && is_replaced(claims, f));
+    first_largest(replaced, |f| f.value).map_or_else(String::new, |figure| {
+        let value = sized(summary, figure);
+        format!("; {value} at an edge, NOT RESOLVED")
+    })
 }
 
 /// A figure with its bar and its unit.
@@ -106,7 +123,11 @@ fn told(summary: &Summary, figure: &Figure) -> String {
         true => "",
         false => ", NOT RESOLVED",
     };
-    format!("{value}{doubt}, {}", figure.place)
+    let away = match figure.what {
+        Quantity::PressureAway | Quantity::LineLoadAway => " away from edges",
+        _ => "",
+    };
+    format!("{value}{away}{doubt}, {}", figure.place)
 }
 
 /// The limit of the pressure on an interface, and what it is: (2-49) of a line, first yield of a patch.
@@ -129,7 +150,7 @@ fn of_limit(summary: &Summary, pressure: f64, interface: &str) -> String {
 fn pressure(summary: &Summary) -> Option<String> {
     let peak = largest_of(summary, Quantity::PeakPressure)?;
     let limit = of_limit(summary, peak.value, &peak.place);
-    Some(told(summary, peak) + &limit)
+    Some(told(summary, peak) + &limit + &at_edges(summary, Quantity::PeakPressure))
 }
 
 /// Hertz's pressure under the largest line load, as certified, else as the sizing rules take it.
@@ -166,8 +187,7 @@ fn mises(summary: &Summary, used: &[Utilisation]) -> Option<String> {
             most.what, most.place
         ));
     }
-    let peak = largest_of(summary, Quantity::MisesAway)
-        .or_else(|| largest_of(summary, Quantity::PeakMises))?;
+    let peak = largest_of(summary, Quantity::PeakMises)?;
     Some(format!("{}, {}", told(summary, peak), peak.what.name()))
 }
 
@@ -188,7 +208,8 @@ fn plastic_strain(summary: &Summary) -> Option<String> {
 }
 
 fn line_load(summary: &Summary) -> Option<String> {
-    Some(told(summary, largest_of(summary, Quantity::LineLoad)?))
+    let largest = largest_of(summary, Quantity::LineLoad)?;
+    Some(told(summary, largest) + &at_edges(summary, Quantity::LineLoad))
 }
 
 /// What the interfaces carry along the load.
@@ -240,7 +261,7 @@ fn widest_bar(summary: &Summary) -> Option<String> {
     let all = &summary.answer.certificate;
     let bars = all.iter().filter_map(|f| Some((f.relative_bar()?, f)));
     let (bar, widest) = bars.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let known = all.len() - summary.answer.unresolved().len();
+    let known = all.iter().filter(|f| f.is_resolved()).count();
     let (what, place) = (widest.what.name(), &widest.place);
     // Of a figure that may be nothing a share says nothing.
     let size = if bar > 1.0 {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::text::percent;
 use crate::answer::Answer;
 use crate::answer::BodyFigures;
-use crate::answer::certify::Figure;
+use crate::answer::certify::{Figure, Quantity, is_replaced};
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -33,6 +33,9 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     }
     let bodies = answer.bodies.0.iter();
     for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
+        warn(format!("{}: {text}", names.join(", ")));
+    }
+    for (names, text) in together(pressures_at_edges(&answer.certificate)) {
         warn(format!("{}: {text}", names.join(", ")));
     }
     if let Some(text) = of_unresolved(&answer.unresolved()) {
@@ -82,6 +85,18 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
         ));
     }
     list
+}
+
+/// Of every interface whose largest pressure is where the mesh does not resolve it, why.
+fn pressures_at_edges(claims: &[Figure]) -> impl Iterator<Item = (&str, Vec<String>)> {
+    let replaced =
+        |claim: &&Figure| claim.what == Quantity::PeakPressure && is_replaced(claims, claim);
+    claims.iter().filter(replaced).map(|claim| {
+        let why = claim.note.unwrap_or_default();
+        let text =
+            format!("the largest pressure is not resolved, that away from edges counts: {why}");
+        (claim.place.as_str(), vec![text])
+    })
 }
 
 /// The figures of which this mesh says nothing, in one sentence.

@@ -88,15 +88,17 @@ impl JsonSchema for Figure {
     }
 }
 
-/// The figures of which nothing can be said, and that nothing is said in place of: beside a peak at a
-/// loaded edge, which has no limit, stands the peak away from such edges.
+/// Does another stand in the place of a claim? Beside a peak at a loaded edge, which has no limit or one that the mesh does not
+/// show, stands the one away from such edges.
+pub fn is_replaced(claims: &[Figure], claim: &Figure) -> bool {
+    let away = || figure(claims, claim.what.away_from_edges()?, &claim.place);
+    !claim.is_resolved() && away().is_some()
+}
+
+/// The figures of which nothing can be said, and that nothing is said in place of.
 pub fn unresolved(claims: &[Figure]) -> Vec<&Figure> {
-    let replaced = |c: &Figure| {
-        let away = c.what.away_from_edges();
-        away.is_some_and(|away| figure(claims, away, &c.place).is_some())
-    };
     let unsure = claims.iter().filter(|c| !c.is_resolved());
-    unsure.filter(|c| !replaced(c)).collect()
+    unsure.filter(|c| !is_replaced(claims, c)).collect()
 }
 
 /// The claim of `what` at `place`.

@@ -9,6 +9,7 @@ mod descent;
 pub mod energy;
 mod figure;
 mod increments;
+mod line;
 mod mises;
 mod other;
 mod pressure;
@@ -27,7 +28,7 @@ use pressure::Contact;
 use strip_below::StripBelow;
 
 pub use descent::{Contacts, Travel};
-pub use figure::{Errors, Figure, Quantity, figure, unresolved};
+pub use figure::{Errors, Figure, Quantity, figure, is_replaced, unresolved};
 pub use increments::DOUBLING;
 
 /// What is certified.

@@ -1,11 +1,12 @@
-//! Pressure, line load and width of a contact interface.
+//! Pressure and area of a contact interface.
 //!
-//! Where contact is a line, the load per length is known better than anything else, for it follows
-//! from balance. If the strip is Hertz's, that load says how wide it is and how the pressure runs
+//! Where contact is a line, the load per length is known better than anything else ([`super::line`]). If the strip is
+//! Hertz's, that load says how wide it is and how the pressure runs
 //! across; what the nodes make of such a profile can then be worked out for the very places where they
 //! stand, and what they read beyond that is an error that one sees.
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
+use super::line::{coarseness, load_error};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::interface::Interface;
@@ -17,12 +18,10 @@ use crate::model::state::{ContactField, State};
 use std::collections::BTreeSet;
 use std::iter;
 
-const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
+pub(super) const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
                       the mesh";
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
-const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
-                      apart, or a shape that is no line";
-const FILLET: &str = "the facets are too long for a fillet under load: where it begins the pressure may have a higher \
+pub(super) const FILLET: &str = "the facets are too long for a fillet under load: where it begins the pressure may have a higher \
                       and narrow peak";
 const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
@@ -30,29 +29,8 @@ const SHAPE: &str = "the facets there are too coarse for the shape of the surfac
 /// Beyond this relative error a figure is not resolved.
 const WORTHLESS: f64 = 0.3;
 
-/// A load per length is this good at best: far field, and rows along the line. Half a per cent in the median
-/// of bearings drawn by a seed, two in one of ten.
-const LINE_LOAD: f64 = 0.014;
-/// What a strip that the mesh is too coarse for moves of it along the line and to the line beside it, for each
-/// power of e by which the spacing exceeds [`WELL`] of the half-width: bodies come too close below it by such a
-/// logarithm (Johnson, Contact Mechanics, section 5.6). On single bearings 0.02 to 0.05; with this, line loads on `h025` err by
-/// at most 0.75 to 0.94 of their bars in 95 of 100 cases of three seeds.
-const UNSEEN: f64 = 0.025;
-/// Spacing over half-width up to which that is nothing.
-const WELL: f64 = 0.67;
-/// Beside a loaded edge, in addition.
-const BESIDE_EDGE: f64 = 0.02;
-/// Share of the kink at the peak of a line load that is its error,
-const KINK: f64 = 0.2;
-/// and beside a loaded edge, where loads rise with a power of the distance and the last rows of the mesh cut that off.
-const KINK_AT_EDGE: f64 = 0.5;
-/// Share of what rows elsewhere on a line hide that the error of its largest load is at least. Where loads alternate from row
-/// to row, the largest may be another one (docs/coverage.md).
-const HIDDEN: f64 = 0.3;
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
-/// The same of a half-width, for a spacing of a at the edge; it falls with the square of the spacing.
-const WIDTH: f64 = 0.03;
 /// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its
 /// edge; it falls with the square of the spacing. Measured on problem H with even and graded meshes.
 const MIDDLE: f64 = 0.03;
@@ -89,11 +67,7 @@ impl Contact<'_> {
             return Vec::new();
         }
         let mut claims = self.pressures(field);
-        if let Some(line) = self.line {
-            claims.extend(self.along(line));
-            claims.push(self.length(line));
-            claims.extend(self.hertz_pressure(line));
-        }
+        claims.extend(self.line.into_iter().flat_map(|line| self.along(line)));
         let copies = times(&cutting_pair(self.scene, self.pair));
         let band = RIM * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
@@ -102,7 +76,13 @@ impl Contact<'_> {
     }
 
     /// With a relative error, where that says anything.
-    fn claim(&self, what: Quantity, value: f64, error: Option<f64>, why: &'static str) -> Figure {
+    pub(super) fn claim(
+        &self,
+        what: Quantity,
+        value: f64,
+        error: Option<f64>,
+        why: &'static str,
+    ) -> Figure {
         // The rim of an area is never known better than to an element.
         let most = if what == Quantity::ContactArea {
             0.5
@@ -205,115 +185,6 @@ impl Contact<'_> {
         let side = sides.fold(f64::INFINITY, f64::min);
         field.sagitta[node] / (compliance * field.pressure[node] * side)
     }
-
-    /// Of the line that carries most; where a fillet that the mesh hides decides that, away from it, too.
-    fn along(&self, line: &HeaviestLine) -> Vec<Figure> {
-        let own = [
-            self.line_load(Quantity::LineLoad, line),
-            self.half_width(Quantity::HalfWidth, line),
-        ];
-        let away = line.away().filter(|_| self.hides_load(line));
-        let away = away.map(|line| {
-            [
-                self.line_load(Quantity::LineLoadAway, line),
-                self.half_width(Quantity::HalfWidthAway, line),
-            ]
-        });
-        own.into_iter().chain(away.into_iter().flatten()).collect()
-    }
-
-    /// Where the mesh hides what presses there it hides what that carries, too.
-    fn hides_load(&self, line: &HeaviestLine) -> bool {
-        line.departs == Some(Departure::LoadedEdge) && self.edges.unseen_pressure(self.pair) > 0.0
-    }
-
-    fn line_load(&self, what: Quantity, line: &HeaviestLine) -> Figure {
-        let at_edge = line.departs == Some(Departure::LoadedEdge);
-        let (error, why) = match line.departs {
-            Some(Departure::Width) => (None, MERGED),
-            _ if self.hides_load(line) => (None, FILLET),
-            _ => (Some(load_error(line)), COARSE),
-        };
-        Figure {
-            at_edge,
-            ..self.claim(what, line.line_load, error, why)
-        }
-    }
-
-    /// `None` where the strip is not Hertz's.
-    fn hertz_pressure(&self, line: &HeaviestLine) -> Option<Figure> {
-        let value = line.pressure()?;
-        Some(self.claim(
-            Quantity::HertzPressure,
-            value,
-            Some(0.5 * load_error(line)),
-            COARSE,
-        ))
-    }
-
-    fn half_width(&self, what: Quantity, line: &HeaviestLine) -> Figure {
-        let row = &line.line.heaviest;
-        let a = row.half_width;
-        let edge = row.edge_spacing() / a;
-        let hertz = line.contact.filter(|_| line.is_long());
-        let error = match (hertz, line.departs) {
-            (Some(hertz), None | Some(Departure::LoadedEdge)) => {
-                let spacing = WIDTH * edge * edge;
-                Some((hertz.half_width / a - 1.0).abs() + spacing + 0.5 * load_error(line))
-            }
-            (Some(_), Some(Departure::Width)) => None,
-            _ => Some(0.5 * edge * edge + load_error(line)),
-        };
-        self.claim(what, a, error, MERGED)
-    }
-
-    /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.
-    fn length(&self, line: &HeaviestLine) -> Figure {
-        let unseen = if line.line.lifted_off > 0.0 {
-            unseen(line)
-        } else {
-            0.0
-        };
-        let line = &line.line;
-        let rows = line.at.windows(2).zip(line.load.windows(2));
-        let lifts = rows.filter(|(_, q)| (q[0] > 0.0) != (q[1] > 0.0));
-        let off: f64 = lifts.map(|(at, _)| at[1] - at[0]).sum();
-        let images = if line.length > 0.0 {
-            line.length_share()
-        } else {
-            1.0
-        };
-        self.claim(
-            Quantity::ContactLength,
-            line.length,
-            Some(images * off / line.length + unseen + 1e-6),
-            COARSE,
-        )
-    }
-}
-
-/// What a mesh this fine leaves of errors that do not fall with the square of its spacing: all of them down to
-/// three nodes in a half-width.
-fn coarseness(row: &StripRow) -> f64 {
-    const FINE: f64 = 3.0;
-    (FINE * row.spacing() / row.half_width).min(1.0)
-}
-
-/// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
-fn load_error(line: &HeaviestLine) -> f64 {
-    let edge = match line.departs {
-        Some(Departure::LoadedEdge) => BESIDE_EDGE + KINK_AT_EDGE * line.kink,
-        _ => KINK * line.kink,
-    };
-    let own = coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge;
-    own.max(HIDDEN * line.hidden)
-}
-
-/// See [`UNSEEN`].
-fn unseen(line: &HeaviestLine) -> f64 {
-    let row = &line.line.heaviest;
-    let a = (line.contact).map_or(row.half_width, |hertz| hertz.half_width);
-    UNSEEN * (row.middle_spacing() / (WELL * a)).ln().max(0.0)
 }
 
 /// Relative error of the largest consistent pressure of a strip: what the mean over a hat function

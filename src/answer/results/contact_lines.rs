@@ -35,6 +35,27 @@ impl ContactLine {
             .reduce(|most, row| if row.0 > most.0 { row } else { most })
     }
 
+    /// The load per length of its heaviest row.
+    pub fn heaviest_load(&self) -> f64 {
+        self.load[self.heaviest.row]
+    }
+
+    /// The same as a mean over the lengths to the rows beside it, weighted by the hat function of the row and less what a
+    /// slope makes of lengths that differ: what is left where loads alternate from row to row, as beside a fillet.
+    pub fn heaviest_mean_load(&self) -> f64 {
+        let row = self.heaviest.row;
+        let beside = |row: usize| Some((*self.at.get(row)?, *self.load.get(row)?));
+        let (at, load) = (self.at[row], self.load[row]);
+        let (Some((a, p)), Some((b, q))) = (row.checked_sub(1).and_then(beside), beside(row + 1))
+        else {
+            return load;
+        };
+        let (before, after) = (at - a, b - at);
+        let mean =
+            (before * (p + 2.0 * load) + after * (q + 2.0 * load)) / (3.0 * (before + after));
+        mean - (after - before) / 3.0 * (q - p) / (before + after)
+    }
+
     /// Is it a line? Where it lifts off it has to be three times as long as it is wide: a patch that is
     /// no longer is one of spheres.
     pub fn is_long(&self) -> bool {
@@ -319,5 +340,34 @@ impl Rows {
             images: if cut { 1 } else { doubled(self.across) },
             heaviest,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(at: [f64; 3], load: [f64; 3]) -> ContactLine {
+        ContactLine {
+            across: 0.0,
+            at: at.to_vec(),
+            load: load.to_vec(),
+            length: at[2] - at[0],
+            lifted_off: 0.0,
+            images: 1,
+            heaviest: StripRow {
+                row: 1,
+                ..StripRow::default()
+            },
+        }
+    }
+
+    #[test]
+    fn a_mean_load_is_that_of_the_row_where_loads_rise_evenly() {
+        let even = line([0.0, 1.0, 4.0], [10.0, 12.0, 18.0]);
+        assert!((even.heaviest_mean_load() - 12.0).abs() < 1e-12);
+        // Loads of 30 that alternate by 3 on both sides: two thirds of that are gone.
+        let alternating = line([0.0, 1.0, 2.0], [27.0, 33.0, 27.0]);
+        assert!((alternating.heaviest_mean_load() - 31.0).abs() < 1e-12);
     }
 }

@@ -31,6 +31,8 @@ pub struct HeaviestLine {
     /// Share by which another row away from loaded edges would carry more, if it stood out as far to the other side of
     /// the straight line between the rows beside it; 0 where none would.
     pub hidden: f64,
+    /// Share by which the load of its row alone differs from that: away from an edge it is a mean over the rows beside it.
+    pub alternates: f64,
     /// Hertz's contact under that load, of bodies with the curvature that they have there; `None`
     /// where a surface has no curvature that is known, or the two do not curve apart.
     pub contact: Option<LineContact>,
@@ -78,27 +80,28 @@ impl HeaviestLine {
 
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
-        let mut line = Self::among(scene, state, pair, edges, &|_| true)?;
+        let among = |counts: &dyn Fn(&StripRow) -> bool, load: fn(&ContactLine) -> f64| {
+            Self::among(scene, state, pair, edges, (counts, load))
+        };
+        let mut line = among(&|_| true, ContactLine::heaviest_load)?;
         if line.departs == Some(Departure::LoadedEdge) {
             let is_away = |row: &StripRow| !edges.are_near(&row.centre);
-            line.away = Self::among(scene, state, pair, edges, &is_away).map(Box::new);
+            line.away = among(&is_away, ContactLine::heaviest_mean_load).map(Box::new);
         }
         Some(line)
     }
 
-    /// The same, of the rows that count.
+    /// The same of the rows that count, by their load as it is to be read.
     fn among(
         scene: &Scene,
         state: &State,
         pair: usize,
         edges: &LoadedEdges,
-        counts: &dyn Fn(&StripRow) -> bool,
+        (counts, load): (&dyn Fn(&StripRow) -> bool, fn(&ContactLine) -> f64),
     ) -> Option<Self> {
         let axis = line_axis(scene, pair)?;
         let lines = contact_lines_by(scene, state, pair, axis, counts);
-        let loaded = lines
-            .iter()
-            .map(|line| (line.load[line.heaviest.row], line));
+        let loaded = lines.iter().map(|line| (load(line), line));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let mirrored = across(scene, axis).is_some_and(|across| scene.mirrors.contains(&across));
         let apart = distance_to_the_next(line, &lines, mirrored);
@@ -125,6 +128,7 @@ impl HeaviestLine {
             contact: hertz,
             departs,
             axis,
+            alternates: (line.heaviest_load() / line_load - 1.0).abs(),
             line: line.clone(),
             away: None,
         })

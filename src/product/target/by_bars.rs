@@ -10,7 +10,7 @@ use super::goal::{Goal, Target};
 use super::level::Level;
 use super::plan;
 use crate::analytic::hertz::widening_in_flow;
-use crate::answer::certify::{self, Quantity, figure};
+use crate::answer::certify::{Quantity, figure};
 use crate::case::bearing::Scales;
 use crate::case::{Case, Kind};
 use crate::product::converge::ConvergeError;
@@ -216,8 +216,8 @@ fn foreseen(level: &Level, flows: bool) -> Level {
     let certificate = &level.summary.answer.certificate;
     let pressures = foreseen.figures.iter_mut();
     for pressure in pressures.filter(|figure| flows && figure.goal == Goal::Pressure) {
-        let line = figure(certificate, Quantity::LineLoad, &pressure.place);
-        if let Some(bar) = line.and_then(certify::Figure::relative_bar) {
+        let bar = |what| figure(certificate, what, &pressure.place)?.relative_bar();
+        if let Some(bar) = bar(Quantity::LineLoad).or_else(|| bar(Quantity::LineLoadAway)) {
             pressure.estimate = Some((bar + MISSED) * pressure.value);
         }
     }

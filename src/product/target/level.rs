@@ -130,7 +130,9 @@ impl Level {
                 of: None,
             };
             figures.push(figure(claim, old));
-            let same = (summary.answer.certificate.iter()).filter(|c| c.what == claim.what);
+            let is_same =
+                |what: Quantity| what == claim.what || what.away_from_edges() == Some(claim.what);
+            let same = (summary.answer.certificate.iter()).filter(|c| is_same(c.what));
             let larger = same.filter(|c| c.at_edge && !claim.at_edge && c.value > claim.value);
             let largest = larger.max_by(|a, b| a.value.total_cmp(&b.value));
             beside_edges.extend(largest.map(|claim| figure(claim, None)));
@@ -205,7 +207,9 @@ fn single(goal: Goal, certificate: &[certify::Figure]) -> Vec<Goal> {
 fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure> {
     let among = |names: &[Quantity]| -> Vec<&certify::Figure> {
         let claims = certificate.iter().filter(|c| names.contains(&c.what));
-        claims.collect()
+        claims
+            .filter(|c| !certify::is_replaced(certificate, c))
+            .collect()
     };
     let regular = |names: &[Quantity]| {
         let (sure, unsure): (Vec<_>, Vec<_>) =
@@ -219,11 +223,11 @@ fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure
             regular(&elastic).or_else(|| regular(&[Quantity::PeakMises, Quantity::MisesAway]))
         }
         Goal::PlasticStrain => largest(among(&[Quantity::PeakPlasticStrain])),
-        Goal::Pressure => largest(among(&[Quantity::PeakPressure])),
+        Goal::Pressure => largest(among(&[Quantity::PeakPressure, Quantity::PressureAway])),
         Goal::HertzPressure => largest(among(&[Quantity::HertzPressure])),
-        Goal::LineLoad => largest(among(&[Quantity::LineLoad])),
+        Goal::LineLoad => largest(among(&[Quantity::LineLoad, Quantity::LineLoadAway])),
         Goal::Bore => largest(among(&[Quantity::BoreMises])),
-        Goal::HalfWidth => largest(among(&[Quantity::HalfWidth])),
+        Goal::HalfWidth => largest(among(&[Quantity::HalfWidth, Quantity::HalfWidthAway])),
         Goal::Area => largest(among(&[Quantity::ContactArea])),
         Goal::Descent => largest(among(&[Quantity::Descent])),
     }

@@ -1,6 +1,6 @@
 //! A bearing, solved on one mesh, and what is claimed of it.
 
-use crate::answer::certify::Figure;
+use crate::answer::certify::{Figure, is_replaced};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::case::Case;
@@ -131,10 +131,9 @@ fn remove_fields(folder: &Path) {
 /// The claims of a summary. A peak at a loaded edge has no limit, and is none where another stands in
 /// its place.
 fn readings(summary: &Summary) -> Vec<ClaimReading> {
-    let unresolved = summary.answer.unresolved();
-    let counts = |c: &&Figure| c.is_resolved() || unresolved.contains(c);
-    let claims = summary.answer.certificate.iter().filter(counts);
-    claims.filter_map(reading).collect()
+    let claims = &summary.answer.certificate;
+    let stand = claims.iter().filter(|claim| !is_replaced(claims, claim));
+    stand.filter_map(reading).collect()
 }
 
 fn reading(claim: &Figure) -> Option<ClaimReading> {

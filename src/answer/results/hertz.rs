@@ -5,7 +5,7 @@
 //! form turns it into the pressure.
 
 use super::circle::FittedCircle;
-use super::contact_lines::{ContactLine, across, contact_lines_by};
+use super::contact_lines::{ContactLine, across, contact_lines, contact_lines_by};
 use super::edges::LoadedEdges;
 use super::hex::{centre, diagonal, distance};
 use super::line_axis::line_axis;
@@ -80,31 +80,33 @@ impl HeaviestLine {
 
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
-        let among = |counts: &dyn Fn(&StripRow) -> bool, load: fn(&ContactLine) -> f64| {
-            Self::among(scene, state, pair, edges, (counts, load))
+        let axis = line_axis(scene, pair)?;
+        let heaviest = |lines: &[ContactLine], load: fn(&ContactLine) -> f64| {
+            Self::heaviest(scene, state, (pair, axis), edges, lines, load)
         };
-        let mut line = among(&|_| true, ContactLine::heaviest_load)?;
+        let all = contact_lines(scene, state, pair, axis);
+        let mut line = heaviest(&all, ContactLine::heaviest_load)?;
         if line.departs == Some(Departure::LoadedEdge) {
             let is_away = |row: &StripRow| !edges.are_near(&row.centre);
-            line.away = among(&is_away, ContactLine::heaviest_mean_load).map(Box::new);
+            let away = contact_lines_by(scene, state, pair, axis, &is_away);
+            line.away = heaviest(&away, ContactLine::heaviest_mean_load).map(Box::new);
         }
         Some(line)
     }
 
-    /// The same of the rows that count, by their load as it is to be read.
-    fn among(
+    /// That of some lines along `axis`, by their load as it is to be read.
+    fn heaviest(
         scene: &Scene,
         state: &State,
-        pair: usize,
+        (pair, axis): (usize, usize),
         edges: &LoadedEdges,
-        (counts, load): (&dyn Fn(&StripRow) -> bool, fn(&ContactLine) -> f64),
+        lines: &[ContactLine],
+        load: fn(&ContactLine) -> f64,
     ) -> Option<Self> {
-        let axis = line_axis(scene, pair)?;
-        let lines = contact_lines_by(scene, state, pair, axis, counts);
         let loaded = lines.iter().map(|line| (load(line), line));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let mirrored = across(scene, axis).is_some_and(|across| scene.mirrors.contains(&across));
-        let apart = distance_to_the_next(line, &lines, mirrored);
+        let apart = distance_to_the_next(line, lines, mirrored);
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
         let hertz = line_contact(scene, contact, (axis, row), line_load);

@@ -209,6 +209,14 @@ impl Answer {
         share(Quantity::HertzPressure).or_else(of_load)
     }
 
+    /// The figures that stand for themselves, and those in whose place others stand: see [`certify::is_replaced`].
+    pub fn standing(&self) -> (Vec<&Figure>, Vec<&Figure>) {
+        let claims = &self.certificate;
+        claims
+            .iter()
+            .partition(|claim| !certify::is_replaced(claims, claim))
+    }
+
     /// The figures of which nothing can be said, and that nothing is said in place of.
     pub fn unresolved(&self) -> Vec<&Figure> {
         unresolved(&self.certificate)

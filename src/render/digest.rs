@@ -6,7 +6,7 @@ use super::terminal::headline;
 use super::text::{list, percent, significant};
 use super::utilisation::{Utilisation, first_largest, largest, utilisations};
 use super::verdict::verdict;
-use crate::answer::certify::{Figure, Quantity, is_replaced};
+use crate::answer::certify::{Figure, Quantity};
 use std::fmt::Write;
 
 /// The digest of a run whose checks miss the limits `missed`, every line ended, in the units of the case.
@@ -84,26 +84,23 @@ fn load(summary: &Summary) -> String {
 
 /// The largest figure of a kind, or away from edges where that stands in its place; one that is resolved, where there is any.
 fn largest_of(summary: &Summary, what: Quantity) -> Option<&Figure> {
-    let claims = &summary.answer.certificate;
+    let (standing, _) = summary.answer.standing();
     let of_kind = |resolved: bool| {
-        let same = claims
-            .iter()
-            .filter(|f| f.what == what || Some(f.what) == what.away_from_edges());
-        let standing = same.filter(|f| !is_replaced(claims, f));
-        first_largest(standing.filter(|f| f.is_resolved() == resolved), |f| {
-            f.value
-        })
+        let same = |f: &Figure| f.what == what || Some(f.what) == what.away_from_edges();
+        let all = standing.iter().copied();
+        first_largest(
+            all.filter(|f| same(f) && f.is_resolved() == resolved),
+            |f| f.value,
+        )
     };
     of_kind(true).or_else(|| of_kind(false))
 }
 
 /// What edges and fillets make of that figure, where others stand in its place.
 fn at_edges(summary: &Summary, what: Quantity) -> String {
-    let claims = &summary.answer.certificate;
-    let replaced = claims
-        .iter()
-        .filter(|f| f.what == what && is_replaced(claims, f));
-    first_largest(replaced, |f| f.value).map_or_else(String::new, |figure| {
+    let (_, replaced) = summary.answer.standing();
+    let same = replaced.into_iter().filter(|f| f.what == what);
+    first_largest(same, |f| f.value).map_or_else(String::new, |figure| {
         let value = sized(summary, figure);
         format!("; {value} at an edge, NOT RESOLVED")
     })

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::text::percent;
 use crate::answer::Answer;
 use crate::answer::BodyFigures;
-use crate::answer::certify::{Figure, Quantity, is_replaced};
+use crate::answer::certify::{Figure, Quantity};
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -35,7 +35,7 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     for (names, text) in together(bodies.map(|(name, body)| (name.as_str(), of_body(body)))) {
         warn(format!("{}: {text}", names.join(", ")));
     }
-    for (names, text) in together(pressures_at_edges(&answer.certificate)) {
+    for (names, text) in together(pressures_at_edges(&answer.standing().1)) {
         warn(format!("{}: {text}", names.join(", ")));
     }
     if let Some(text) = of_unresolved(&answer.unresolved()) {
@@ -88,13 +88,14 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
 }
 
 /// Of every interface whose largest pressure is where the mesh does not resolve it, why.
-fn pressures_at_edges(claims: &[Figure]) -> impl Iterator<Item = (&str, Vec<String>)> {
-    let replaced =
-        |claim: &&Figure| claim.what == Quantity::PeakPressure && is_replaced(claims, claim);
-    claims.iter().filter(replaced).map(|claim| {
-        let why = claim.note.unwrap_or_default();
+fn pressures_at_edges<'a>(replaced: &[&'a Figure]) -> impl Iterator<Item = (&'a str, Vec<String>)> {
+    let pressures = replaced
+        .iter()
+        .filter(|claim| claim.what == Quantity::PeakPressure);
+    pressures.map(|claim| {
+        let (what, why) = (claim.what.name(), claim.note.unwrap_or_default());
         let text =
-            format!("the largest pressure is not resolved, that away from edges counts: {why}");
+            format!("{what} is not resolved, and that away from edges counts in its place: {why}");
         (claim.place.as_str(), vec![text])
     })
 }

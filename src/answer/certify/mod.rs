@@ -5,6 +5,7 @@
 //! ([`energy`]), from readings that tend to the same value (`mises`), and from how well the nodes
 //! resolve the pressure (`pressure`). A bar is meant to hold in 95 of 100 cases.
 
+mod contact;
 mod descent;
 pub mod energy;
 mod figure;
@@ -23,8 +24,8 @@ use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
+use contact::Contact;
 use increments::Memory;
-use pressure::Contact;
 use strip_below::StripBelow;
 
 pub use descent::{Contacts, Travel};

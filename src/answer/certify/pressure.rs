@@ -1,33 +1,24 @@
-//! Pressure and area of a contact interface.
+//! The largest pressure of a contact interface.
 //!
 //! Where contact is a line, the load per length is known better than anything else ([`super::line`]). If the strip is
 //! Hertz's, that load says how wide it is and how the pressure runs
 //! across; what the nodes make of such a profile can then be worked out for the very places where they
 //! stand, and what they read beyond that is an error that one sees.
 
-use super::figure::{Errors, Figure, Quantity, figure_of};
+use super::contact::{COARSE, Contact, FILLET};
+use super::figure::{Figure, Quantity};
 use super::line::{coarseness, load_error};
-use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
-use crate::answer::results::interface::Interface;
-use crate::answer::results::load::{cutting_pair, times};
 use crate::answer::results::strip_row::StripRow;
-use crate::ground::geometry::{norm, sub};
+use crate::ground::geometry::{add, norm, scale, sub};
 use crate::model::scene::Scene;
-use crate::model::state::{ContactField, State};
+use crate::model::state::ContactField;
 use std::collections::BTreeSet;
 use std::iter;
 
-pub(super) const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
-                      the mesh";
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
-pub(super) const FILLET: &str = "the facets are too long for a fillet under load: where it begins the pressure may have a higher \
-                      and narrow peak";
 const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
-
-/// Beyond this relative error a figure is not resolved.
-const WORTHLESS: f64 = 0.3;
 
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
@@ -44,64 +35,9 @@ const EVEN: f64 = 0.02;
 /// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
 /// the spacing over four half-widths.
 const SHAPELESS: f64 = 0.5;
-/// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
-const RIM: f64 = 0.27;
-
-/// What is known of an interface.
-pub(super) struct Contact<'a> {
-    pub scene: &'a Scene,
-    pub state: &'a State,
-    pub pair: usize,
-    pub interface: &'a Interface,
-    pub line: Option<&'a HeaviestLine>,
-    pub edges: &'a LoadedEdges,
-}
-
 impl Contact<'_> {
-    /// Peak pressure, Hertz's pressure, largest line load, half-width, area and length.
-    pub(super) fn claims(&self) -> Vec<Figure> {
-        let Some(field) = self.state.contacts.get(self.pair) else {
-            return Vec::new();
-        };
-        if self.interface.max_pressure <= 0.0 {
-            return Vec::new();
-        }
-        let mut claims = self.pressures(field);
-        claims.extend(self.line.into_iter().flat_map(|line| self.along(line)));
-        let copies = times(&cutting_pair(self.scene, self.pair));
-        let band = RIM * copies * rim(self.scene, field, self.pair);
-        let area = self.interface.area;
-        claims.push(self.claim(Quantity::ContactArea, area, Some(band / area), COARSE));
-        claims
-    }
-
-    /// With a relative error, where that says anything.
-    pub(super) fn claim(
-        &self,
-        what: Quantity,
-        value: f64,
-        error: Option<f64>,
-        why: &'static str,
-    ) -> Figure {
-        // The rim of an area is never known better than to an element.
-        let most = if what == Quantity::ContactArea {
-            0.5
-        } else {
-            WORTHLESS
-        };
-        let error = error.filter(|e| e.is_finite() && *e <= most);
-        Figure {
-            error: Errors {
-                discretisation: error.map(|e| e * value),
-                ..Errors::default()
-            },
-            note: error.is_none().then_some(why),
-            ..figure_of(what, &self.interface.name, value)
-        }
-    }
-
     /// The largest pressure; where an edge decides it, the largest away from edges, too.
-    fn pressures(&self, field: &ContactField) -> Vec<Figure> {
+    pub(super) fn pressures(&self, field: &ContactField) -> Vec<Figure> {
         let Some(top) = self.largest(field, |_| true) else {
             return Vec::new();
         };
@@ -122,6 +58,29 @@ impl Contact<'_> {
         let away = self.largest(field, |i| !self.is_near_edge(field, i));
         let away = away.map(|top| self.pressure(Quantity::PressureAway, field, top, line));
         iter::once(whole).chain(away).collect()
+    }
+
+    /// By how much the pressure rises, of itself, from a node to where a loaded edge beside it ceases to count, on the straight
+    /// line to the nodes that are near to that edge.
+    fn rise_to_edge(&self, field: &ContactField, top: usize) -> f64 {
+        const HALVINGS: i32 = 20;
+        let point = |i: usize| self.scene.mesh.points[field.nodes[i] as usize];
+        let from = point(top);
+        if self.edges.end_at(&from) {
+            return 0.0;
+        }
+        let near = beside(self.scene, field, self.pair, top).into_iter();
+        let near = near.filter(|i| self.is_near_edge(field, *i));
+        let rise = |i: usize| {
+            let towards = sub(point(i), from);
+            let is_near = |share: f64| self.edges.are_near(&add(from, scale(towards, share)));
+            let ceases = (1..=HALVINGS).fold(0.0, |far, k| {
+                let next = far + 0.5f64.powi(k);
+                if is_near(next) { far } else { next }
+            });
+            ceases * (field.pressure[i] / field.pressure[top] - 1.0)
+        };
+        near.map(rise).fold(0.0, f64::max)
     }
 
     /// The node with the largest pressure of those that press and count.
@@ -164,6 +123,7 @@ impl Contact<'_> {
                 }
                 _ => fall(),
             });
+        let error = error + self.rise_to_edge(field, top);
         self.claim(what, value, Some(error), COARSE)
     }
 
@@ -224,14 +184,25 @@ fn largest_mean(row: &StripRow, a: f64) -> f64 {
         .max(f64::MIN_POSITIVE)
 }
 
-/// By how much the pressure falls from a peak at `top` to the neighbours of that node, in the mean.
+/// By how much the pressures of the nodes beside `top` differ from its own, in the mean: what a peak falls by.
 fn fall(scene: &Scene, field: &ContactField, pair: usize, top: usize) -> f64 {
-    let Some(surface) = scene.carrier(pair) else {
+    if scene.carrier(pair).is_none() {
         return 1.0;
-    };
-    let node = field.nodes[top];
+    }
+    let beside = beside(scene, field, pair, top);
+    let off = |i: &usize| (1.0 - field.pressure[*i] / field.pressure[top]).abs();
+    beside.iter().map(off).sum::<f64>() / beside.len().max(1) as f64
+}
+
+/// The nodes that an edge of a face joins to `node`.
+fn beside(scene: &Scene, field: &ContactField, pair: usize, node: usize) -> Vec<usize> {
+    let node = field.nodes[node];
     let mut beside = BTreeSet::new();
-    for face in &surface.faces {
+    for face in scene
+        .carrier(pair)
+        .iter()
+        .flat_map(|surface| &surface.faces)
+    {
         for side in 0..4 {
             match [face.nodes[side], face.nodes[(side + 1) % 4]] {
                 [a, b] if a == node => beside.insert(b),
@@ -240,29 +211,6 @@ fn fall(scene: &Scene, field: &ContactField, pair: usize, top: usize) -> f64 {
             };
         }
     }
-    let values = beside
-        .iter()
-        .filter_map(|n| field.nodes.binary_search(n).ok());
-    let values: Vec<f64> = values.map(|i| field.pressure[i]).collect();
-    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
-    1.0 - mean / field.pressure[top]
-}
-
-/// Area of the nodes in contact next to one that is not, and of those, modelled part.
-fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
-    let Some(surface) = scene.carrier(pair) else {
-        return 0.0;
-    };
-    let index = |node: u32| field.nodes.binary_search(&node).ok();
-    let mut rim = BTreeSet::new();
-    for face in &surface.faces {
-        for side in 0..4 {
-            let ends = [face.nodes[side], face.nodes[(side + 1) % 4]].map(index);
-            let [Some(a), Some(b)] = ends else { continue };
-            if field.is_active(a) != field.is_active(b) {
-                rim.extend([a, b]);
-            }
-        }
-    }
-    rim.iter().map(|i| field.area[*i]).sum()
+    let index = |n: &u32| field.nodes.binary_search(n).ok();
+    beside.iter().filter_map(index).collect()
 }

@@ -9,7 +9,7 @@ use crate::case::bearing::RollerEnd;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::Block;
-use crate::model::scene::Scene;
+use crate::model::scene::{EDGE_REACH, Scene};
 use crate::proof::closed_forms::rounded_punch::RoundedPunch;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -33,7 +33,10 @@ const MESHES: [(f64, bool); 4] = [(0.02, false), (0.01, false), (0.005, false), 
 pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let compliance = (1.0 - POISSON.powi(2)) / YOUNG;
     let load = 2.0 * (FLAT + RADIUS) * STRAIN / compliance;
-    let (_, peak) = RoundedPunch::new(load, FLAT, RADIUS, compliance)?.peak_pressure();
+    let punch = RoundedPunch::new(load, FLAT, RADIUS, compliance)?;
+    let (_, peak) = punch.peak_pressure();
+    // Nothing is away from the edges but what is as far from where they begin as they reach.
+    let away = punch.pressure(FLAT - EDGE_REACH * 2.0 * (FLAT + RADIUS));
     let mut claims = Vec::new();
     for (facet, expected) in MESHES {
         let run = pressed(load, facet)?;
@@ -49,7 +52,10 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
             .from("Ciavarella, Hills and Monno 1998")
             .because("facets show what is wider than they are");
         claims.push(run.claim(claim));
-        let known = [(Quantity::PeakPressure, "contact", peak)];
+        let known = [
+            (Quantity::PeakPressure, "contact", peak),
+            (Quantity::PressureAway, "contact", away),
+        ];
         claims.extend(judged(&problem, &run, &certificate, &known));
     }
     Ok(claims)

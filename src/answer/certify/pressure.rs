@@ -1,9 +1,8 @@
 //! The largest pressure of a contact interface.
 //!
 //! Where contact is a line, the load per length is known better than anything else ([`super::line`]). If the strip is
-//! Hertz's, that load says how wide it is and how the pressure runs
-//! across; what the nodes make of such a profile can then be worked out for the very places where they
-//! stand, and what they read beyond that is an error that one sees.
+//! Hertz's, that load says how wide it is and how the pressure runs across; what the nodes make of such a profile can
+//! then be worked out for the very places where they stand, and what they read beyond that is an error that one sees.
 
 use super::contact::{COARSE, Contact, FILLET};
 use super::figure::{Figure, Quantity};
@@ -35,6 +34,7 @@ const EVEN: f64 = 0.02;
 /// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
 /// the spacing over four half-widths.
 const SHAPELESS: f64 = 0.5;
+
 impl Contact<'_> {
     /// The largest pressure; where an edge decides it, the largest away from edges, too.
     pub(super) fn pressures(&self, field: &ContactField) -> Vec<Figure> {
@@ -54,7 +54,7 @@ impl Contact<'_> {
             at_edge,
             ..self.claim(Quantity::PeakPressure, value, None, why)
         };
-        let line = self.line.and_then(HeaviestLine::away);
+        let line = self.line.map(|line| line.away().unwrap_or(line));
         let away = self.largest(field, |i| !self.is_near_edge(field, i));
         let away = away.map(|top| self.pressure(Quantity::PressureAway, field, top, line));
         iter::once(whole).chain(away).collect()
@@ -123,7 +123,9 @@ impl Contact<'_> {
                 }
                 _ => fall(),
             });
-        let error = error + self.rise_to_edge(field, top);
+        // Where loads alternate from row to row, so do pressures.
+        let alternates = line.map_or(0.0, |line| line.alternates);
+        let error = error + self.rise_to_edge(field, top) + alternates;
         self.claim(what, value, Some(error), COARSE)
     }
 

@@ -99,7 +99,8 @@ pub fn criteria(records: &[ClaimRecord]) -> Vec<CoverageCriterion> {
         };
         records.iter().filter(of).filter(has).count()
     };
-    let interfaces = lines("peak_pressure");
+    // Every interface in contact has an area.
+    let interfaces = lines("contact_area");
     let claimed = (interfaces > 0).then(|| lines("hertz_pressure") as f64 / interfaces as f64);
     list.push(least(
         "of the elastic lines that neither merge nor carry at an edge have hertz_p0",

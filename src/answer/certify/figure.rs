@@ -135,8 +135,6 @@ pub enum Quantity {
     LineLoadAway,
     /// Half-width of the strip, or of the most heavily loaded line of contact.
     HalfWidth,
-    /// The same where the line carries most away from such a fillet.
-    HalfWidthAway,
     /// Area of a contact, of the whole.
     ContactArea,
     /// Length in contact of the most heavily loaded line.
@@ -188,7 +186,6 @@ impl Quantity {
             Self::ElasticPeakMises => Some(Self::ElasticMisesAway),
             Self::PeakPressure => Some(Self::PressureAway),
             Self::LineLoad => Some(Self::LineLoadAway),
-            Self::HalfWidth => Some(Self::HalfWidthAway),
             _ => None,
         }
     }
@@ -208,7 +205,6 @@ impl Quantity {
             Self::LineLoad => "largest line load",
             Self::LineLoadAway => "line load away from edges",
             Self::HalfWidth => "half-width",
-            Self::HalfWidthAway => "half-width away from edges",
             Self::ContactArea => "contact area",
             Self::ContactLength => "length in contact",
             Self::Eccentricity => "eccentricity",
@@ -223,7 +219,6 @@ impl Quantity {
         match self {
             Self::Descent
             | Self::HalfWidth
-            | Self::HalfWidthAway
             | Self::ContactLength
             | Self::Eccentricity
             | Self::Dent => Measure::Length,

@@ -40,13 +40,12 @@ impl Contact<'_> {
     pub(super) fn along(&self, line: &HeaviestLine) -> Vec<Figure> {
         let mut claims = vec![
             self.line_load(Quantity::LineLoad, line),
-            self.half_width(Quantity::HalfWidth, line),
+            self.half_width(line),
             self.length(line),
         ];
         claims.extend(self.hertz_pressure(line));
         if let Some(away) = line.away().filter(|_| self.hides_load(line)) {
             claims.push(self.line_load(Quantity::LineLoadAway, away));
-            claims.push(self.half_width(Quantity::HalfWidthAway, away));
         }
         claims
     }
@@ -80,7 +79,7 @@ impl Contact<'_> {
         ))
     }
 
-    fn half_width(&self, what: Quantity, line: &HeaviestLine) -> Figure {
+    fn half_width(&self, line: &HeaviestLine) -> Figure {
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
@@ -93,7 +92,7 @@ impl Contact<'_> {
             (Some(_), Some(Departure::Width)) => None,
             _ => Some(0.5 * edge * edge + load_error(line)),
         };
-        self.claim(what, a, error, MERGED)
+        self.claim(Quantity::HalfWidth, a, error, MERGED)
     }
 
     /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.

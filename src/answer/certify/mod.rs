@@ -147,7 +147,6 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
         | Quantity::PeakPressure
         | Quantity::PressureAway => Some(stress),
         Quantity::HalfWidth
-        | Quantity::HalfWidthAway
         | Quantity::ContactArea
         | Quantity::ContactLength
         | Quantity::Eccentricity

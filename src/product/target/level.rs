@@ -227,7 +227,7 @@ fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure
         Goal::HertzPressure => largest(among(&[Quantity::HertzPressure])),
         Goal::LineLoad => largest(among(&[Quantity::LineLoad, Quantity::LineLoadAway])),
         Goal::Bore => largest(among(&[Quantity::BoreMises])),
-        Goal::HalfWidth => largest(among(&[Quantity::HalfWidth, Quantity::HalfWidthAway])),
+        Goal::HalfWidth => largest(among(&[Quantity::HalfWidth])),
         Goal::Area => largest(among(&[Quantity::ContactArea])),
         Goal::Descent => largest(among(&[Quantity::Descent])),
     }

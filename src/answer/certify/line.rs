@@ -21,7 +21,7 @@ const LINE_LOAD: f64 = 0.014;
 const UNSEEN: f64 = 0.025;
 /// Spacing over half-width up to which that is nothing.
 const WELL: f64 = 0.67;
-/// Beside a loaded edge, in addition.
+/// Beside a loaded edge, and next to what belongs to it, in addition.
 const BESIDE_EDGE: f64 = 0.02;
 /// Share of the kink at the peak of a line load that is its error,
 const KINK: f64 = 0.2;
@@ -57,10 +57,16 @@ impl Contact<'_> {
 
     fn line_load(&self, what: Quantity, line: &HeaviestLine) -> Figure {
         let at_edge = line.departs == Some(Departure::LoadedEdge);
+        // The row that carries most away from an edge is next to it.
+        let beside = if what == Quantity::LineLoadAway {
+            BESIDE_EDGE
+        } else {
+            0.0
+        };
         let (error, why) = match line.departs {
             Some(Departure::Width) => (None, MERGED),
             _ if self.hides_load(line) => (None, FILLET),
-            _ => (Some(load_error(line)), COARSE),
+            _ => (Some(load_error(line) + beside), COARSE),
         };
         Figure {
             at_edge,

@@ -260,8 +260,7 @@ const FLOW_BEGINS: f64 = 1.4;
 
 /// Mean pressure of the heaviest row of a line.
 fn mean_pressure(line: &ContactLine) -> f64 {
-    line.peak()
-        .map_or(0.0, |(load, ..)| load / (2.0 * line.heaviest.half_width))
+    line.heaviest_load() / (2.0 * line.heaviest.half_width)
 }
 
 /// Has either body yielded within three half-widths of the middle of the strip?

@@ -27,16 +27,38 @@ impl CoverageCriterion {
     }
 }
 
-/// Accuracy on `auto`: figure, elastic only, middle of the errors, nine of ten.
-type Accuracy = (&'static str, bool, Option<f64>, Option<f64>);
+/// What is asked of errors on `auto`.
+struct Accuracy {
+    /// Figures that say the same: where no edge decides a peak, the peak itself is away from edges.
+    figures: &'static [&'static str],
+    elastic_only: bool,
+    middle: Option<f64>,
+    nine_of_ten: Option<f64>,
+}
+
+const fn asked(
+    figures: &'static [&'static str],
+    middle: Option<f64>,
+    nine_of_ten: Option<f64>,
+) -> Accuracy {
+    Accuracy {
+        figures,
+        elastic_only: false,
+        middle,
+        nine_of_ten,
+    }
+}
 
 const ACCURACY: [Accuracy; 6] = [
-    ("peak_pressure", false, Some(0.02), Some(0.05)),
-    ("hertz_pressure", false, None, Some(0.02)),
-    ("mises_away", true, Some(0.025), Some(0.07)),
-    ("line_load", false, Some(0.01), None),
-    ("bore_mises", false, Some(0.025), None),
-    ("descent", false, Some(0.025), None),
+    asked(&["peak_pressure", "pressure_away"], Some(0.02), Some(0.05)),
+    asked(&["hertz_pressure"], None, Some(0.02)),
+    Accuracy {
+        elastic_only: true,
+        ..asked(&["mises_away", "peak_mises"], Some(0.025), Some(0.07))
+    },
+    asked(&["line_load", "line_load_away"], Some(0.01), None),
+    asked(&["bore_mises"], Some(0.025), None),
+    asked(&["descent"], Some(0.025), None),
 ];
 
 /// Kinds and presets in the order in which they come.
@@ -107,22 +129,20 @@ pub fn criteria(records: &[ClaimRecord]) -> Vec<CoverageCriterion> {
         0.8,
         claimed,
     ));
-    for (what, elastic, middle, most_of) in ACCURACY {
+    for asked in ACCURACY {
         let of = |r: &&ClaimRecord| {
-            let kind = match what {
-                // Where no edge is loaded the peak itself is away from edges.
-                "mises_away" => ["mises_away", "peak_mises"].contains(&r.reading.what.as_str()),
-                _ => r.reading.what == what,
-            };
-            r.preset == "auto" && kind && (r.elastic || !elastic) && r.reading.bar.is_some()
+            let kind = asked.figures.contains(&r.reading.what.as_str());
+            let steel = r.elastic || !asked.elastic_only;
+            r.preset == "auto" && kind && steel && r.reading.bar.is_some()
         };
         for (share, name, limit) in [
-            (0.5, "in the middle", middle),
-            (0.9, "nine of ten", most_of),
+            (0.5, "in the middle", asked.middle),
+            (0.9, "nine of ten", asked.nine_of_ten),
         ] {
             let Some(limit) = limit else { continue };
             let errors = records.iter().filter(of).filter_map(|r| error(r, limit));
             let found = quantile(errors.collect(), share);
+            let what = asked.figures[0];
             list.push(most(format!("auto: error of {what}, {name}"), limit, found));
         }
     }

@@ -129,7 +129,8 @@ pub fn measure(
 }
 
 /// The true value of what `reading` is about. Elastic peaks of a run that yields are those of the twin;
-/// where no peak is at a loaded edge, that away from edges is the peak.
+/// where no Mises peak is at a loaded edge, that away from edges is the peak. Of pressures that would be another
+/// figure: fine meshes may show a peak at a fillet that coarse ones leave out.
 fn truth(
     reading: &ClaimReading,
     elastic: bool,

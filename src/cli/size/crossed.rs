@@ -1,16 +1,15 @@
 //! `brinell size` of two crossed rollers.
 
 use super::args::{RuleName, SizeArgs, names, read, read_one};
+use super::verdict;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::failure::failure;
 use crate::cli::output::say;
 use crate::cli::status::{CommandResult, ExitStatus};
 use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
-use crate::product::converge::ConvergeError;
 use crate::product::size::{
-    DesignVerdict, Proposal, Request, Setting, SizeError, SizingRule, Verification, render_verdict,
-    table, verify, write,
+    DesignVerdict, Proposal, Request, Setting, SizeError, SizingRule, render_verdict, table,
+    verify, write,
 };
 use std::path::{Path, PathBuf};
 
@@ -35,16 +34,10 @@ pub fn run(args: &SizeArgs) -> CommandResult {
         if !args.quiet && design == 1 {
             say(&format!("\n{LEGEND}\n"));
         }
-        let verdict = match verify(&proposal, choice, &folder, &mut console) {
-            Ok(Verification::Done(verdict)) => verdict,
-            Ok(Verification::Interrupted) => {
-                console.finish();
-                return Ok(ExitStatus::Interrupted);
-            }
-            Err(SizeError::Job(error)) => return Err(failure(&console, ConvergeError::Job(error))),
-            Err(error) => return Err(bad(error)),
+        let verification = verify(&proposal, choice, &folder, &mut console);
+        let Some(verdict) = verdict(verification, &mut console)? else {
+            return Ok(ExitStatus::Interrupted);
         };
-        console.finish();
         told(&verdict, &folder);
         if verdict.met {
             return Ok(ExitStatus::Done);

@@ -1,16 +1,14 @@
 //! `brinell size --template line`: parallel rollers.
 
 use super::args::{SizeArgs, names, read, read_one};
+use super::verdict;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::failure::failure;
 use crate::cli::output::say;
 use crate::cli::status::{CommandResult, ExitStatus};
 use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
-use crate::product::converge::ConvergeError;
 use crate::product::size::{
-    LineProposal, LineRequest, LineVerification, Setting, SizeError, render_line, verify_line,
-    write_line,
+    LineProposal, LineRequest, Setting, SizeError, render_line, verify_line, write_line,
 };
 
 /// Carries out the command.
@@ -34,16 +32,10 @@ pub fn run(args: &SizeArgs) -> CommandResult {
         if !args.quiet && design == 1 {
             say(&format!("\n{LEGEND}\n"));
         }
-        let verdict = match verify_line(&proposal, choice, &folder, &mut console) {
-            Ok(LineVerification::Done(verdict)) => verdict,
-            Ok(LineVerification::Interrupted) => {
-                console.finish();
-                return Ok(ExitStatus::Interrupted);
-            }
-            Err(SizeError::Job(error)) => return Err(failure(&console, ConvergeError::Job(error))),
-            Err(error) => return Err(bad(error)),
+        let verification = verify_line(&proposal, choice, &folder, &mut console);
+        let Some(verdict) = verdict(verification, &mut console)? else {
+            return Ok(ExitStatus::Interrupted);
         };
-        console.finish();
         say(&format!("\n{}", verdict.render()));
         let files = ["verdict.json", "verdict.md", "line/report.html"];
         say(&format!(

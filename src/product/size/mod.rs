@@ -22,8 +22,7 @@ pub use candidate::{Candidate, Lengths, PressureSpread, STOUT};
 pub use case_file::{Position, case_file};
 pub use error::SizeError;
 pub use line::{
-    LineCandidate, LineProposal, LineRequest, LineVerdict, LineVerification, render_line,
-    verify_line, write_line,
+    LineCandidate, LineProposal, LineRequest, LineVerdict, render_line, verify_line, write_line,
 };
 pub use practical::{diameters, rounded_up};
 pub use proposal::Proposal;

@@ -17,8 +17,9 @@ use std::path::{Path, PathBuf};
 
 /// How a verification ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verification {
-    Done(Box<DesignVerdict>),
+pub enum Verification<Verdict> {
+    Done(Box<Verdict>),
+    /// It was stopped, and goes on when it is given again.
     Interrupted,
 }
 
@@ -65,7 +66,7 @@ pub fn verify(
     candidate: &Candidate,
     folder: &Path,
     observer: &mut dyn Observer,
-) -> Result<Verification, SizeError> {
+) -> Result<Verification<DesignVerdict>, SizeError> {
     let mut positions = Vec::new();
     let mut done = Vec::new();
     for position in Position::of(proposal.request.capacity) {

@@ -14,4 +14,4 @@ pub use candidate::LineCandidate;
 pub use proposal::LineProposal;
 pub use request::LineRequest;
 pub use table::render as render_line;
-pub use verify::{LineVerdict, LineVerification, verify as verify_line, write as write_line};
+pub use verify::{LineVerdict, verify as verify_line, write as write_line};

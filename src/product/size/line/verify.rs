@@ -11,7 +11,7 @@ use crate::product::size::SizeError;
 use crate::product::size::verdict::{
     Checked, Design, Placed, page, render_checked, short_by_at_most,
 };
-use crate::product::size::verify::solved;
+use crate::product::size::verify::{Verification, solved};
 use crate::solver::solve::Observer;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -20,15 +20,6 @@ use std::path::{Path, PathBuf};
 const NAME: &str = "line";
 /// The margin beyond what is missed, so that the next try does not miss by a hair.
 const MARGIN_ON_ADVICE: f64 = 1.05;
-
-/// How a verification ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum LineVerification {
-    /// With a verdict.
-    Done(Box<LineVerdict>),
-    /// It was stopped, and goes on when it is given again.
-    Interrupted,
-}
 
 /// The verdict on parallel rollers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -113,13 +104,13 @@ pub fn verify(
     candidate: &LineCandidate,
     folder: &Path,
     observer: &mut dyn Observer,
-) -> Result<LineVerification, SizeError> {
+) -> Result<Verification<LineVerdict>, SizeError> {
     let request = &proposal.request;
     let case = case::read(&folder.join(format!("{NAME}.toml")))?;
     observer.message(&format!("{NAME}: {}", case.title));
     let outcome = solved(&case, &folder.join(NAME), observer)?;
     if outcome.interrupted {
-        return Ok(LineVerification::Interrupted);
+        return Ok(Verification::Interrupted);
     }
     let limits = crate::product::size::verdict::Limits {
         pressure: request.limit.value * request.yield_stress,
@@ -149,5 +140,5 @@ pub fn verify(
     write_atomically(&folder.join("verdict.md"), |out| {
         out.write_all(verdict.page().as_bytes())
     })?;
-    Ok(LineVerification::Done(Box::new(verdict)))
+    Ok(Verification::Done(Box::new(verdict)))
 }

@@ -1,11 +1,10 @@
-//! The curved-beam (Winkler) formula for a ring under two opposed radial loads, and how far it
-//! is off the exact solution.
+//! The curved-beam (Winkler) formula for a ring under two opposed radial loads.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use super::elastic::Elastic;
 use super::error::{self, DomainError};
-use super::ring::{PlaneState, Ring, RingLoad};
+use super::ring::PlaneState;
 
 /// What the handbook formula gives for a ring of rectangular cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +35,7 @@ impl CurvedBeam {
     /// ```
     /// Roark, *Formulas for Stress and Strain*, 7th ed., table 9.2 case 1, thick ring (shear
     /// factor 1.2). For t/D = 0.25 it is 10 % high in the stress under the load and 11 % high in
-    /// the deflection along it; the error falls with the wall, see [`BeamAgainstRing`].
+    /// the deflection along it; the error falls with the wall.
     ///
     /// # Errors
     /// [`DomainError::OutOfRange`] for P or r_i not positive, or r_o not above r_i.
@@ -84,83 +83,4 @@ fn eccentricity(ri: f64, ro: f64) -> f64 {
     let x = ratio * ratio;
     let excess = x * (1.0 / 3.0 + x * (1.0 / 5.0 + x * (1.0 / 7.0 + x * (1.0 / 9.0 + x / 11.0))));
     mean * excess / (1.0 + excess)
-}
-
-/// A quantity of the ring: exact, by the curved beam, and the relative error of the latter.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeamAgainstRing {
-    /// By the exact solution of the ring.
-    pub exact: f64,
-    /// By the curved-beam formula.
-    pub curved_beam: f64,
-    /// Of the formula, relative to the exact one.
-    pub error: f64,
-}
-
-impl BeamAgainstRing {
-    fn new(exact: f64, curved_beam: f64) -> Self {
-        Self {
-            exact,
-            curved_beam,
-            error: curved_beam / exact - 1.0,
-        }
-    }
-}
-
-/// The quantities of [`CurvedBeam`], each beside the exact value of [`Ring`] under point loads
-/// (the diameters at mid-wall).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Comparisons {
-    /// Hoop stress on the inner wall under the load.
-    pub inner_under_load: BeamAgainstRing,
-    /// Hoop stress on the inner wall at 90 degrees.
-    pub inner_at_side: BeamAgainstRing,
-    /// Hoop stress on the outer wall at 90 degrees.
-    pub outer_at_side: BeamAgainstRing,
-    /// Change of the diameter along the load.
-    pub diameter_along: BeamAgainstRing,
-    /// Change of the diameter across the load.
-    pub diameter_across: BeamAgainstRing,
-}
-
-impl Comparisons {
-    /// Ring of the radii r_i < r_o under the load P per length.
-    ///
-    /// # Errors
-    /// As [`Ring::new`].
-    pub fn new(
-        inner_radius: f64,
-        outer_radius: f64,
-        load_per_length: f64,
-        body: Elastic,
-        plane: PlaneState,
-    ) -> Result<Self, DomainError> {
-        let beam = CurvedBeam::new(inner_radius, outer_radius, load_per_length, body, plane)?;
-        let exact = Ring::new(
-            inner_radius,
-            outer_radius,
-            load_per_length,
-            body,
-            plane,
-            RingLoad::Point,
-        )?;
-        let middle = 0.5 * (inner_radius + outer_radius);
-        let bore = |theta| exact.bore_stress(theta).map(|s| s.hoop);
-        Ok(Self {
-            inner_under_load: BeamAgainstRing::new(bore(0.0)?, beam.inner_under_load),
-            inner_at_side: BeamAgainstRing::new(bore(FRAC_PI_2)?, beam.inner_at_side),
-            outer_at_side: BeamAgainstRing::new(
-                exact.stress(outer_radius, FRAC_PI_2)?.hoop,
-                beam.outer_at_side,
-            ),
-            diameter_along: BeamAgainstRing::new(
-                exact.diameter_change(middle, 0.0)?,
-                beam.diameter_along,
-            ),
-            diameter_across: BeamAgainstRing::new(
-                exact.diameter_change(middle, FRAC_PI_2)?,
-                beam.diameter_across,
-            ),
-        })
-    }
 }

@@ -25,7 +25,7 @@
 pub mod curved_beam;
 pub mod displaced;
 pub mod elastic;
-pub mod elliptic_integrals;
+mod elliptic_integrals;
 pub mod error;
 pub mod handbook;
 pub mod hertz;

@@ -39,7 +39,7 @@ pub struct RollerFigures {
     pub bore_mises: Option<f64>,
     /// Where that is, undeformed.
     pub bore_mises_at: Option<[f64; 3]>,
-    /// The same from nodal averages.
+    /// Largest nodal average on the whole inner wall.
     pub bore_mises_nodal: Option<f64>,
     /// Where that is, undeformed.
     pub bore_mises_nodal_at: Option<[f64; 3]>,

@@ -2,10 +2,8 @@
 
 use crate::answer::certify::Figure;
 use crate::answer::results::bore::Bore;
-use crate::answer::results::line_load::Slices;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
-use crate::answer::results::strip::Strip;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 
@@ -35,9 +33,6 @@ pub struct AnswerInputs<'a> {
     pub doubled: &'a [State],
     /// Did the solution reach the end of the last step?
     pub converged: bool,
-    /// What to measure at each interface, in the order of the pairs; line load in ten equal
-    /// slices where the list is shorter.
-    pub measures: &'a [InterfaceReadings],
     /// The inner walls of hollow rollers.
     pub bores: &'a [Bore],
     /// Share of the load that stabilisation carries, which only the solver knows.
@@ -59,18 +54,8 @@ impl<'a> AnswerInputs<'a> {
             elastic_claims: &[],
             doubled: &[],
             converged: true,
-            measures: &[],
             bores: &[],
             stabilisation_share: None,
         }
     }
-}
-
-/// What to measure at an interface beyond its scalars.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct InterfaceReadings {
-    /// Slices of the line load.
-    pub slices: Option<Slices>,
-    /// The strip whose half-width is wanted.
-    pub strip: Option<Strip>,
 }

@@ -7,7 +7,6 @@ use crate::answer::results::contact_lines::{ContactLine, contact_lines};
 use crate::answer::results::hertz::{HeaviestLine, line_contact};
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
-use crate::answer::results::strip::half_width;
 use crate::model::scene::Scene;
 use serde::Serialize;
 
@@ -49,7 +48,7 @@ pub struct InterfaceFigures {
     pub penetration_per_element: Option<f64>,
     /// Area in contact.
     pub area: f64,
-    /// Half-width of the strip that was asked for.
+    /// Half-width of the line that carries most, where its load per length is largest.
     pub half_width: Option<f64>,
     /// Not measured without friction.
     pub max_slip: Option<f64>,
@@ -100,6 +99,9 @@ pub struct LineFigures {
     pub relative_radius: Option<f64>,
 }
 
+/// Equal parts of a line along which its load is told.
+const SLICES: usize = 10;
+
 /// The figures of every interface; `measured` and `lines` are in the order of the contact pairs.
 pub fn all(
     solved: &AnswerInputs,
@@ -120,12 +122,7 @@ fn interface(
     (measured, heaviest): (&Interface, Option<&HeaviestLine>),
 ) -> InterfaceFigures {
     let (scene, state) = (solved.scene, solved.state);
-    let asked = solved.measures.get(pair);
-    let slices = match asked {
-        Some(measure) => measure.slices.clone(),
-        None => Slices::equal(scene, pair, 10),
-    };
-    let strip = asked.and_then(|measure| measure.strip);
+    let slices = Slices::equal(scene, pair, SLICES);
     let axis = slices.as_ref().map(|s| s.axis);
     let lines = axis.into_iter().flat_map(|axis| {
         let lines = contact_lines(scene, state, pair, axis).into_iter();
@@ -144,14 +141,7 @@ fn interface(
             .face_side
             .map(|side| measured.max_penetration / side),
         area: measured.area,
-        half_width: strip.and_then(|strip| {
-            half_width(
-                &scene.mesh,
-                scene.carrier(pair)?,
-                &state.contacts[pair],
-                &strip,
-            )
-        }),
+        half_width: heaviest.map(|h| h.line.heaviest.half_width),
         max_slip: (scene.contacts[pair].friction > 0.0).then_some(measured.max_slip),
         status_counts: measured.status_counts,
         q: slices

@@ -23,7 +23,7 @@ mod unloaded;
 
 pub use body::{BodyFigures, RollerFigures};
 pub use checks::{BalanceFigures, Checks};
-pub use inputs::{AnswerInputs, InterfaceReadings};
+pub use inputs::AnswerInputs;
 pub use interface::{InterfaceFigures, LineFigures, LineLoadFigures};
 pub use load_line::LoadPoint;
 pub use named::{Named, Three};
@@ -106,6 +106,7 @@ impl Answer {
     pub fn of(solved: &AnswerInputs) -> Result<Self, Misfit> {
         let scene = solved.scene;
         let more = solved.unloaded.into_iter().chain(solved.steps);
+        let more = more.chain(solved.doubled);
         let mut states = [solved.state].into_iter().chain(more);
         states.try_for_each(|state| state.check(scene))?;
         Ok(Self::gather(solved))

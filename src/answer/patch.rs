@@ -2,7 +2,9 @@
 
 use crate::analytic::hertz::EllipticContact;
 use crate::analytic::subsurface::EllipseField;
+use crate::answer::results::hertz::flows_below;
 use crate::answer::results::interface::Interface;
+use crate::answer::results::load::{cutting_pair, times};
 use crate::ground::geometry::dot;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::scene::{Partner, Scene};
@@ -56,23 +58,22 @@ impl PatchFigures {
         if curvatures[0] <= FLAT * curvatures[1] {
             return None;
         }
-        // The modelled part of a patch that a mirror cuts has its centre within half a semi-axis of the mirror.
-        let reach = (measured.area / std::f64::consts::PI).sqrt();
-        let whole = |axis: &&usize| at[**axis].abs() > 0.6 * reach;
-        let images = 1 << scene.mirrors.iter().filter(whole).count();
-        let force = measured.pressure_integral / f64::from(images);
+        // What is measured is of all that mirrors through the bodies make of the pair; one patch is what those through it make.
+        let cut = mirrors_through(scene, field);
+        let images = 1 << (scene.mirrors.len() - cut.len());
+        let one = times(&cut) / times(&cutting_pair(scene, pair));
+        let [force, area] = [measured.pressure_integral, measured.area].map(|all| one * all);
         let compliance = scene.compliance(contact).ok()?;
         let hertz = EllipticContact::new(force, curvatures.map(|k| 0.5 * k), compliance).ok()?;
         let [a, b] = hertz.semi_axes;
         let radii = sides.iter().filter_map(Shape::radius);
         let radius = radii.fold(f64::INFINITY, f64::min);
-        let ellipse = f64::from(images) * std::f64::consts::PI * a * b;
+        let ellipse = std::f64::consts::PI * a * b;
         let bodies = [&contact.upper, &contact.lower].map(|side| side.body(&scene.mesh));
-        let flows = |body: Option<usize>| body.is_some_and(|body| has_yielded(scene, state, body));
         let departs = match () {
-            () if bodies.into_iter().any(flows) => Some(FLOWS),
+            () if flows_below(scene, state, contact, (at, a)) => Some(FLOWS),
             () if b > SMALL * radius => Some(LARGE),
-            () if (measured.area / ellipse - 1.0).abs() > SHARE => Some(AREA),
+            () if (area / ellipse - 1.0).abs() > SHARE => Some(AREA),
             () => None,
         };
         let mises = |body: Option<usize>| {
@@ -82,7 +83,7 @@ impl PatchFigures {
         };
         Some(Self {
             at,
-            images: images as usize,
+            images,
             force,
             relative_radii: curvatures.map(f64::recip),
             semi_axes: hertz.semi_axes,
@@ -105,6 +106,20 @@ fn shape(scene: &Scene, side: &Partner) -> Option<Shape> {
             shape => Some(shape),
         },
     }
+}
+
+/// The mirrors that cut the patch: nodes that press lie on them.
+fn mirrors_through(scene: &Scene, field: &ContactField) -> Vec<usize> {
+    let active = (0..field.nodes.len()).filter(|i| field.is_active(*i));
+    let points: Vec<_> = active
+        .map(|i| scene.mesh.points[field.nodes[i] as usize])
+        .collect();
+    let cuts = |axis: &usize| {
+        points
+            .iter()
+            .any(|at| scene.mirrors_through(at).any(|a| a == *axis))
+    };
+    scene.mirrors.iter().copied().filter(cuts).collect()
 }
 
 /// Centre of the forces on the modelled part; `None` where nothing presses.
@@ -153,12 +168,6 @@ fn curvature(shape: &Shape, tangents: [[f64; 3]; 2]) -> Matrix2<f64> {
         }
         Shape::Plane { .. } | Shape::Facets => Matrix2::zeros(),
     }
-}
-
-fn has_yielded(scene: &Scene, state: &State, body: usize) -> bool {
-    let body = scene.mesh.bodies.get(body);
-    let mut elements = body.into_iter().flat_map(|body| body.elements.clone());
-    elements.any(|e| state.peeq_of(e).iter().any(|p| *p > 0.0))
 }
 
 #[cfg(test)]

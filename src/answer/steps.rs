@@ -19,7 +19,7 @@ use std::borrow::Cow;
 pub struct StepFigures {
     /// Its name.
     pub name: String,
-    /// What every support, rigid plane and traction is multiplied with, by name.
+    /// What every support, rigid plane, traction and temperature is multiplied with, by name.
     pub factors: Named<f64>,
     /// The load that acts on the whole, as a vector, and its size.
     pub force: [f64; 3],

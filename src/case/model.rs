@@ -87,7 +87,7 @@ impl Model {
         })
     }
 
-    /// Half of a model lies on one side of its symmetry plane.
+    /// Half of a model lies on the positive side of its symmetry plane.
     fn check_mirrors(&self, mesh: &Mesh) -> Result<(), CaseError> {
         for axis in &self.mirrors {
             let coordinates = mesh.points.iter().map(|point| point[*axis]);
@@ -95,14 +95,20 @@ impl Model {
                 (l.min(c), h.max(c))
             });
             let tolerance = 1e-6 * (high - low);
-            if low < -tolerance && high > tolerance {
+            if low < -tolerance {
                 let axis = ["x", "y", "z"].get(*axis).copied().unwrap_or_default();
+                let (where_it_is, help) = if high > tolerance {
+                    let help = format!("drop \"{axis}\" from `symmetry`, or mesh one half");
+                    ("on both sides", help)
+                } else {
+                    let help = format!("mesh the half of the model where {axis} is positive");
+                    ("on the negative side", help)
+                };
                 let message = format!(
-                    "the mesh {} lies on both sides of {axis} = 0 (from {low} to {high}), so it \
+                    "the mesh {} lies {where_it_is} of {axis} = 0 (from {low} to {high}), so it \
                      cannot be half of a symmetric model",
                     mesh.source
                 );
-                let help = format!("drop \"{axis}\" from `symmetry`, or mesh one half");
                 return Err(CaseError::new(ErrorKind::Mesh, message).help(help));
             }
         }

@@ -1,10 +1,9 @@
 use crate::block::{close, fill_stress, pressed, stack};
 use brinell::answer::results::bore::Bore;
 use brinell::answer::results::edges::LoadedEdges;
-use brinell::answer::results::line_load::Slices;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
-use brinell::answer::{Answer, AnswerInputs, InterfaceReadings, Named};
+use brinell::answer::{Answer, AnswerInputs, Named};
 use brinell::ground::units::UnitLabels;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
@@ -32,18 +31,10 @@ pub fn summarise(scene: &Scene, state: &State) -> Summary {
     for plane in &mut steps[0].planes {
         plane.travel = plane.travel.map(|travel| 0.5 * travel);
     }
-    let slices = Slices {
-        axis: 1,
-        edges: vec![0.0, 0.24, 1.0],
-    };
     let answer = Answer::of(&AnswerInputs {
         unloaded: Some(state),
         steps: &steps,
         elastic: Some(&elastic),
-        measures: &[InterfaceReadings {
-            slices: Some(slices),
-            strip: None,
-        }],
         bores: &[Bore {
             body: "block".to_string(),
             surface: "none".to_string(),

@@ -191,9 +191,18 @@ fn fall(scene: &Scene, field: &ContactField, pair: usize, top: usize) -> f64 {
     if scene.carrier(pair).is_none() {
         return 1.0;
     }
-    let beside = beside(scene, field, pair, top);
-    let off = |i: &usize| (1.0 - field.pressure[*i] / field.pressure[top]).abs();
-    beside.iter().map(off).sum::<f64>() / beside.len().max(1) as f64
+    let through = |i: usize| scene.mirrors_through(&scene.mesh.points[field.nodes[i] as usize]);
+    // A node off a mirror on which the peak lies stands for its image, too.
+    let images = |i: usize| {
+        let beside = through(top).filter(|axis| through(i).all(|own| own != *axis));
+        beside.fold(1.0, |images, _| 2.0 * images)
+    };
+    let off = |i: usize| (1.0 - field.pressure[i] / field.pressure[top]).abs();
+    let beside = beside(scene, field, pair, top).into_iter();
+    let (sum, number) = beside.fold((0.0, 0.0), |(sum, number), i| {
+        (sum + images(i) * off(i), number + images(i))
+    });
+    if number > 0.0 { sum / number } else { 0.0 }
 }
 
 /// The nodes that an edge of a face joins to `node`.

@@ -36,7 +36,7 @@ pub fn centre_of_force(scene: &Scene, state: &State, pair: usize) -> Option<[f64
     (total != 0.0).then(|| [0, 1, 2].map(centre))
 }
 
-/// The balance of every body without support, rigid plane or traction, in the order of the mesh.
+/// The balance of every body without support, rigid plane, traction or tie, in the order of the mesh.
 pub fn balances(scene: &Scene, state: &State) -> Vec<Balance> {
     let held = held_bodies(scene);
     let bodies = scene.mesh.bodies.iter().enumerate();
@@ -85,7 +85,8 @@ fn held_bodies(scene: &Scene) -> Vec<usize> {
     let supports = scene.supports.iter().map(|s| &s.surface);
     let planes = scene.rigid_planes.iter().map(|p| &p.surface);
     let tractions = scene.tractions.iter().map(|t| &t.surface);
-    let surfaces = supports.chain(planes).chain(tractions);
+    let ties = scene.ties.iter().flat_map(|t| &t.surfaces);
+    let surfaces = supports.chain(planes).chain(tractions).chain(ties);
     // A symmetry plane holds as a mirror does: what it takes, the other half gives.
     let mirror = |surface: &&Surface| {
         let nodes = surface.nodes();

@@ -1,6 +1,6 @@
 //! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
 
-use super::load::direction;
+use super::load::{cutting_pair, upright};
 use super::strip_row::StripRow;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
@@ -21,7 +21,7 @@ pub struct ContactLine {
     pub length: f64,
     /// Length over which it has lifted off, in the whole.
     pub lifted_off: f64,
-    /// How many such lines there are in the whole: mirror planes that do not cut it double it.
+    /// How many such lines there are in the whole of its two bodies: mirror planes that cut these, but not it, double it.
     pub images: usize,
     /// The row that carries most per length.
     pub heaviest: StripRow,
@@ -164,8 +164,7 @@ pub(super) fn contact_lines_by(
 /// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
 /// the load.
 pub(super) fn across(scene: &Scene, axis: usize) -> Option<usize> {
-    let load = direction(scene).map(f64::abs);
-    let facing = (0..3).max_by(|a, b| load[*a].total_cmp(&load[*b]))?;
+    let facing = upright(scene);
     (0..3).find(|i| *i != axis && *i != facing && axis != facing)
 }
 
@@ -316,23 +315,29 @@ impl Rows {
         runs: &[PressingRun],
         counts: &dyn Fn(&StripRow) -> bool,
     ) -> Option<ContactLine> {
+        // Where a mirror cuts a line in some rows only, those beside it in the others have an image that belongs to it.
+        let cut = runs.iter().any(|r| r.mirrored);
+        let force = |run: &PressingRun| match cut && !run.mirrored {
+            true => 2.0 * run.force,
+            false => run.force,
+        };
+        let per_length = |run: &PressingRun| force(run) / self.length[run.row];
         let mut load = vec![0.0; self.at.len()];
         for run in runs {
-            load[run.row] += run.force / self.length[run.row];
+            load[run.row] += per_length(run);
         }
-        let per_length = |run: &PressingRun| run.force / self.length[run.row];
         let mut heaviest_first: Vec<&PressingRun> = runs.iter().collect();
         heaviest_first.sort_by(|a, b| per_length(b).total_cmp(&per_length(a)));
         let heaviest = (heaviest_first.iter())
             .map(|run| self.strip(scene, state, pair, run))
             .find(counts)?;
-        let total: f64 = runs.iter().map(|r| r.force).sum();
+        let total: f64 = runs.iter().map(force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
-        let doubled = |axis: usize| if scene.mirrors.contains(&axis) { 2 } else { 1 };
-        let cut = runs.iter().any(|r| r.mirrored);
+        let mirrors = cutting_pair(scene, pair);
+        let doubled = |axis: usize| if mirrors.contains(&axis) { 2 } else { 1 };
         Some(ContactLine {
-            across: runs.iter().map(|r| r.force * r.across).sum::<f64>() / total,
+            across: runs.iter().map(|r| force(r) * r.across).sum::<f64>() / total,
             at: self.at.clone(),
             load,
             length: length * doubled(self.axis) as f64,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Vector3};
 
 use super::hex::{GaussRule, interpolate};
-use super::load::face_corners;
+use super::load::{cutting, face_corners};
 use super::quad::area_vector;
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
@@ -41,13 +41,10 @@ pub fn dent(
     let mut deepest: Option<Dent> = None;
     for (node, mut normal) in normals {
         let at = scene.mesh.points[node as usize];
-        let size = Vector3::from(at).norm();
-        for (axis, n) in normal.iter_mut().enumerate() {
-            // The mirrored faces cancel this component.
-            if scene.mirrors.contains(&axis) && at[axis].abs() <= 1e-9 * size {
-                *n = 0.0;
-            }
-        }
+        // The mirrored faces cancel this component.
+        scene
+            .mirrors_through(&at)
+            .for_each(|axis| normal[axis] = 0.0);
         let stays = Vector3::from(displacement[node as usize]) - motion.at(at);
         let depth = -stays.dot(&normal.normalize());
         if !depth.is_nan() && deepest.is_none_or(|dent| depth > dent.depth) {
@@ -96,7 +93,7 @@ impl RigidMotion {
 /// Volume, position and displacement of an integration point.
 type Sample = (f64, Vector3<f64>, Vector3<f64>);
 
-/// The integration points of the whole body.
+/// The integration points of the whole body: an image beside it is another body, and moves by itself.
 fn samples(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Vec<Sample>> {
     let rule = GaussRule::new();
     let elements = scene.mesh.bodies.get(body)?.elements.clone();
@@ -112,7 +109,7 @@ fn samples(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Vec<
         points.map(sample).collect::<Vec<Sample>>()
     });
     let mut samples: Vec<Sample> = samples.collect();
-    for &axis in scene.mirrors.iter().filter(|axis| **axis < 3) {
+    for axis in cutting(scene, body) {
         let mirrored: Vec<Sample> = samples
             .iter()
             .map(|(volume, x, u)| {

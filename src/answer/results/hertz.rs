@@ -110,19 +110,14 @@ impl HeaviestLine {
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
         let hertz = line_contact(scene, contact, (axis, row), line_load);
-        let rows = RowsBeside {
-            line,
-            axis,
-            mirrored: scene.mirrors.contains(&axis),
-            edges,
-        };
+        let rows = RowsBeside { line, axis, edges };
         let kink = rows.kink(row.row);
-        let departs = hertz.and_then(|hertz| {
-            if apart < MERGED * 2.0 * hertz.half_width {
-                return Some(Departure::Width);
-            }
-            departure(scene, state, (contact, edges), line, (&hertz, kink))
-        });
+        let departs = match hertz {
+            Some(hertz) if apart < MERGED * 2.0 * hertz.half_width => Some(Departure::Width),
+            Some(hertz) => departure(scene, state, (contact, edges), line, (&hertz, kink)),
+            // Of a flat punch that is all that can be said.
+            None => (edges.are_near(&row.centre)).then_some(Departure::LoadedEdge),
+        };
         Some(Self {
             line_load,
             kink,
@@ -179,8 +174,6 @@ fn distance_to_the_next(line: &ContactLine, lines: &[ContactLine], mirrored: boo
 struct RowsBeside<'a> {
     line: &'a ContactLine,
     axis: usize,
-    /// Does a mirror plane cut the line?
-    mirrored: bool,
     edges: &'a LoadedEdges,
 }
 
@@ -191,12 +184,7 @@ impl RowsBeside<'_> {
         let (at, load) = (&self.line.at, &self.line.load);
         let counts = |beside: &usize| self.is_at_edge(row) || !self.is_at_edge(*beside);
         let beside = |row: usize| Some(row).filter(counts).map(|row| (at[row], load[row]));
-        let before = match row.checked_sub(1) {
-            Some(before) => beside(before),
-            // Behind a mirror the next row stands once more.
-            None if self.mirrored && at.len() > 1 => Some((2.0 * at[0] - at[1], load[1])),
-            None => None,
-        };
+        let before = row.checked_sub(1).and_then(beside);
         let after = Some(row + 1).filter(|after| *after < at.len());
         let after = after.and_then(beside);
         let straight = match (before, after) {
@@ -263,8 +251,8 @@ fn mean_pressure(line: &ContactLine) -> f64 {
     line.heaviest_load() / (2.0 * line.heaviest.half_width)
 }
 
-/// Has either body yielded within three half-widths of the middle of the strip?
-fn flows_below(
+/// Has either body of a pair yielded within three half-widths `a` of a place?
+pub fn flows_below(
     scene: &Scene,
     state: &State,
     pair: &ContactPair,

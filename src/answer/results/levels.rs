@@ -8,7 +8,7 @@ use super::load::{along, cutting_pair, times};
 use crate::model::mesh::Surface;
 use crate::model::scene::{Partner, PlaneMotion, Scene, Support};
 use crate::model::state::State;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The forces along the load that balance says are the whole load: of every level that all of it passes. A pair that no
 /// support is reached from stands for itself.
@@ -48,6 +48,7 @@ pub fn passing(scene: &Scene, state: &State, measured: &[Interface]) -> Vec<f64>
 }
 
 /// How many contacts each body is away from what is held along `along`; `None` where no chain of contacts leads there.
+/// Bodies that are tied together are as far away.
 fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<Option<usize>> {
     let mut levels = vec![None; scene.mesh.bodies.len()];
     for body in held_bodies(scene, along) {
@@ -61,7 +62,16 @@ fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<O
             }
         }
     }
+    let tied: Vec<BTreeSet<usize>> = (scene.ties.iter())
+        .map(|tie| {
+            tie.surfaces
+                .iter()
+                .flat_map(|name| bodies_of(scene, name))
+                .collect()
+        })
+        .collect();
     for next in 1..=levels.len() {
+        pass_on(&mut levels, &tied);
         for sides in sides {
             let [Some(a), Some(b)] = *sides else { continue };
             for [from, to] in [[a, b], [b, a]] {
@@ -72,6 +82,18 @@ fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<O
         }
     }
     levels
+}
+
+/// Gives bodies that are tied together one level, along chains of ties.
+fn pass_on(levels: &mut [Option<usize>], tied: &[BTreeSet<usize>]) {
+    for _ in tied {
+        for bodies in tied {
+            let lowest = bodies.iter().filter_map(|body| levels[*body]).min();
+            for body in bodies {
+                levels[*body] = levels[*body].or(lowest);
+            }
+        }
+    }
 }
 
 fn bodies_of<'s>(scene: &'s Scene, surface: &str) -> impl Iterator<Item = usize> + use<'s> {
@@ -128,4 +150,17 @@ fn loaded_bodies(scene: &Scene, along: [f64; 3]) -> Vec<usize> {
     let tractions = scene.tractions.iter().map(|t| &t.surface);
     let surfaces = planes.chain(supports).chain(tractions);
     surfaces.flat_map(|name| bodies_of(scene, name)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chain_of_ties_is_of_one_level() {
+        let mut levels = [Some(0), None, None, None];
+        let tied = [[2, 1], [1, 0]].map(BTreeSet::from);
+        pass_on(&mut levels, &tied);
+        assert_eq!(levels, [Some(0), Some(0), Some(0), None]);
+    }
 }

@@ -63,8 +63,9 @@ pub fn line_load(scene: &Scene, state: &State, pair: usize, slices: &Slices) -> 
     let tributary = tributaries(scene, scene.carrier(pair)?, axis);
     let along = load::along(scene, state);
     // A mirror along the axis makes slices of its own, on the other side.
-    let mirrored = scene.mirrors.contains(&axis);
-    let copies = times(&cutting_pair(scene, pair)) * if mirrored { 0.5 } else { 1.0 };
+    let mirrors = cutting_pair(scene, pair);
+    let mirrored = mirrors.contains(&axis);
+    let copies = times(&mirrors) * if mirrored { 0.5 } else { 1.0 };
     let mut load = vec![0.0; slices.edges.len() - 1];
     let mut outside = 0.0;
     for (node, force) in field.nodes.iter().zip(&field.force) {

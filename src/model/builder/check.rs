@@ -154,7 +154,7 @@ fn unknown<'n>(
 
 /// Marks the outer faces in the plane of symmetry across `axis`, and says what they are called.
 ///
-/// A model that lies on both sides of the plane, or has no face in it, is no half of anything.
+/// A model that lies on the negative side of the plane too, or has no face in it, is not the half that is asked for.
 pub(super) fn mirror_plane(mesh: &mut Mesh, axis: Axis, scene: &str) -> Result<String, BuildError> {
     let name = format!("{}_mirror", axis.letter());
     let along = |p: &[f64; 3]| p[axis.index()];
@@ -175,7 +175,7 @@ pub(super) fn mirror_plane(mesh: &mut Mesh, axis: Axis, scene: &str) -> Result<S
         mesh.mark(&name, &body, |p| along(&p).abs() <= near);
     }
     let faces = mesh.surface(&name).map_or(0, |surface| surface.faces.len());
-    match faces > 0 && (low >= -near || high <= near) {
+    match faces > 0 && low >= -near {
         true => Ok(name),
         false => Err(BuildError::Mirror {
             scene: scene.into(),

@@ -71,7 +71,7 @@ pub enum BuildError {
     )]
     #[diagnostic(
         code(brinell::build::mirror),
-        help("mesh what lies on one side of that plane, or leave `mirror` out")
+        help("mesh what lies on the positive side of that plane, or leave `mirror` out")
     )]
     Mirror {
         /// Name of the scene.

@@ -48,6 +48,7 @@ impl State {
         }
         same("contacts", self.contacts.len(), scene.contacts.len())?;
         same("planes", self.planes.len(), scene.rigid_planes.len())?;
+        same("ties", self.ties.len(), scene.ties.len())?;
         for (pair, field) in scene.contacts.iter().zip(&self.contacts) {
             let n = field.nodes.len();
             let of = |array: &str| format!("{array} of {}", pair.name);
@@ -60,6 +61,7 @@ impl State {
             same(&of("status"), field.status.len(), n)?;
             same(&of("area"), field.area.len(), n)?;
             same(&of("force"), field.force.len(), n)?;
+            same(&of("acts_at"), field.acts_at.len(), n)?;
         }
         Ok(())
     }

@@ -6,6 +6,10 @@
 use super::error::FactorError;
 use super::number::Number;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
+use rayon::prelude::*;
+
+/// Entries that are worth a task of their own.
+const ENTRIES_PER_TASK: usize = 1 << 16;
 
 /// One over the root of each entry of the diagonal.
 ///
@@ -27,12 +31,18 @@ pub(super) fn scaled<T: Number>(
     matrix: &SymmetricMatrix,
     scale: &[f64],
 ) -> Vec<T> {
-    let mut entries = Vec::with_capacity(matrix.values.len());
-    for (ends, column) in pattern.columns.windows(2).zip(scale) {
-        let range = ends[0] as usize..ends[1] as usize;
-        let rows = pattern.rows[range.clone()].iter();
-        let values = rows.zip(&matrix.values[range]);
-        entries.extend(values.map(|(row, v)| T::rounded(v * column * scale[*row as usize])));
-    }
+    let mut entries = vec![T::rounded(0.0); matrix.values.len()];
+    let tasks = entries.par_chunks_mut(ENTRIES_PER_TASK).enumerate();
+    tasks.for_each(|(task, entries)| {
+        let start = task * ENTRIES_PER_TASK;
+        let mut column = pattern.columns.partition_point(|s| *s as usize <= start) - 1;
+        for (at, entry) in (start..).zip(entries) {
+            while pattern.columns[column + 1] as usize <= at {
+                column += 1;
+            }
+            let row = pattern.rows[at] as usize;
+            *entry = T::rounded(matrix.values[at] * scale[column] * scale[row]);
+        }
+    });
     entries
 }

@@ -164,9 +164,17 @@ impl Pattern {
             if column == u32::MAX {
                 continue;
             }
+            // Equations of one vertex follow each other, in the block and in the column: one search finds all of them.
+            let end = self.columns[column as usize + 1] as usize;
+            let mut next = end;
             for (i, &row) in equations.iter().enumerate() {
                 if row != u32::MAX && row >= column {
-                    matrix.values[self.position(row, column)] += value(i, j);
+                    let at = match next < end && self.rows[next] == row {
+                        true => next,
+                        false => self.position(row, column),
+                    };
+                    matrix.values[at] += value(i, j);
+                    next = at + 1;
                 }
             }
         }

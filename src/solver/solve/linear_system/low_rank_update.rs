@@ -16,9 +16,9 @@ use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{KEPT_COLUMNS, NEW_COLUMNS_SHARE, UNKNOWNS_PER_TASK};
 use crate::solver::solve::rows::contact_row::ContactRow;
-use faer::Mat;
 use faer::linalg::solvers::PartialPivLu;
 use faer::prelude::Solve;
+use faer::{Mat, MatRef};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -102,18 +102,20 @@ impl LowRankUpdate {
     /// 1 + D G of the rows that have changed.
     fn correction(&self, model: &Model, rows: Vec<usize>, changes: Vec<Tangent>) -> LowRankChange {
         let size = 3 * rows.len();
-        let mut system = Mat::<f64>::identity(size, size);
-        for (b, row) in rows.iter().enumerate() {
-            for (k, column) in self.columns[row].iter().enumerate() {
-                for (a, (other, change)) in rows.iter().zip(&changes).enumerate() {
-                    let moved = model.rows[*other].gather(model, column);
-                    for i in 0..3 {
-                        system[(3 * a + i, 3 * b + k)] +=
-                            (0..3).map(|j| change[i][j] * moved[j]).sum::<f64>();
-                    }
+        let found: Vec<&Vec<f64>> = rows.iter().flat_map(|row| &self.columns[row]).collect();
+        let mut entries = vec![0.0; size * size];
+        let columns = entries.par_chunks_mut(size.max(1)).zip(found).enumerate();
+        columns.for_each(|(k, (column, found))| {
+            let parts = column.chunks_exact_mut(3);
+            for (part, (row, change)) in parts.zip(rows.iter().zip(&changes)) {
+                let moved = model.rows[*row].gather(model, found);
+                for (entry, change) in part.iter_mut().zip(change) {
+                    *entry = (0..3).map(|j| change[j] * moved[j]).sum();
                 }
             }
-        }
+            column[k] += 1.0;
+        });
+        let system = MatRef::from_column_major_slice(&entries, size, size);
         LowRankChange {
             system: system.partial_piv_lu(),
             rows,

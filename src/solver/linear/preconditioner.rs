@@ -17,6 +17,16 @@ pub enum Prepared {
     Schwarz(Box<SchwarzFactor>),
 }
 
+impl Prepared {
+    /// Of its numbers.
+    pub fn precision(&self) -> Precision {
+        match self {
+            Self::Single(_) => Precision::Single,
+            Self::Double(_) | Self::Schwarz(_) => Precision::Double,
+        }
+    }
+}
+
 /// Of a factor. What is solved for is in double precision all the same: single precision costs a direction or two more,
 /// and half of the time and memory of a factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

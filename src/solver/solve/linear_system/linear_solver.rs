@@ -87,7 +87,7 @@ impl LinearSolver {
             let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
             let precondition =
                 |x: &mut [f64]| (model.preconditioner).apply(&model.pattern, &factor, multiply, x);
-            let is_single = matches!(factor, Prepared::Single(_));
+            let is_single = factor.precision() == Precision::Single;
             let (residual, tolerance) = (&sought.residual, sought.tolerance);
             let directions = if is_single {
                 SINGLE_FACTOR_DIRECTIONS
@@ -140,7 +140,7 @@ impl LinearSolver {
         };
         let update = &mut self.update;
         let solve = |x: &mut [f64], count| model.preconditioner.solve_many(factor, x, count);
-        let prepare = || update.prepare(model, evaluation, solve);
+        let prepare = || update.prepare(model, evaluation, (solve, factor.precision()));
         if !timers.time(Phase::LinearSolve, prepare) {
             return false;
         }

@@ -12,6 +12,7 @@
 use crate::ground::geometry::add;
 use crate::solver::contact::law::NodeResponse;
 use crate::solver::fem::dofs::FIXED;
+use crate::solver::linear::preconditioner::Precision;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{KEPT_COLUMNS, NEW_COLUMNS_SHARE, UNKNOWNS_PER_TASK};
@@ -30,8 +31,44 @@ type Tangent = [[f64; 3]; 3];
 pub struct LowRankUpdate {
     made_for: Vec<Tangent>,
     /// Columns of Z, three a row.
-    columns: BTreeMap<usize, [Vec<f64>; 3]>,
+    columns: BTreeMap<usize, [Column; 3]>,
     now: Option<LowRankChange>,
+}
+
+/// A column of Z, as precise as the factor that it was found with: each direction reads all of them.
+enum Column {
+    Single(Vec<f32>),
+    Double(Vec<f64>),
+}
+
+impl Column {
+    fn new(values: &[f64], precision: Precision) -> Self {
+        match precision {
+            Precision::Single => Self::Single(values.iter().map(|v| *v as f32).collect()),
+            Precision::Double => Self::Double(values.to_vec()),
+        }
+    }
+
+    fn at(&self, equation: usize) -> f64 {
+        match self {
+            Self::Single(values) => f64::from(values[equation]),
+            Self::Double(values) => values[equation],
+        }
+    }
+
+    /// Takes `share` times the entries from `from` on off `x`.
+    fn take_off(&self, x: &mut [f64], from: usize, share: f64) {
+        match self {
+            Self::Single(values) => {
+                let values = values[from..].iter().map(|v| f64::from(*v));
+                x.iter_mut().zip(values).for_each(|(x, z)| *x -= share * z);
+            }
+            Self::Double(values) => {
+                let values = values[from..].iter();
+                x.iter_mut().zip(values).for_each(|(x, z)| *x -= share * z);
+            }
+        }
+    }
 }
 
 /// The correction for the tangent of now.
@@ -56,12 +93,12 @@ impl LowRankUpdate {
     }
 
     /// Gets ready for the tangent at `evaluation`; `solve` replaces the columns of a matrix, one after the other, by
-    /// A₀⁻¹ times these. `false` where a new factor is the better way.
+    /// A₀⁻¹ times these, to the `precision` of the factor. `false` where a new factor is the better way.
     pub fn prepare(
         &mut self,
         model: &Model,
         evaluation: &Evaluation,
-        solve: impl FnOnce(&mut [f64], usize),
+        (solve, precision): (impl FnOnce(&mut [f64], usize), Precision),
     ) -> bool {
         self.now = None;
         let rows = model.rows.iter().zip(&evaluation.contact).enumerate();
@@ -91,8 +128,11 @@ impl LowRankUpdate {
             }
             solve(&mut block, 3 * new.len());
             for (row, columns) in new.iter().zip(block.chunks(3 * unknowns)) {
-                let part = |k: usize| columns[k * unknowns..(k + 1) * unknowns].to_vec();
-                self.columns.insert(*row, [part(0), part(1), part(2)]);
+                let column = |k: usize| {
+                    let values = &columns[k * unknowns..(k + 1) * unknowns];
+                    Column::new(values, precision)
+                };
+                self.columns.insert(*row, [0, 1, 2].map(column));
             }
         }
         self.now = Some(self.correction(model, rows, changes));
@@ -102,13 +142,13 @@ impl LowRankUpdate {
     /// 1 + D G of the rows that have changed.
     fn correction(&self, model: &Model, rows: Vec<usize>, changes: Vec<Tangent>) -> LowRankChange {
         let size = 3 * rows.len();
-        let found: Vec<&Vec<f64>> = rows.iter().flat_map(|row| &self.columns[row]).collect();
+        let found: Vec<&Column> = rows.iter().flat_map(|row| &self.columns[row]).collect();
         let mut entries = vec![0.0; size * size];
         let columns = entries.par_chunks_mut(size.max(1)).zip(found).enumerate();
         columns.for_each(|(k, (column, found))| {
             let parts = column.chunks_exact_mut(3);
             for (part, (row, change)) in parts.zip(rows.iter().zip(&changes)) {
-                let moved = model.rows[*row].gather(model, found);
+                let moved = model.rows[*row].gather(model, |equation| found.at(equation));
                 for (entry, change) in part.iter_mut().zip(change) {
                     *entry = (0..3).map(|j| change[j] * moved[j]).sum();
                 }
@@ -130,7 +170,7 @@ impl LowRankUpdate {
         };
         let mut pulled = Mat::<f64>::zeros(3 * now.rows.len(), 1);
         for (a, (row, change)) in now.rows.iter().zip(&now.changes).enumerate() {
-            let moved = model.rows[*row].gather(model, x);
+            let moved = model.rows[*row].gather(model, |equation| x[equation]);
             for i in 0..3 {
                 pulled[(3 * a + i, 0)] = (0..3).map(|j| change[i][j] * moved[j]).sum();
             }
@@ -141,23 +181,22 @@ impl LowRankUpdate {
         (x.par_chunks_mut(UNKNOWNS_PER_TASK).enumerate()).for_each(|(k, x)| {
             let from = k * UNKNOWNS_PER_TASK;
             for (column, force) in &columns {
-                let share = &column[from..from + x.len()];
-                x.iter_mut().zip(share).for_each(|(x, z)| *x -= *force * z);
+                column.take_off(x, from, **force);
             }
         });
     }
 }
 
 impl ContactRow {
-    /// Relative displacement in local components, of unknowns.
-    fn gather(&self, model: &Model, x: &[f64]) -> [f64; 3] {
+    /// Relative displacement in local components, of the unknowns `x`.
+    fn gather(&self, model: &Model, x: impl Fn(usize) -> f64) -> [f64; 3] {
         let mut d = self.relative_of(|node, axis| match model.dofs.equations[node][axis] {
             FIXED => 0.0,
-            equation => x[equation as usize],
+            equation => x(equation as usize),
         });
         for (equation, axis, share) in self.further(&model.dofs) {
             let mut moved = [0.0; 3];
-            moved[axis] = share * x[equation as usize];
+            moved[axis] = share * x(equation as usize);
             d = add(d, self.local(moved));
         }
         d

@@ -79,7 +79,12 @@ fn left_over(
         let elastic = &model.elastic[mesh.body_of(e)];
         let shape = model.element(e as u32);
         let force = shape.elastic_force(elastic, &nodes.map(|n| u[n as usize]));
-        let relief = shape.relief(elastic, &points(plastic, e as u32));
+        let free = model.free_strains(
+            e as u32,
+            points(plastic, e as u32),
+            (point.step, point.time),
+        );
+        let relief = shape.relief(elastic, &free);
         let inner = std::array::from_fn(|k: usize| sub(relief[k], force[k]));
         (nodes, inner)
     };

@@ -123,14 +123,14 @@ fn way_to_touch(scene: &Scene, pair: &ContactPair, direction: Vec3) -> Option<f6
     (lean > 0.1).then(|| row.gap / lean)
 }
 
-/// The body stands, and with it all that ties join it to.
+/// The body stands, and with it all that is joined to it.
 fn place(placed: &mut [bool], joined: &[usize], body: usize) {
     let own = joined.iter().zip(placed);
     own.filter(|(group, _)| **group == joined[body])
         .for_each(|(_, placed)| *placed = true);
 }
 
-/// Moves a body with all that ties join it to.
+/// Moves a body with all that is joined to it.
 fn move_bodies(scene: &mut Scene, joined: &[usize], body: usize, shift: Vec3) {
     let mut moved = vec![false; scene.mesh.points.len()];
     let own = (0..joined.len()).filter(|other| joined[*other] == joined[body]);

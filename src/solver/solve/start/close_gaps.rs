@@ -145,7 +145,42 @@ fn move_bodies(scene: &mut Scene, joined: &[usize], body: usize, shift: Vec3) {
     }
     for plane in &mut scene.rigid_planes {
         let face = (scene.mesh.surface(&plane.surface)).and_then(|s| s.faces.first());
-        let own = face.is_some_and(|f| scene.mesh.body_of(f.element as usize) == body);
+        let own =
+            face.is_some_and(|f| joined[scene.mesh.body_of(f.element as usize)] == joined[body]);
         plane.about = plane.about.map(|at| if own { add(at, shift) } else { at });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::material::Steel;
+    use crate::model::mesh::Body;
+    use crate::model::mesh::block::{Block, uniform};
+    use crate::model::scene::RigidPlane;
+
+    #[test]
+    fn the_point_of_a_plane_moves_with_all_that_is_joined() {
+        let side = || uniform(0.0, 1.0, 1);
+        let block = Block::new("block", side(), side(), uniform(0.0, 2.0, 2));
+        let mut mesh = block.build().unwrap();
+        let body = |(name, e): (&str, usize)| Body {
+            name: name.into(),
+            elements: e..e + 1,
+        };
+        mesh.bodies = [("lower", 0), ("upper", 1)].map(body).into();
+        let mut scene = Scene::bare("joined", mesh, Steel::elastic(1.0, 0.3));
+        scene.rigid_planes = vec![RigidPlane {
+            surface: "z_max".into(),
+            about: Some([0.5, 0.5, 2.0]),
+            ..RigidPlane::default()
+        }];
+        move_bodies(&mut scene, &[0, 0], 0, [0.0, 0.0, -0.25]);
+        assert_eq!(scene.rigid_planes[0].about, Some([0.5, 0.5, 1.75]));
+        let top = scene.mesh.surface("z_max").unwrap().nodes();
+        assert!(
+            top.iter()
+                .all(|n| scene.mesh.points[*n as usize][2] == 1.75)
+        );
     }
 }

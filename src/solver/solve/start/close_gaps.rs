@@ -86,10 +86,7 @@ fn nearest_floating(
     ways: &mut [Option<Option<f64>>],
 ) -> Option<(usize, f64)> {
     let body_of = |partner: &Partner| match partner {
-        Partner::Surface(name) => {
-            let face = scene.mesh.surface(name)?.faces.first()?;
-            Some(Some(scene.mesh.body_of(face.element as usize)))
-        }
+        Partner::Surface(_) => partner.body(&scene.mesh).map(Some),
         Partner::Plane { .. } => Some(None),
     };
     let mut best: Option<(usize, f64)> = None;

@@ -8,7 +8,8 @@ use brinell::model::scene::{
     Controls, ElementKind, PlaneMotion, RigidPlane, Scene, Step, Temperature,
 };
 use brinell::model::state::State;
-use brinell::solver::solve::{Silent, solve};
+use brinell::solver::solve::{Observer, Silent, solve};
+use std::error::Error;
 
 const YOUNG: f64 = 210e3;
 const EXPANSION: f64 = 12e-6;
@@ -158,6 +159,34 @@ fn a_bar_that_yields_when_warm_is_pulled_when_cold() {
         }
         assert!(cold.energy.unwrap().imbalance().unwrap() < 1e-6);
     }
+}
+
+/// Counts increments.
+struct Count(usize);
+
+impl Observer for Count {
+    fn increment(&mut self, _: &State) -> Result<(), Box<dyn Error + Send + Sync>> {
+        self.0 += 1;
+        Ok(())
+    }
+}
+
+/// By thirds to a thousandth, and then to the end; supports that stay as they are do not count.
+#[test]
+fn a_load_that_goes_to_nothing_is_taken_off_in_few_increments() {
+    let increments = |left: f64| {
+        let mut bar = bar(Steel::elastic(YOUNG, 0.3), ElementKind::Bbar, 50.0);
+        let mut cool = Step::to("cool", 1.0);
+        cool.factors = [("bar is warm".into(), left)].into();
+        bar.steps.push(cool);
+        let mut count = Count(0);
+        solve(&mut bar, &mut count).unwrap();
+        count.0
+    };
+    // One more is that of the step before.
+    assert_eq!(increments(0.0), 1 + 8);
+    assert_eq!(increments(0.5), 1 + 1);
+    assert!(increments(1e-3) > 1 + 4);
 }
 
 /// A strip of two layers of which one is warmer (S. Timoshenko, Analysis of bi-metal thermostats, J. Opt. Soc. Am. 11

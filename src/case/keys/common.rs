@@ -259,7 +259,7 @@ pub const CONTROLS: Keys = Keys {
             "penetration",
             "share, at most 1",
             "1e-8",
-            "largest penetration, of the approach of the bodies",
+            "largest penetration, of the largest displacement",
         ),
         key(
             "first_increment",

@@ -7,7 +7,7 @@ use serde::Serialize;
 pub struct Controls {
     /// Residual force relative to the applied force.
     pub residual: f64,
-    /// Largest penetration relative to the approach of the bodies.
+    /// Largest violation of a contact condition relative to the largest displacement, rigid travel included.
     pub penetration: f64,
     /// First increment, as a share of a step.
     pub first_increment: f64,

@@ -7,12 +7,13 @@ use super::{PlaneMotion, PlaneTurn, Scene};
 pub const UNLOADED_SHARE: f64 = 0.05;
 
 /// The factor of one load or prescribed motion at the end of every step.
-struct Course {
+struct Course<'s> {
+    name: &'s str,
     forces: bool,
     factors: Vec<f64>,
 }
 
-impl Course {
+impl Course<'_> {
     /// Does it go towards zero, or stay, in step `step`? Beyond zero a little is none.
     fn falls(&self, step: usize) -> bool {
         let (was, is) = (self.factors[step - 1], self.factors[step]);
@@ -65,12 +66,23 @@ impl Scene {
         courses.any(|course| !course.forces && course.factors.get(step).is_some_and(|f| *f != 0.0))
     }
 
+    /// The names of every force and motion that is prescribed and not zero; one may come twice.
+    pub fn acting_names(&self) -> Vec<&str> {
+        let courses = self.courses().into_iter();
+        courses.map(|course| course.name).collect()
+    }
+
     /// Of every force and motion that is prescribed and not zero.
-    fn courses(&self) -> Vec<Course> {
-        let course = |name: &str, forces: bool| Course {
-            forces,
-            factors: self.steps.iter().map(|step| step.factor_of(name)).collect(),
-        };
+    fn courses(&self) -> Vec<Course<'_>> {
+        fn course<'s>(scene: &'s Scene, name: &'s str, forces: bool) -> Course<'s> {
+            let steps = scene.steps.iter();
+            Course {
+                name,
+                forces,
+                factors: steps.map(|step| step.factor_of(name)).collect(),
+            }
+        }
+        let course = |name, forces| course(self, name, forces);
         let mut courses = Vec::new();
         for plane in &self.rigid_planes {
             let has = |counts: fn(&PlaneMotion) -> bool| plane.motion.iter().any(counts);

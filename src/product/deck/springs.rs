@@ -34,7 +34,7 @@ pub fn springs(scene: &Scene, names: &mut Names) -> Vec<Springs> {
             }
         }
     }
-    // What holds one of several tied bodies holds all.
+    // What holds one of several bodies that are joined holds all.
     let joined = joined(scene);
     for body in 0..free.len() {
         let group = (0..free.len()).filter(|other| joined[*other] == joined[body]);

@@ -114,9 +114,10 @@ pub(super) fn add_direction(
 ) {
     let mut b = [[0.0; 3]; 8];
     add_stress_force(g, k, n, &mut b);
-    let b: Vec<f64> = b.iter().flatten().map(|v| v / g.volumes[k]).collect();
-    for (row, bi) in matrix.iter_mut().zip(&b) {
-        for (value, bj) in row.iter_mut().zip(&b) {
+    let b = b.map(|node| node.map(|v| v / g.volumes[k]));
+    let b = b.as_flattened();
+    for (row, bi) in matrix.iter_mut().zip(b) {
+        for (value, bj) in row.iter_mut().zip(b) {
             *value += factor * bi * bj;
         }
     }

@@ -25,7 +25,7 @@ pub struct Iteration {
     pub slipping: usize,
     /// Contact nodes whose status changed in this iteration.
     pub changed: usize,
-    /// Largest violation of a contact condition, as a length over the approach of the bodies.
+    /// Largest violation of a contact condition, as a length over the largest displacement, rigid travel included.
     pub penetration: f64,
     /// Integration points that flow.
     pub flowing: usize,

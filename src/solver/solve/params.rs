@@ -18,6 +18,8 @@ pub const EQUAL_STEP_SHARES: f64 = 1e-6;
 /// Share of a load that one increment leaves at least. Contact shrinks with the load: what is solved in one increment
 /// from full load to next to none changes beyond recognition.
 pub const UNLOADED_LOAD_LEFT: f64 = 1.0 / 3.0;
+/// Share of a load at the start of a step below which it counts as gone: thirds of it would never come to an end.
+pub const NO_LOAD_LEFT: f64 = 1e-3;
 /// Gap over the least one of its pair, as a share of the reach of contact, up to which a row carries in the first
 /// guess of a pair that nothing presses yet.
 pub const FIRST_TOUCH_REACH: f64 = 0.02;

@@ -1,6 +1,7 @@
 //! Uniform stress across ties.
 
 use super::*;
+use brinell::model::scene::Temperature;
 
 /// Two blocks one upon the other, `lower` and `upper`, with 3 and 4 elements along each side.
 fn stack(map: impl Fn([f64; 3]) -> [f64; 3] + Clone) -> SceneBuilder {
@@ -98,6 +99,31 @@ fn the_force_of_a_tie_is_told_as_it_acts_on_the_second_surface() {
             (0..3).all(|i| (a[i] + b[i]).abs() < 1e-8 * zz.abs()),
             "{a:?} {b:?}"
         );
+    }
+}
+
+#[test]
+fn a_tie_between_blocks_that_are_free_to_grow_carries_nothing() {
+    let warm = |body: &str| Temperature {
+        name: format!("{body} is warm"),
+        body: body.into(),
+        expansion: 12e-6,
+        value: 50.0,
+        gradient: [0.0; 3],
+    };
+    let mut scene = stack(|p| p)
+        .hold("lower_z_min", Axis::Z)
+        .hold("lower_x_min", Axis::X)
+        .hold("upper_x_min", Axis::X)
+        .hold("lower_y_min", Axis::Y)
+        .hold("upper_y_min", Axis::Y)
+        .build()
+        .unwrap();
+    scene.temperatures = ["lower", "upper"].map(warm).into();
+    let solved = Solved::of(scene).unwrap();
+    let held = E * 12e-6 * 50.0;
+    for force in solved.state().ties[0].force.iter().flatten() {
+        assert!(force.abs() < 1e-9 * held, "{force} of {held}");
     }
 }
 

@@ -110,19 +110,24 @@ impl<T: Number> Work<'_, T> {
         // The heaviest first, each to the next thread that is free: the light ones at the end even out.
         parts.sort_by(|a, b| self.tree.work[b.0].total_cmp(&self.tree.work[a.0]));
         let queue = Mutex::new(parts.into_iter());
-        (0..threads)
-            .into_par_iter()
-            .with_max_len(1)
-            .try_for_each(|_| {
-                let mut scratch = Scratch::new(self.entries.len());
-                loop {
-                    let next = queue.lock().unwrap_or_else(|p| p.into_inner()).next();
-                    let Some((root, own)) = next else {
-                        return Ok(());
-                    };
-                    self.subtree(self.tree.first[root]..root + 1, own, &mut scratch)?;
+        // The first bad pivot of all subtrees, whichever thread finds one first.
+        let bad = (0..threads).into_par_iter().with_max_len(1).map(|_| {
+            let mut scratch = Scratch::new(self.entries.len());
+            let mut bad = None;
+            loop {
+                let next = queue.lock().unwrap_or_else(|p| p.into_inner()).next();
+                let Some((root, own)) = next else {
+                    return bad;
+                };
+                let supernodes = self.tree.first[root]..root + 1;
+                if let Err(Pivot(found)) = self.subtree(supernodes, own, &mut scratch) {
+                    bad = Some(bad.map_or(found, |bad: usize| bad.min(found)));
                 }
-            })?;
+            }
+        });
+        if let Some(bad) = bad.flatten().min() {
+            return Err(Pivot(bad));
+        }
         let mut scratch = Scratch::new(self.entries.len());
         for s in top {
             self.above(s, values, &mut scratch, threads)?;

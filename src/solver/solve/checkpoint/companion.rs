@@ -4,7 +4,7 @@ use crate::solver::solve::checkpoint::plastic::Plastic;
 use crate::solver::solve::checkpoint::point::Point;
 use serde::{Deserialize, Serialize};
 
-/// The same for a checkpoint.
+/// It goes on only with a model of the same unknowns and contact rows.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct KeptCompanion {
     pub point: Point,

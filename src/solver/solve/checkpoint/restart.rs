@@ -1,4 +1,5 @@
-//! What a solution needs to go on from an accepted increment, as if it had never stopped.
+//! What a solution needs to go on from an accepted increment as if it had never stopped; without the second solution
+//! where the model is prepared otherwise than it was.
 
 use crate::model::scene::Scene;
 use crate::solver::contact::law::Node;
@@ -7,6 +8,7 @@ use crate::solver::solve::checkpoint::counters::Counters;
 use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
 use crate::solver::solve::checkpoint::kept::{Kept, Stranger};
+use crate::solver::solve::checkpoint::point::Point;
 use serde::{Deserialize, Serialize};
 
 /// An accepted increment with all that the next one depends on.
@@ -37,6 +39,8 @@ pub(in crate::solver::solve) struct Beside {
     pub plan: Option<IncrementPlan>,
     /// The ends of steps in increments twice as large.
     pub doubled: Vec<Kept>,
+    /// The end of the step if no steel yielded, from which its last increment starts.
+    pub end: Option<Point>,
 }
 
 /// Memory of a contact row.
@@ -64,8 +68,10 @@ impl Restart {
         }
         let exists = |e: u32| (e as usize) < scene.mesh.hexes.len();
         let flow = self.expected.flow.iter().map(|e| (0, *e));
-        let beside = self.companion.iter().flat_map(KeptCompanion::contents);
-        if (flow.chain(beside)).all(|(step, e)| exists(e) && step < scene.steps.len()) {
+        let companion = self.companion.iter().flat_map(KeptCompanion::contents);
+        let end = self.beside.end.iter().map(|end| (end.step, 0));
+        if (flow.chain(companion).chain(end)).all(|(step, e)| exists(e) && step < scene.steps.len())
+        {
             Ok(())
         } else {
             Err(Stranger { what: "elements" })

@@ -41,12 +41,17 @@ impl Companion {
     }
 }
 
+/// Has a saved point as many unknowns and contact rows as `model`?
+pub fn fits(point: &Point, model: &Model) -> bool {
+    point.x.len() == model.dofs.len() && point.nodes.len() == model.rows.len()
+}
+
 impl KeptCompanion {
     /// For a model like the one that it was kept of; none for another one.
     pub fn place(&self, model: &Model) -> Option<Companion> {
-        let (unknowns, rows) = (model.dofs.len(), model.rows.len());
+        let rows = model.rows.len();
         let mut points = self.passed.iter().chain([&self.point]);
-        let fits = points.all(|p| p.x.len() == unknowns && p.nodes.len() == rows)
+        let fits = points.all(|p| fits(p, model))
             && self.slip_origin.len() == rows
             && self.slip.len() == rows;
         fits.then(|| {

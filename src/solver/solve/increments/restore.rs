@@ -4,6 +4,7 @@ use crate::solver::contact::law::Node;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::checkpoint::restart::{Restart, Touching};
 use crate::solver::solve::equilibrium::history::History;
+use crate::solver::solve::increments::companion::fits;
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::model::system::Model;
 use std::collections::BTreeMap;
@@ -22,7 +23,13 @@ impl Run<'_, '_> {
         self.states = (restart.finished.iter().map(|kept| kept.restore(model))).collect();
         self.last = restart.last.restore(model);
         self.beside = restart.beside.clone();
+        self.end = (self.beside.end.take()).filter(|end| fits(end, model));
         self.companion = (restart.companion.as_ref()).and_then(|kept| kept.place(model));
+        if restart.companion.is_some() && self.companion.is_none() {
+            self.observer.message(
+                "the second solution does not fit the model any more: what increments are worth is not known from here",
+            );
+        }
         let (step, time) = restart.after();
         self.observer.message(&format!(
             "goes on after {:.3} % of step `{}`",

@@ -16,15 +16,19 @@ impl Run<'_, '_> {
         let (model, history, point) = (&self.model, &self.history, &self.point);
         let (finished, last, size) = (&self.finished, &self.last, self.size);
         let (expected, counters) = (&self.expected, &self.counters);
-        let (companion, beside) = (self.companion.as_ref(), &self.beside);
+        let (companion, beside, end) = (self.companion.as_ref(), &self.beside, &self.end);
         let make = || {
             let last = Kept::new(last, history.all_plastic(model));
+            let beside = Beside {
+                end: end.clone(),
+                ..beside.clone()
+            };
             Restart::new(
                 model,
                 history,
                 point,
                 (finished, last),
-                (beside.clone(), companion.map(|c| c.keep(model))),
+                (beside, companion.map(|c| c.keep(model))),
                 (expected.clone(), size),
                 *counters,
             )

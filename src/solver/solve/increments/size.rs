@@ -1,9 +1,8 @@
 //! How large the next increment may be.
 
 use crate::solver::solve::increments::run::Run;
-use crate::solver::solve::params::{EQUAL_STEP_SHARES, UNLOADED_LOAD_LEFT};
+use crate::solver::solve::params::{EQUAL_STEP_SHARES, NO_LOAD_LEFT, UNLOADED_LOAD_LEFT};
 use crate::solver::solve::start::can_yield::can_yield;
-use crate::solver::solve::start::load_names::load_names;
 
 impl Run<'_, '_> {
     /// Share of a step that its first increment tries.
@@ -30,13 +29,13 @@ impl Run<'_, '_> {
     /// is solved in one increment from full load to next to none changes beyond recognition.
     pub(super) fn relief(&self, step: usize, time: f64) -> f64 {
         let scene = self.model.scene;
-        let now_and_then = load_names(scene).map(|name| {
-            let at = |time| self.model.scene.factor(name, step, time).abs();
-            (at(time), at(1.0))
+        let loads = scene.acting_names().into_iter().map(|name| {
+            let at = |time| scene.factor(name, step, time).abs();
+            [0.0, time, 1.0].map(at)
         });
-        now_and_then
-            .filter(|(now, _)| *now > 0.0)
-            .map(|(now, then)| {
+        loads
+            .filter(|[before, now, _]| *now > NO_LOAD_LEFT * before)
+            .map(|[_, now, then]| {
                 if then < UNLOADED_LOAD_LEFT * now {
                     (1.0 - time) * (1.0 - UNLOADED_LOAD_LEFT) * now / (now - then)
                 } else {

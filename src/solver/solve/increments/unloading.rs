@@ -3,7 +3,6 @@
 use crate::model::scene::UNLOADED_SHARE;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::run::Run;
-use crate::solver::solve::start::load_names::load_names;
 
 impl Run<'_, '_> {
     /// What went wrong, if only the taking off of the load did. What is left of the answer stands; where next to
@@ -16,8 +15,8 @@ impl Run<'_, '_> {
             return None;
         }
         let (step, time) = (self.last.step, self.last.time);
-        let mut shares = load_names(scene).map(|name| {
-            let at = |step, time| self.model.scene.factor(name, step, time).abs();
+        let mut shares = scene.acting_names().into_iter().map(|name| {
+            let at = |step, time| scene.factor(name, step, time).abs();
             (at(step, time), at(full, 1.0))
         });
         if step + 1 == scene.steps.len() && shares.all(|(now, then)| now <= UNLOADED_SHARE * then) {

@@ -121,6 +121,10 @@ pub fn balance_increment(
             return Err(stop(Failure::Runaway { node, axis }));
         }
         last.residual = norm(&evaluation.residual) / reference;
+        // Corrections of it would be no numbers either, and not for want of precision.
+        if !last.residual.is_finite() {
+            return Err(stop(gave_up(model, point, &evaluation, &last)));
+        }
         // 3. Multipliers, active set and friction bounds.
         let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
         let lingers = last.penetration > LINGERING_VIOLATION * before;

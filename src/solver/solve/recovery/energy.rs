@@ -120,9 +120,7 @@ fn of_temperatures(model: &Model, before: &State, after: &State) -> (f64, f64) {
             (work, scale)
         })
         .collect();
-    // In the order of the elements, whatever the number of threads.
-    let add = |sum: (f64, f64), e: &(f64, f64)| (sum.0 + e.0, sum.1 + e.1);
-    elements.iter().fold((0.0, 0.0), add)
+    in_order(&elements)
 }
 
 /// Displacement of a node in the increment.
@@ -152,7 +150,11 @@ fn in_bodies(model: &Model, before: &State, after: &State) -> (f64, f64) {
             (stored, spent)
         })
         .collect();
-    // In the order of the elements, whatever the number of threads.
+    in_order(&elements)
+}
+
+/// The sum in the order of the elements, whatever the number of threads.
+fn in_order(elements: &[(f64, f64)]) -> (f64, f64) {
     let add = |sum: (f64, f64), e: &(f64, f64)| (sum.0 + e.0, sum.1 + e.1);
     elements.iter().fold((0.0, 0.0), add)
 }

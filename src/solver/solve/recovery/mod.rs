@@ -4,6 +4,7 @@ pub mod consistent;
 pub mod contact_fields;
 pub mod energy;
 pub mod gaps;
+pub mod left_over;
 pub mod plane_fields;
 pub mod reaction;
 pub mod state;

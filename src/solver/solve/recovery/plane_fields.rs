@@ -2,13 +2,14 @@
 
 use crate::model::scene::{PlaneMotion, PlaneTurn, Pose, RigidPlane, Scene};
 use crate::model::state::PlaneField;
-use crate::solver::solve::checkpoint::plastic::Plastic;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::model::system::Model;
+use crate::solver::solve::recovery::reaction::reaction;
 
+/// The field of each plane, from what is `left` over at nodes once ties have handed it on.
 pub fn plane_fields(
     model: &Model,
-    plastic: &Plastic,
+    left: &[[f64; 3]],
     point: &Point,
     u: &[[f64; 3]],
 ) -> Vec<PlaneField> {
@@ -18,13 +19,7 @@ pub fn plane_fields(
         let factor = scene.factor(&plane.name, point.step, point.time);
         let moved = plane.motion.map(|m| m != PlaneMotion::Free);
         let about = plane.point(&scene.mesh, &scene.mirrors);
-        let [force, moment] = model.reaction(
-            plastic,
-            u,
-            &plane.surface,
-            (moved, about),
-            (point.step, point.time),
-        );
+        let [force, moment] = reaction(&scene.mesh, left, &plane.surface, (moved, about));
         let (driven, turned) = (&model.all.planes[index], &model.all.turns[index]);
         PlaneField {
             travel,

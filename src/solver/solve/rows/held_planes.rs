@@ -1,18 +1,11 @@
 //! Planes on which supports hold both sides of a contact pair.
 
 use crate::model::mesh::{Face, Mesh};
-use crate::model::scene::{ContactPair, Partner, Scene};
+use crate::model::scene::{ContactPair, Scene};
 
 /// Planes, by axis and coordinate, that supports hold both sides of a pair on.
 pub fn held_planes(scene: &Scene, pair: &ContactPair) -> Vec<(usize, f64)> {
     let mesh = &scene.mesh;
-    let body = |partner: &Partner| match partner {
-        Partner::Surface(name) => {
-            let face = mesh.surface(name)?.faces.first()?;
-            Some(mesh.body_of(face.element as usize))
-        }
-        Partner::Plane { .. } => None,
-    };
     let of = |body: usize| -> Vec<(usize, f64)> {
         let held = scene.supports.iter().flat_map(|s| {
             let axes =
@@ -21,7 +14,7 @@ pub fn held_planes(scene: &Scene, pair: &ContactPair) -> Vec<(usize, f64)> {
         });
         held.collect()
     };
-    match (body(&pair.upper), body(&pair.lower)) {
+    match (pair.upper.body(mesh), pair.lower.body(mesh)) {
         (Some(upper), Some(lower)) => {
             let lower = of(lower);
             let both = of(upper).into_iter();

@@ -86,10 +86,7 @@ fn nearest_floating(
     ways: &mut [Option<Option<f64>>],
 ) -> Option<(usize, f64)> {
     let body_of = |partner: &Partner| match partner {
-        Partner::Surface(name) => {
-            let face = scene.mesh.surface(name)?.faces.first()?;
-            Some(Some(scene.mesh.body_of(face.element as usize)))
-        }
+        Partner::Surface(_) => partner.body(&scene.mesh).map(Some),
         Partner::Plane { .. } => Some(None),
     };
     let mut best: Option<(usize, f64)> = None;
@@ -123,14 +120,14 @@ fn way_to_touch(scene: &Scene, pair: &ContactPair, direction: Vec3) -> Option<f6
     (lean > 0.1).then(|| row.gap / lean)
 }
 
-/// The body stands, and with it all that ties join it to.
+/// The body stands, and with it all that is joined to it.
 fn place(placed: &mut [bool], joined: &[usize], body: usize) {
     let own = joined.iter().zip(placed);
     own.filter(|(group, _)| **group == joined[body])
         .for_each(|(_, placed)| *placed = true);
 }
 
-/// Moves a body with all that ties join it to.
+/// Moves a body with all that is joined to it.
 fn move_bodies(scene: &mut Scene, joined: &[usize], body: usize, shift: Vec3) {
     let mut moved = vec![false; scene.mesh.points.len()];
     let own = (0..joined.len()).filter(|other| joined[*other] == joined[body]);
@@ -145,7 +142,42 @@ fn move_bodies(scene: &mut Scene, joined: &[usize], body: usize, shift: Vec3) {
     }
     for plane in &mut scene.rigid_planes {
         let face = (scene.mesh.surface(&plane.surface)).and_then(|s| s.faces.first());
-        let own = face.is_some_and(|f| scene.mesh.body_of(f.element as usize) == body);
+        let own =
+            face.is_some_and(|f| joined[scene.mesh.body_of(f.element as usize)] == joined[body]);
         plane.about = plane.about.map(|at| if own { add(at, shift) } else { at });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::material::Steel;
+    use crate::model::mesh::Body;
+    use crate::model::mesh::block::{Block, uniform};
+    use crate::model::scene::RigidPlane;
+
+    #[test]
+    fn the_point_of_a_plane_moves_with_all_that_is_joined() {
+        let side = || uniform(0.0, 1.0, 1);
+        let block = Block::new("block", side(), side(), uniform(0.0, 2.0, 2));
+        let mut mesh = block.build().unwrap();
+        let body = |(name, e): (&str, usize)| Body {
+            name: name.into(),
+            elements: e..e + 1,
+        };
+        mesh.bodies = [("lower", 0), ("upper", 1)].map(body).into();
+        let mut scene = Scene::bare("joined", mesh, Steel::elastic(1.0, 0.3));
+        scene.rigid_planes = vec![RigidPlane {
+            surface: "z_max".into(),
+            about: Some([0.5, 0.5, 2.0]),
+            ..RigidPlane::default()
+        }];
+        move_bodies(&mut scene, &[0, 0], 0, [0.0, 0.0, -0.25]);
+        assert_eq!(scene.rigid_planes[0].about, Some([0.5, 0.5, 1.75]));
+        let top = scene.mesh.surface("z_max").unwrap().nodes();
+        assert!(
+            top.iter()
+                .all(|n| scene.mesh.points[*n as usize][2] == 1.75)
+        );
     }
 }

@@ -153,7 +153,8 @@ fn each_is_solved_and_the_governing_one_is_named() {
         report: true,
         ..Options::default()
     };
-    let solved = combinations::solve(&all, &options, &mut Silent).unwrap();
+    let (solved, ended) = combinations::solve(&all, &options, &mut Silent);
+    ended.unwrap();
     let parts = parts(&solved);
     assert_eq!(governs(&parts), Some(1));
     let used: Vec<f64> = parts
@@ -184,7 +185,10 @@ fn each_is_solved_and_the_governing_one_is_named() {
         assert!(page.contains(&format!("{}/report.html", part.folder)));
         let own = folder.path().join(&part.folder).join("report.html");
         let own = std::fs::read_to_string(own).unwrap();
-        // Both pages tell of the same input.
+        // Both pages tell of the same input, which is kept.
+        let case = std::fs::read_to_string(folder.path().join(&part.folder).join("case.toml"));
+        let text = all.iter().find(|one| one.name == part.name);
+        assert_eq!(case.unwrap(), text.unwrap().case.source.text());
         assert!(own.contains("FNV-1a"));
         assert_eq!(part.case_hash.len(), 16);
         assert!(page.contains(&part.case_hash) && own.contains(&part.case_hash));

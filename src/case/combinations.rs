@@ -97,7 +97,10 @@ pub fn combinations_of(name: &str, text: &str) -> Result<Option<Vec<Combination>
                 .iter()
                 .map(|(action, factor)| (action.name.clone(), *factor))
                 .collect(),
-            case: super::parse(name, &text)?,
+            // The lines that are marked are those of the combination, not of the file.
+            case: super::parse(name, &text).map_err(|error| {
+                error.of_file(&format!("{name} with combination {}", named.value))
+            })?,
             name: named.value,
         });
     }

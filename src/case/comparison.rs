@@ -57,7 +57,7 @@ pub struct Comparison {
     pub values: Vec<Printed>,
     /// The places again, where they stand in the case file.
     #[serde(skip)]
-    places: Vec<Located<String>>,
+    places: Vec<(ComparedMeasure, Located<String>)>,
 }
 
 impl Comparison {
@@ -112,10 +112,11 @@ impl Comparison {
                     place: place.to_string(),
                     value,
                 });
-                named.push(Located {
+                let named_at = Located {
                     value: place.to_string(),
                     place: places.place_of_key(place),
-                });
+                };
+                named.push((what, named_at));
             }
         }
         if let Some(field) = table.get("descent") {
@@ -138,21 +139,21 @@ impl Comparison {
         }))
     }
 
-    /// Refuses places that are neither among `known` nor one of the general words.
-    pub(super) fn check_places(&self, known: &[&str]) -> Result<(), CaseError> {
-        let mut all = vec!["overall", "rollers", "plates"];
-        all.extend(known);
-        match self
-            .places
-            .iter()
-            .find(|place| !all.contains(&place.value.as_str()))
-        {
-            Some(place) => {
-                let why = "is neither a body nor an interface of the case";
-                let help = advice(&place.value, all);
-                Err(place.place.error(ErrorKind::UnknownName, why).help(help))
+    /// Refuses places that have no such value: stresses are of bodies, pressures of interfaces.
+    pub(super) fn check_places(&self, bodies: &[&str], pairs: &[&str]) -> Result<(), CaseError> {
+        let stressed = [&["overall", "rollers", "plates"], bodies].concat();
+        let pressed = [&["overall"], pairs].concat();
+        for (what, place) in &self.places {
+            let (known, kind) = match what {
+                ComparedMeasure::MaxPressure => (&pressed, "an interface"),
+                _ => (&stressed, "a body"),
+            };
+            if !known.contains(&place.value.as_str()) {
+                let why = format!("is not {kind} of the case");
+                let help = advice(&place.value, known.iter().copied());
+                return Err(place.place.error(ErrorKind::UnknownName, why).help(help));
             }
-            None => Ok(()),
         }
+        Ok(())
     }
 }

@@ -94,6 +94,13 @@ impl CaseError {
         self
     }
 
+    /// The same of a text that goes by another name.
+    pub(super) fn of_file(mut self, name: &str) -> Self {
+        let text = self.0.source.take();
+        self.0.source = text.map(|text| NamedSource::new(name, text.inner().clone()));
+        self
+    }
+
     /// Adds advice.
     pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.0.help = Some(help.into());

@@ -86,7 +86,9 @@ impl Loads {
             }
         }
         let known = (&mut names, assumptions);
-        loads.temperatures = temperature::read(root, mirrors, steels, known)?;
+        loads.temperatures = temperature::read(root, steels, known)?;
+        let help = "mesh the whole, and drop this axis from `symmetry`";
+        temperature::check_symmetry(root, mirrors, help)?;
         loads.steps = steps(root, &names)?;
         if !loads.moves() {
             let message =

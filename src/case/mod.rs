@@ -251,12 +251,9 @@ impl Case {
             return Ok(());
         };
         let model = self.model();
-        let interfaces = model
-            .contacts
-            .iter()
-            .map(|contact| contact.name.value.as_str());
-        let known: Vec<&str> = bodies.iter().copied().chain(interfaces).collect();
-        comparison.check_places(&known)
+        let pairs = model.contacts.iter();
+        let pairs: Vec<&str> = pairs.map(|pair| pair.name.value.as_str()).collect();
+        comparison.check_places(bodies, &pairs)
     }
 }
 

@@ -28,8 +28,10 @@ impl KeyPlace {
             .unwrap_or_default();
         // The value is told where it is short, and not where it is the key itself or the header
         // of its table.
-        let is_key = self.key.ends_with(text.trim_matches(['[', ']']));
-        let named = if is_key || text.len() > 60 || text.contains('\n') {
+        let name = text.trim_matches(['[', ']']);
+        let is_key = self.key.ends_with(name);
+        let is_header = text.starts_with('[') && self.key.starts_with(name);
+        let named = if is_key || is_header || text.len() > 60 || text.contains('\n') {
             self.key.clone()
         } else {
             format!("{} = {text}", self.key)

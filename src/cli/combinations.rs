@@ -21,7 +21,11 @@ pub fn run(
 ) -> CommandResult {
     let solved = combinations::solve(all, options, console);
     console.finish();
-    let solved = solved.map_err(|error| failure(console, ConvergeError::from(error)))?;
+    let (solved, ended) = solved;
+    if solved.is_empty() {
+        ended.map_err(|error| failure(console, ConvergeError::from(error)))?;
+        return Ok(ExitStatus::Done);
+    }
     let parts = combinations::parts(&solved);
     let governs = joint::governs(&parts).unwrap_or_default();
     if let Some(part) = parts.get(governs) {
@@ -37,6 +41,8 @@ pub fn run(
             .collect();
         say(&format!("written: {}", written.join(", ")));
     }
+    // What was solved before stands, whatever became of the next.
+    ended.map_err(|error| failure(console, ConvergeError::from(error)))?;
     let missed = solved
         .iter()
         .flat_map(|one| one.missed.iter().map(move |limit| (&one.name, limit)));

@@ -88,8 +88,11 @@ pub fn run(args: &RunArgs) -> CommandResult {
     };
     if let Some(all) = combinations {
         let mut console = Console::new(args.quiet);
-        let title = all.first().map_or("", |one| one.case.title.as_str());
-        let title = title.rsplit_once(": ").map_or(title, |(title, _)| title);
+        let title = all.first().map_or("", |one| {
+            let title = one.case.title.as_str();
+            let own = title.strip_suffix(&one.name);
+            own.and_then(|own| own.strip_suffix(": ")).unwrap_or(title)
+        });
         return combinations::run(title, &all, &options, &mut console);
     }
     let case = read(args).map_err(|error| bad(error.into()))?;

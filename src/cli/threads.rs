@@ -1,6 +1,7 @@
 //! Threads of a command.
 
 use crate::ground::memory;
+use std::io::Write;
 
 /// Sets the size of the thread pool, smaller where the address space has a limit; a pool that exists already is kept.
 pub fn set_threads(threads: Option<u16>) {
@@ -16,7 +17,11 @@ pub fn set_threads(threads: Option<u16>) {
     let asked = threads.map_or_else(by_default, usize::from);
     match memory::most_threads() {
         Some(most) if most < asked => {
-            eprintln!("threads: {most} in place of {asked}, as the address space is limited");
+            // A closed pipe is no reason to end.
+            let _ = writeln!(
+                std::io::stderr(),
+                "threads: {most} in place of {asked}, as the address space is limited"
+            );
             set(most);
         }
         _ if threads.is_some() => set(asked),

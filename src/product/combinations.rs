@@ -3,7 +3,7 @@
 //! Contact is not linear: half of a load presses neither the same width nor half of the pressure. No combination is made
 //! of others by scaling.
 
-use super::job::{self, JobError, Options};
+use super::job::{self, JobError, Options, Outcome};
 use crate::case::combinations::Combination;
 use crate::ground::file::{FileError, write_atomically};
 use crate::ground::hash::Fnv;
@@ -15,6 +15,8 @@ use std::path::{Path, PathBuf};
 
 /// Name of the file with what governs.
 pub const FILE: &str = "combinations.json";
+/// Name of the case of a combination, in its folder.
+const CASE: &str = "case.toml";
 
 /// A solved combination.
 #[derive(Debug)]
@@ -35,13 +37,12 @@ pub struct SolvedCombination {
 /// Solves `combinations` one after the other, each into a folder of its own in that of `options`, and stops where one is
 /// interrupted.
 ///
-/// # Errors
-/// Where one of them cannot be solved; those before it are on disk.
+/// Where one of them cannot be solved, those before it come with the error.
 pub fn solve(
     combinations: &[Combination],
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Vec<SolvedCombination>, JobError> {
+) -> (Vec<SolvedCombination>, Result<(), JobError>) {
     let mut solved: Vec<SolvedCombination> = Vec::new();
     for (index, combination) in combinations.iter().enumerate() {
         let folder = folder(index, &combination.name);
@@ -51,7 +52,10 @@ pub fn solve(
             out: options.out.as_ref().map(|out| out.join(&folder)),
             ..options.clone()
         };
-        let outcome = job::run(&combination.case, &own, observer)?;
+        let outcome = match run(combination, &own, observer) {
+            Ok(outcome) => outcome,
+            Err(error) => return (solved, Err(error)),
+        };
         let interrupted = outcome.interrupted;
         solved.push(SolvedCombination {
             name: combination.name.clone(),
@@ -66,7 +70,21 @@ pub fn solve(
             break;
         }
     }
-    Ok(solved)
+    (solved, Ok(()))
+}
+
+/// Solves one, and keeps its case beside the results: it stands in no file of the user's.
+fn run(
+    combination: &Combination,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Outcome, JobError> {
+    let outcome = job::run(&combination.case, options, observer)?;
+    if let Some(out) = &options.out {
+        let text = combination.case.source.text();
+        write_atomically(&out.join(CASE), |file| file.write_all(text.as_bytes()))?;
+    }
+    Ok(outcome)
 }
 
 /// A name that every file system takes.

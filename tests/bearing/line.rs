@@ -295,7 +295,7 @@ fn bad_geometry_is_refused_where_it_stands() {
                 "solid = true\nroller_end = { crown = \"40 mm\" }",
             )],
             "line_bearing.roller_end.crown",
-            "half the wall",
+            "half the radius",
         ),
         (
             vec![(
@@ -303,7 +303,7 @@ fn bad_geometry_is_refused_where_it_stands() {
                 "solid = true\nroller_end = { radius = \"20 mm\", crown = \"10 mm\" }",
             )],
             "line_bearing.roller_end.crown",
-            "half the wall",
+            "half the radius",
         ),
         (
             vec![(

@@ -359,6 +359,13 @@ fn an_impossible_bearing() {
         &["bearing.offset = \"3.95 in\"", "less than 3.89536"],
     );
     refused(
+        &set(
+            "offset = \"0 in\"",
+            "offset = \"8 in\"\noffset_is = \"bearing\"",
+        ),
+        &["each roller less than 3.89536", "allows twice as much"],
+    );
+    refused(
         &set("\"1 in\"", "\"0 in\""),
         &["bearing.plate_thickness = \"0 in\""],
     );
@@ -400,6 +407,13 @@ fn an_impossible_bearing() {
     refused(
         &end("{ crown = 0 }"),
         &["bearing.roller_end.crown = 0", "must be more than 0"],
+    );
+    refused(
+        &end("{ radius = 0.3, crown = 0.2 }"),
+        &[
+            "bearing.roller_end.crown = 0.2",
+            "takes 0.5 with the radius, and at most 0.375 is left (half the wall)",
+        ],
     );
     refused(&end("{ }"), &["must have radius, crown, or both"]);
 }
@@ -475,6 +489,11 @@ fn an_impossible_mesh_preset() {
         &with_size("scale = 0"),
         &["mesh.scale = 0", "between 0.02 and 5"],
     );
+    refused(
+        &with_size("fine_elements = 100\nscale = 0.02"),
+        &["`mesh.scale = 0.02`: makes `fine_elements` 5000"],
+    );
+    good(&with_size("scale = 3"));
     refused(
         &with_size("fine_layers = 1.5"),
         &["mesh.fine_layers = 1.5", "whole number"],
@@ -557,6 +576,10 @@ fn an_unknown_place_of_comparison() {
     unfit(
         &format!("{SCENE}[comparison.mises]\nuper = 3\n"),
         &["comparison.mises.uper", "did you mean `upper`?"],
+    );
+    unfit(
+        &format!("{SCENE}[comparison.max_pressure]\nupper = 3\n"),
+        &["comparison.max_pressure.upper", "is not an interface"],
     );
 }
 

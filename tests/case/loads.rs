@@ -166,6 +166,43 @@ fn parallel_rollers_bear_the_same_loads() {
 }
 
 #[test]
+fn what_differs_from_side_to_side_is_not_mirrored() {
+    let text = "units = \"mm-N-MPa\"\nsteel = \"S355\"\n[line_bearing]\nload = \"900 kN\"\nfriction = 0.1\n\
+                rollers = 2\nspacing = 200\ntop = \"free\"\n\
+                roller_diameter = 120\nsolid = true\nroller_length = 400\nplate_thickness = 60\n";
+    let warm = |body: &str, lines: &str| format!("[[temperature]]\nbody = \"{body}\"\n{lines}\n");
+    let model = |lines: &str| good(&format!("{text}{lines}")).model();
+    let turns = [STAYS, PlaneTurn::Driven(0.0), STAYS];
+    let one = model(&warm("roller_1", "value = 20"));
+    assert_eq!(one.mirrors, [1]);
+    // Across y = 0 the top is free to turn about y.
+    assert_eq!(one.loads.planes[0].value.turn, turns);
+    let both = warm("roller_1", "value = 20") + &warm("roller_2", "value = 20");
+    let both = model(&both);
+    assert_eq!(
+        (&both.mirrors[..], both.loads.planes[0].value.turn),
+        (&[0, 1][..], [STAYS; 3])
+    );
+    let heated: Vec<&str> = (both.loads.temperatures.iter())
+        .map(|t| t.value.body.as_str())
+        .collect();
+    assert_eq!(heated, ["roller_2"]);
+    let nobody = bad(&format!("{text}{}", warm("roler_1", "value = 20")));
+    assert!(
+        nobody.contains("no body called `roler_1`") && nobody.contains("`roller_1`?"),
+        "{nobody}"
+    );
+    let across = bad(&format!(
+        "{text}{}",
+        warm("upper_plate", "gradient = [1, 0, 0]")
+    ));
+    assert!(
+        across.contains("`full = true` in [line_bearing]"),
+        "{across}"
+    );
+}
+
+#[test]
 fn symmetry_that_a_load_breaks_is_said_to_be_off() {
     let text = with(
         BEARING,

@@ -185,6 +185,10 @@ fn steels_of_single_bodies() {
     assert_eq!((lower.yield_stress, lower.hardening_modulus), (120.0, 0.0));
     assert_eq!(lower.youngs_modulus, 29500.0);
     assert_eq!(steel("upper_plate").yield_stress, 100.0);
+    // The default hardens, and so does what it completes.
+    let text = format!("{BEARING}[steel.upper_plate]\nyield_stress = \"120 ksi\"\n");
+    let mut said = good(&text).assumptions.into_iter();
+    assert!(!said.any(|a| a.key == "steel.upper_plate.hardening_modulus"));
 
     let text = format!("{SCENE}[[body]]\nname = \"upper\"\nsteel = {{ yield_stress = 300 }}\n");
     let steels = scene(&text).materials;

@@ -74,22 +74,29 @@ impl BearingCase {
         let breaks = loads.breaks_symmetry();
         let mut said = Vec::new();
         let mut steels = Steels::read(root, &mut said)?;
-        let (geometry, full) = match parallel {
+        let warm = |steels: &Steels, said: &mut Vec<Assumption>| {
+            let mut names = vec![LOADED_PLANE.to_string()];
+            temperature::read(root, steels, (&mut names, said))
+        };
+        let (geometry, full, temperatures) = match parallel {
             true => {
                 let mut geometry = reader.line_geometry()?;
                 (geometry.check()).map_err(|error| misfit("line_bearing", error))?;
                 size_steels(&mut steels, &geometry, &mut said)?;
-                geometry.alike = are_alike(&geometry, &steels)?;
+                let temperatures = warm(&steels, &mut said)?;
+                geometry.alike =
+                    are_alike(&geometry, &steels)? && alike_warm(&geometry, &temperatures);
                 let full = reader.line_full(&geometry, breaks.or(askew(&geometry)))?;
-                (Dimensions::Line(geometry), full)
+                (Dimensions::Line(geometry), full, temperatures)
             }
             false => {
                 let geometry = reader.geometry()?;
                 (geometry.check()).map_err(|error| misfit("bearing", error))?;
                 check_grip(&friction, &geometry)?;
                 size_steels(&mut steels, &geometry, &mut said)?;
+                let temperatures = warm(&steels, &mut said)?;
                 let full = reader.full(&geometry, breaks.or(askew(&geometry)))?;
-                (Dimensions::Crossed(geometry), full)
+                (Dimensions::Crossed(geometry), full, temperatures)
             }
         };
         let stages = reader.stages(load)?;
@@ -100,10 +107,9 @@ impl BearingCase {
         for (body, _) in geometry.bodies() {
             steels.of(&body)?;
         }
-        let mut names = vec![LOADED_PLANE.to_string()];
-        let known = (&mut names, reader.assumptions());
-        let mirrors = geometry.mirrors(full);
-        let temperatures = temperature::read(root, &mirrors, &steels, known)?;
+        temperature::check_bodies(&temperatures, &geometry.bodies())?;
+        let help = format!("say `full = true` in [{}]", geometry.table());
+        temperature::check_symmetry(root, &geometry.mirrors(full), &help)?;
         mesh.strips = strips(&*geometry, full, load, &steels)?;
         mesh.check(&*geometry)
             .map_err(|error| misfit("mesh", error))?;
@@ -129,6 +135,12 @@ impl BearingCase {
     /// Is the whole bearing modelled, or a part?
     pub fn is_whole(&self) -> bool {
         self.mirrors().is_empty()
+    }
+
+    /// Does nothing but the dimensions decide how rollers and lines that are images of each other share the load?
+    pub fn shares_evenly(&self) -> bool {
+        let straight = self.loads.breaks_symmetry().is_none() && !self.layout().is_askew();
+        straight && self.temperatures.is_empty()
     }
 
     /// About how many elements its mesh has.
@@ -205,6 +217,25 @@ fn are_alike(geometry: &LineGeometry, steels: &Steels) -> Result<bool, CaseError
         }
     }
     Ok(true)
+}
+
+/// Are rollers that are images of each other across x = 0 as warm?
+fn alike_warm(geometry: &LineGeometry, temperatures: &[Located<Temperature>]) -> bool {
+    let of = |number: usize| {
+        let body = geometry.body(number);
+        let own = temperatures.iter().map(|located| &located.value);
+        let own = own.filter(move |temperature| temperature.body == body);
+        own.map(|temperature| {
+            let Temperature {
+                expansion,
+                value,
+                gradient,
+                ..
+            } = temperature;
+            (*expansion, *value, *gradient)
+        })
+    };
+    (1..=geometry.rollers / 2).all(|number| of(number).eq(of(geometry.rollers + 1 - number)))
 }
 
 /// A displaced roller has one line of contact below and one above, whose normals differ by the

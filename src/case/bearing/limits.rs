@@ -55,9 +55,10 @@ impl BearingGeometry {
             self.offset >= 0.0 && self.offset < most,
             "offset",
             self.offset,
-            || format!("must be at least 0 and less than {most}"),
+            || format!("must be at least 0, and each roller less than {most} off"),
             "the rollers must cross each other and touch the intermediate plate within its edges \
-             (at offset + R sin of the slope)",
+             (at offset + R sin of the slope); `offset_is = \"bearing\"` allows twice as much, as \
+             half of it is the roller's",
         )
     }
 }

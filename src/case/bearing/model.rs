@@ -1,6 +1,7 @@
 //! The bearing template made into a general model.
 
 use super::bearing_case::{BearingCase, LOADED_PLANE};
+use super::layout::RollerPlace;
 use super::preset::Preset;
 use super::seat::Seat;
 use crate::case::axes::modelled_share;
@@ -10,7 +11,9 @@ use crate::case::load::Loads;
 use crate::case::model::Model;
 use crate::case::place::{KeyPlace, Located};
 use crate::case::source::Source;
-use crate::model::scene::{Controls, Partner, PlaneTurn, RigidPlane, Side, Step, Support};
+use crate::model::scene::{
+    Controls, Partner, PlaneTurn, RigidPlane, Side, Step, Support, Temperature,
+};
 
 impl BearingCase {
     /// The model: four contact pairs, the top face a rigid plane
@@ -84,12 +87,13 @@ impl BearingCase {
         let pivot = self.layout().pivot();
         let [_, top] = self.layout().height_range();
         let (motion, turn) = self.loads.plane(vertical, top - pivot[2]);
-        // A quarter is only modelled of what is symmetric: it does not turn.
-        let turn = if mirrors.is_empty() {
-            turn
-        } else {
-            <_>::default()
-        };
+        // Across a symmetry plane a turn about its normal is its own image, and no other is.
+        let mut turn = turn;
+        for (axis, turn) in turn.iter_mut().enumerate() {
+            if mirrors.iter().any(|mirror| *mirror != axis) {
+                *turn = PlaneTurn::default();
+            }
+        }
         let plane = RigidPlane {
             name: LOADED_PLANE.to_string(),
             surface: TOP.to_string(),
@@ -109,8 +113,20 @@ impl BearingCase {
             supports,
             planes,
             tractions: Vec::new(),
-            temperatures: self.temperatures.clone(),
+            temperatures: self.modelled_temperatures(),
             steps,
         }
+    }
+
+    /// Those of bodies that are modelled: images have what stands for them.
+    fn modelled_temperatures(&self) -> Vec<Located<Temperature>> {
+        let modelled = self.layout().rollers(self.mesh.full);
+        let is = |rollers: &[RollerPlace], body: &str| rollers.iter().any(|r| r.body == body);
+        let rollers = self.layout().rollers(true);
+        let temperatures = self.temperatures.iter().filter(|temperature| {
+            let body = &temperature.value.body;
+            is(&modelled, body) || !is(&rollers, body)
+        });
+        temperatures.cloned().collect()
     }
 }

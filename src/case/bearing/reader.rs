@@ -255,7 +255,13 @@ impl<'a, 'b> BearingReader<'a, 'b> {
 
     /// The share of the load that is left in the end, where there is unloading.
     pub fn unload(&mut self) -> Result<Option<f64>, CaseError> {
-        let asked = self.flag("unload")?.is_some_and(|asked| asked.value);
+        let asked = self.flag("unload")?;
+        if let (None, Some(field)) = (&asked, self.table.get("unload_to")) {
+            let why = "says where unloading ends, and nothing is unloaded";
+            let error = field.place().error(ErrorKind::Conflict, why);
+            return Err(error.help("say `unload = true`, or drop it"));
+        }
+        let asked = asked.is_some_and(|asked| asked.value);
         let share = match self.table.get("unload_to") {
             None => UNLOAD_TO,
             Some(field) => {

@@ -6,7 +6,7 @@ use super::error::GeometryError;
 use super::layout::Layout;
 use super::preset::Preset;
 use super::scales::Scales;
-use super::sizes::{MESH_KEYS, PLATE_TO_ROLLER, SizeKind, Sizes};
+use super::sizes::{MESH_KEYS, MOST_GROWTH, PLATE_TO_ROLLER, SizeKind, Sizes};
 use super::strips::{FoundLine, Strips};
 
 /// How a bearing is to be meshed.
@@ -122,30 +122,49 @@ impl MeshRequest {
             "every element this many times as large as the preset has it",
         )?;
         // Scaling mends counts of none, so what was asked for is looked at, too.
-        let both = [self.unscaled(geometry), self.sizes(geometry)];
-        let numbers = both.map(|sizes| MESH_KEYS.iter().zip(sizes.values()));
-        for (key, value) in numbers.into_iter().flatten() {
-            let (least, most, range) = match key.kind {
-                // Finer meshes than this could not be solved, nor made in reasonable time.
-                SizeKind::Length => {
-                    let least = 1e-4 * geometry.diameter();
-                    let range = format!("must be at least {least} (1e-4 diameters)");
-                    (least, f64::MAX, range)
-                }
-                SizeKind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
-                SizeKind::Ratio => (1.0, 10.0, "must lie between 1 and 10".into()),
-            };
-            let help = "a size, count or growth of the bearing template";
-            GeometryError::unless(
-                value >= least && value <= most,
-                key.key,
-                value,
-                || range,
-                help,
-            )?;
-        }
-        Ok(())
+        check_sizes(&self.unscaled(geometry), geometry)?;
+        check_sizes(&self.sizes(geometry), geometry).map_err(|error| match self.scale {
+            1.0 => error,
+            // The case says a scale, and not this size.
+            scale => GeometryError {
+                key: "scale",
+                value: scale,
+                range: format!(
+                    "makes `{}` {}, which {}",
+                    error.key, error.value, error.range
+                ),
+                help: "a scale nearer to 1, or another preset",
+            },
+        })
     }
+}
+
+/// Can a mesh of these sizes be made?
+fn check_sizes(sizes: &Sizes, geometry: &dyn Layout) -> Result<(), GeometryError> {
+    for (key, value) in MESH_KEYS.iter().zip(sizes.values()) {
+        let (least, most, range) = match key.kind {
+            // Finer meshes than this could not be solved, nor made in reasonable time.
+            SizeKind::Length => {
+                let least = 1e-4 * geometry.diameter();
+                let range = format!("must be at least {least} (1e-4 diameters)");
+                (least, f64::MAX, range)
+            }
+            SizeKind::Count => (1.0, 200.0, "must lie between 1 and 200".into()),
+            SizeKind::Ratio => {
+                let range = format!("must lie between 1 and {MOST_GROWTH}");
+                (1.0, MOST_GROWTH, range)
+            }
+        };
+        let help = "a size, count or growth of the bearing template";
+        GeometryError::unless(
+            value >= least && value <= most,
+            key.key,
+            value,
+            || range,
+            help,
+        )?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -181,6 +200,27 @@ mod tests {
             let error = base.scaled(scale).check(&initial()).expect_err("a scale");
             assert_eq!(error.key, "scale");
         }
+    }
+
+    #[test]
+    fn every_scale_up_to_the_largest_makes_a_mesh() {
+        for preset in Preset::ALL {
+            let request = MeshRequest {
+                preset,
+                scale: 5.0,
+                ..MeshRequest::default()
+            };
+            assert_eq!(request.check(&initial()), Ok(()), "{preset}");
+        }
+        // What a scale makes of a size is put down to the scale.
+        let fine = MeshRequest {
+            scale: 0.02,
+            overrides: vec![("fine_elements".into(), 100.0)],
+            ..MeshRequest::default()
+        };
+        let error = fine.check(&initial()).expect_err("too fine");
+        assert_eq!(error.key, "scale");
+        assert!(error.range.contains("fine_elements"), "{error}");
     }
 
     #[test]

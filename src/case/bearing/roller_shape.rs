@@ -61,16 +61,18 @@ impl RollerShape {
     }
 
     fn check_end(&self) -> Result<(), GeometryError> {
-        let wall = self.wall.unwrap_or(self.diameter / 2.0);
-        let most = 0.5 * wall.min(self.length / 2.0);
+        const HELP: &str = "the end of the roller must keep some of its wall";
+        let (depth, of) = match self.wall {
+            Some(wall) => (wall, "half the wall"),
+            None => (self.diameter / 2.0, "half the radius"),
+        };
+        let (most, of) = match self.length / 2.0 < depth {
+            true => (0.25 * self.length, "a quarter of the length"),
+            false => (0.5 * depth, of),
+        };
         let within = |key, value: f64| {
-            GeometryError::unless(
-                value > 0.0 && value <= most,
-                key,
-                value,
-                || format!("must be more than 0 and at most {most} (half the wall)"),
-                "the end of the roller must keep some of its wall",
-            )
+            let range = || format!("must be more than 0 and at most {most} ({of})");
+            GeometryError::unless(value > 0.0 && value <= most, key, value, range, HELP)
         };
         match self.end {
             RollerEnd::Square => Ok(()),
@@ -79,7 +81,12 @@ impl RollerShape {
             RollerEnd::CrownedRadius { radius, crown } => {
                 within("roller_end.radius", radius)?;
                 within("roller_end.crown", crown)?;
-                within("roller_end.crown", crown + radius)
+                let range = || {
+                    let both = crown + radius;
+                    format!("takes {both} with the radius, and at most {most} is left ({of})")
+                };
+                let fits = crown + radius <= most;
+                GeometryError::unless(fits, "roller_end.crown", crown, range, HELP)
             }
         }
     }

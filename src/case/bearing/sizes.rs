@@ -125,6 +125,9 @@ pub const MESH_KEYS: [MeshKey; 18] = [
 /// surfaces do not meet.
 pub(super) const PLATE_TO_ROLLER: f64 = 1.06;
 
+/// The most by which an element may be larger than the one before it.
+pub(super) const MOST_GROWTH: f64 = 10.0;
+
 impl Sizes {
     /// The numbers, in the order of [`MESH_KEYS`].
     pub fn values(&self) -> [f64; MESH_KEYS.len()] {
@@ -139,7 +142,8 @@ impl Sizes {
             *field = match key.kind {
                 SizeKind::Length => *field * scale,
                 SizeKind::Count => (*field / scale).round().max(1.0),
-                SizeKind::Ratio => field.powf(scale),
+                // Beyond that the next element is a coarse one anyway.
+                SizeKind::Ratio => field.powf(scale).min(MOST_GROWTH),
             };
         }
         self

@@ -317,8 +317,8 @@ pub const CONTROLS: Keys = Keys {
 
 pub const COMPARISON: Keys = Keys {
     heading: "[comparison]",
-    about: "Places are bodies or interfaces, or `overall`, `rollers`, `plates`: `mises = { overall = \
-            \"70 ksi\" }`.",
+    about: "Places of `mises` are bodies, `overall`, `rollers` or `plates`, those of `max_pressure` interfaces or \
+            `overall`: `mises = { overall = \"70 ksi\" }`.",
     keys: &[
         key("source", "text", "none", "where the values were printed"),
         key(

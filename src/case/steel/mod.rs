@@ -40,18 +40,23 @@ impl Steels {
             return Ok(steels);
         };
         if field.is_text() {
-            steels.default = Some(SteelTable::read_field(&field, &grades, assumptions)?);
+            let entry = SteelTable::read_field(&field, &grades, assumptions)?;
+            entry.note(None, assumptions);
+            steels.default = Some(entry);
             return Ok(steels);
         }
         let table = field.table()?.only_or_tables(&keys::STEEL)?;
         let own = keys::STEEL.names();
         let is_body = |key: &&str| !own.contains(key);
         if table.keys().iter().any(|key| own.contains(key)) {
-            steels.default = Some(SteelTable::read(&table, &grades, assumptions)?);
+            let entry = SteelTable::read(&table, &grades, assumptions)?;
+            entry.note(None, assumptions);
+            steels.default = Some(entry);
         }
         for body in table.keys().into_iter().filter(is_body) {
             let own = table.need(body)?.table()?.only(&keys::STEEL)?;
             let entry = SteelTable::read(&own, &grades, assumptions)?;
+            entry.note(steels.default.as_ref(), assumptions);
             let place = table.place_of_key(body);
             steels.bodies.push((
                 Located {
@@ -80,6 +85,7 @@ impl Steels {
             return Err(body.place.error(ErrorKind::Conflict, why).help(help));
         }
         let entry = SteelTable::read_field(field, &known_grades(root)?, assumptions)?;
+        entry.note(self.default.as_ref(), assumptions);
         self.bodies.push((body.clone(), entry));
         Ok(())
     }

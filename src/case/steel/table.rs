@@ -54,7 +54,7 @@ impl SteelTable {
             let table = field.table()?.only(&keys::STEEL)?;
             return Self::read(&table, grades, assumptions);
         }
-        let entry = Self {
+        Ok(Self {
             place: field.place(),
             youngs_modulus: None,
             poissons_ratio: None,
@@ -67,9 +67,7 @@ impl SteelTable {
             expansion: None,
             grade: Some(graded(field, grades)?),
             thickness: None,
-        };
-        entry.note(assumptions);
-        Ok(entry)
+        })
     }
 
     pub fn read(
@@ -111,7 +109,6 @@ impl SteelTable {
             thickness: table.get("thickness").map(length).transpose()?,
         };
         entry.contradiction(table)?;
-        entry.note(assumptions);
         Ok(entry)
     }
 
@@ -133,7 +130,8 @@ impl SteelTable {
         }
     }
 
-    fn note(&self, assumptions: &mut Vec<Assumption>) {
+    /// Notes what is taken for granted; `default` completes a body's own table.
+    pub fn note(&self, default: Option<&Self>, assumptions: &mut Vec<Assumption>) {
         if let Some(Located { value: grade, .. }) = &self.grade {
             let key = format!("{}.grade", self.place.key);
             let note = grade.note.iter().map(|note| format!("; {note}"));
@@ -143,7 +141,8 @@ impl SteelTable {
         let elastic = self.elastic.as_ref().is_some_and(|elastic| elastic.value);
         let of_grade = (self.grade.as_ref()).is_some_and(|grade| grade.value.yields());
         let yields = self.yield_stress.is_some() || (of_grade && !elastic);
-        if yields && self.hardening.is_none() {
+        let hardens = |table: &Self| table.hardening.is_some();
+        if yields && !hardens(self) && !default.is_some_and(hardens) {
             let key = format!("{}.hardening_modulus", self.place.key);
             let why = "no hardening is given: the stress stays at yield";
             assumptions.push(Assumption::default(&key, "0 (perfectly plastic)", why));

@@ -123,7 +123,7 @@ mod tests {
     fn shown_defaults_are_the_defaults() {
         let shown = [
             "unload = false",
-            "unload_to = 0.001",
+            "unload = false\nunload_to = 0.001",
             "roller_end = \"square\"",
             "offset_is = \"roller\"",
             "plate_size = \"8 in\"",
@@ -134,7 +134,8 @@ mod tests {
             panic!("not a bearing")
         };
         for line in shown {
-            let with = text.replace(&format!("# {line}"), line);
+            let hidden = format!("# {}", line.replace('\n', "\n# "));
+            let with = text.replace(&hidden, line);
             assert_ne!(with, text, "{line}");
             let case::Kind::Bearing(other) = read(Template::Bearing, &with).kind else {
                 panic!("not a bearing")

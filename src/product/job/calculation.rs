@@ -167,10 +167,15 @@ fn actions(case: &Case, scene: &Scene) -> Vec<String> {
     }
     for temperature in &scene.temperatures {
         let of = significant(temperature.value, 4);
-        said.push(format!(
-            "temperature of {}: {of} K in its middle",
-            temperature.name
-        ));
+        let mut text = format!("temperature of {}: {of} K in its middle", temperature.body);
+        if temperature.gradient != [0.0; 3] {
+            let [x, y, z] = temperature
+                .gradient
+                .map(|gradient| significant(gradient, 4));
+            let gradient = format!(", rising by ({x}, {y}, {z}) K/{}", units.length);
+            text.push_str(&gradient);
+        }
+        said.push(text);
     }
     for step in &scene.steps {
         let factors: Vec<String> = (step.factors.iter())

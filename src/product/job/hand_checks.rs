@@ -8,7 +8,7 @@ use crate::analytic::subsurface::LineField;
 use crate::answer::Answer;
 use crate::answer::certify::{Figure, Quantity};
 use crate::case::bearing::Seat;
-use crate::case::{Case, Kind};
+use crate::case::{BearingCase, Case, Kind};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::{ContactPair, Scene};
 use crate::render::summary::{HandCheck, SizedLine, SizedPatch, Sizing};
@@ -34,16 +34,17 @@ pub fn hand_checks(
     };
     let units = UnitLabels::of(case.units);
     let mut checks = Vec::new();
+    let bearing = match &case.kind {
+        Kind::Bearing(bearing) => Some(bearing),
+        Kind::General(_) => None,
+    };
     for pair in &scene.contacts {
         let hand = ByHand {
             scene,
             answer,
             units: &units,
             pair,
-        };
-        let bearing = match &case.kind {
-            Kind::Bearing(bearing) => Some(bearing),
-            Kind::General(_) => None,
+            shared: bearing.is_some_and(BearingCase::shares_evenly),
         };
         let seat = bearing.and_then(|bearing| bearing.seat(&pair.name));
         checks.extend(seat.as_ref().and_then(|seat| hand.force(seat)));
@@ -69,6 +70,8 @@ struct ByHand<'a> {
     answer: &'a Answer,
     units: &'a UnitLabels,
     pair: &'a ContactPair,
+    /// Do lines that are images of each other bear the same?
+    shared: bool,
 }
 
 impl ByHand<'_> {
@@ -77,7 +80,9 @@ impl ByHand<'_> {
         let load = self.answer.applied_load;
         let (formula, by_hand) = match seat.sharing {
             1 => (format!("P = {}", number(load)), load),
-            n if seat.determinate => (format!("P / {n}, P = {}", number(load)), load / n as f64),
+            n if seat.determinate && self.shared => {
+                (format!("P / {n}, P = {}", number(load)), load / n as f64)
+            }
             _ => return None,
         };
         Some(HandCheck {
@@ -93,7 +98,8 @@ impl ByHand<'_> {
 
     /// The even load per length of a line of a centred bearing: on the flat one line has all, in a V two share.
     fn even(&self, seat: &Seat, length: f64, line: &SizedLine) -> Option<HandCheck> {
-        if !seat.determinate {
+        let alone = !seat.is_valley() && seat.sharing == 1;
+        if !seat.determinate || !(alone || self.shared) {
             return None;
         }
         let load = self.answer.applied_load;

@@ -24,7 +24,12 @@ pub fn find_mesh(
     let bearing = match &case.kind {
         Kind::General(general) => {
             return match &general.mesh.origin {
-                MeshOrigin::File(_) => Ok(msh::read(&case.mesh_file().unwrap_or_default())?),
+                MeshOrigin::File(_) => {
+                    let path = case.mesh_file().unwrap_or_default();
+                    let reading = msh::read_with_notes(&path)?;
+                    reading.notes.iter().for_each(|note| say(note));
+                    Ok(reading.mesh)
+                }
                 MeshOrigin::Family {
                     family: Family::ProblemH,
                     level,

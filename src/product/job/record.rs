@@ -83,7 +83,7 @@ impl<'o> Recorder<'o> {
             None => Ok(Series::new(out, &stem)),
         };
         let strips = match &case.kind {
-            Kind::Bearing(bearing) => bearing.mesh.strips.is_some(),
+            Kind::Bearing(bearing) => bearing.mesh.strips.is_some_and(|strips| strips.found),
             Kind::General(_) => false,
         };
         let files = files.map(|(out, checkpoint)| {

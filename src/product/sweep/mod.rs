@@ -12,7 +12,7 @@ mod error;
 mod figures;
 mod file;
 mod local;
-mod mesh_files;
+mod named_files;
 mod one;
 mod parameter;
 mod place;

@@ -2,7 +2,7 @@
 
 use super::error::SweepError;
 use super::file::{self, SweepFile};
-use super::mesh_files::MeshFiles;
+use super::named_files::NamedFiles;
 use super::settings::KeyValues;
 use crate::case::{self, Case, CaseError, variant};
 use crate::ground::hash::Fnv;
@@ -33,7 +33,7 @@ pub struct SweepRow {
     pub name: String,
     /// The case file of the row.
     pub text: String,
-    /// Of that text and of the mesh file that it names: a row with another fingerprint is another
+    /// Of that text and of the files that it names: a row with another fingerprint is another
     /// row.
     pub fingerprint: String,
 }
@@ -55,14 +55,14 @@ impl Sweep {
     /// The rows that `plan`, read from `file`, makes of the case `base`.
     pub fn of(plan: SweepFile, file: &Path, base: String) -> Self {
         let varying = varying(&plan.columns, &plan.rows);
-        let mut meshes = MeshFiles::new(&plan.case);
+        let mut files = NamedFiles::new(&plan.case);
         let row = |(at, parameters): (usize, &KeyValues)| {
-            let text = meshes.absolute(text(&base, &[&plan.fixed, parameters]));
-            let mesh = meshes.content(&text);
+            let text = files.absolute(text(&base, &[&plan.fixed, parameters]));
+            let content = files.content(&text);
             SweepRow {
                 number: at + 1,
                 name: name(at + 1, parameters, &varying),
-                fingerprint: Fnv::hex(&format!("{text}{mesh:x}")),
+                fingerprint: Fnv::hex(&format!("{text}{content}")),
                 parameters: parameters.clone(),
                 text,
             }

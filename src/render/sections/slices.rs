@@ -2,6 +2,7 @@
 
 use crate::render::summary::Summary;
 use crate::render::table::{Cell, Table};
+use crate::render::text::significant;
 
 /// Interfaces with the same slices share a table.
 pub fn slices(summary: &Summary) -> Vec<Table> {
@@ -11,7 +12,13 @@ pub fn slices(summary: &Summary) -> Vec<Table> {
         let Some(q) = &interface.q else { continue };
         let known = tables.iter().position(|(edges, _)| *edges == q.edges);
         let index = known.unwrap_or_else(|| {
-            let mut ends = q.edges.iter().map(|end| format!("{end:.2}"));
+            // Two decimals where they tell ends apart, as in inches and millimetres.
+            let narrowest = q.edges.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+            let fine = narrowest.fold(f64::INFINITY, f64::min) < 0.05;
+            let mut ends = q.edges.iter().map(|end| match fine {
+                true => significant(*end, 3),
+                false => format!("{end:.2}"),
+            });
             let start = ends.next().unwrap_or_default();
             let table = Table::new(format!("Line load from {start} on, {unit}"));
             tables.push((&q.edges, table.words("slice ends").figures(ends)));

@@ -22,7 +22,7 @@ pub struct LineGeometry {
     pub lower: LinePlate,
     /// One of the plates curved across the roller; both flat where there is none.
     pub curve: Option<PlateCurve>,
-    /// Is the bearing its own image across x = 0, in its steels too?
+    /// Is the bearing its own image across x = 0, in its steels and temperatures too?
     pub alike: bool,
 }
 

@@ -137,7 +137,7 @@ impl BearingReader<'_, '_> {
             ),
             (false, false) => (
                 "a half".to_owned(),
-                "symmetric about y = 0 only: rollers left and right are of different steels",
+                "symmetric about y = 0 only: rollers left and right are of different steels or temperatures",
             ),
         };
         self.note("full", text, why);

@@ -215,12 +215,11 @@ mod tests {
         // What a scale makes of a size is put down to the scale.
         let fine = MeshRequest {
             scale: 0.02,
-            overrides: vec![("fine_elements".into(), 100.0)],
             ..MeshRequest::default()
         };
         let error = fine.check(&initial()).expect_err("too fine");
         assert_eq!(error.key, "scale");
-        assert!(error.range.contains("fine_elements"), "{error}");
+        assert!(error.range.contains("`roller_size`"), "{error}");
     }
 
     #[test]

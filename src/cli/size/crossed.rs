@@ -1,7 +1,7 @@
 //! `brinell size` of two crossed rollers.
 
 use super::args::{RuleName, SizeArgs, names, read, read_one};
-use super::verdict;
+use super::verdict::verdict;
 use crate::cli::console::{Console, LEGEND};
 use crate::cli::output::say;
 use crate::cli::status::{CommandResult, ExitStatus};

@@ -1,7 +1,7 @@
 //! `brinell size --template line`: parallel rollers.
 
 use super::args::{SizeArgs, names, read, read_one};
-use super::verdict;
+use super::verdict::verdict;
 use crate::cli::console::{Console, LEGEND};
 use crate::cli::output::say;
 use crate::cli::status::{CommandResult, ExitStatus};

@@ -3,12 +3,9 @@
 mod args;
 mod crossed;
 mod line;
+mod verdict;
 
-use crate::cli::console::Console;
-use crate::cli::failure::failure;
-use crate::cli::status::{CommandResult, ExitStatus};
-use crate::product::converge::ConvergeError;
-use crate::product::size::{SizeError, Verification};
+use crate::cli::status::CommandResult;
 pub use args::SizeArgs;
 use args::TemplateName;
 
@@ -18,19 +15,4 @@ pub fn run(args: &SizeArgs) -> CommandResult {
         TemplateName::Crossed => crossed::run(args),
         TemplateName::Line => line::run(args),
     }
-}
-
-/// What a verification came to; none where it was interrupted.
-fn verdict<Verdict>(
-    verification: Result<Verification<Verdict>, SizeError>,
-    console: &mut Console,
-) -> Result<Option<Box<Verdict>>, (ExitStatus, miette::Report)> {
-    let verdict = match verification {
-        Ok(Verification::Done(verdict)) => Some(verdict),
-        Ok(Verification::Interrupted) => None,
-        Err(SizeError::Job(error)) => return Err(failure(console, ConvergeError::Job(error))),
-        Err(error) => return Err((ExitStatus::BadInput, error.into())),
-    };
-    console.finish();
-    Ok(verdict)
 }

@@ -3,10 +3,11 @@
 use super::inputs::AnswerInputs;
 use super::named::Named;
 use super::patch::PatchFigures;
-use crate::answer::results::contact_lines::{ContactLine, contact_lines};
+use crate::answer::results::contact_lines::{ContactLine, across, contact_lines};
 use crate::answer::results::hertz::{HeaviestLine, line_contact};
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
+use crate::answer::results::load::cutting_pair;
 use crate::model::scene::Scene;
 use serde::Serialize;
 
@@ -71,6 +72,8 @@ pub struct InterfaceFigures {
 pub struct LineFigures {
     /// The axis along which it runs: x, y or z.
     pub axis: &'static str,
+    /// The axis across it, square to the load, too.
+    pub across_axis: &'static str,
     /// Mean coordinate across.
     pub across: f64,
     /// Lines like this one in the whole bearing.
@@ -172,7 +175,8 @@ fn line_figures(
         relative_radius: hertz.map(|hertz| hertz.radius),
         axis: axis_name(axis),
         mean: line.mean(),
-        mirrored: scene.mirrors.contains(&axis),
+        across_axis: across(scene, axis).map_or("?", axis_name),
+        mirrored: cutting_pair(scene, pair).contains(&axis),
         across: line.across,
         images: line.images,
         at: line.at,

@@ -16,7 +16,7 @@ pub struct Contact {
     pub upper: Located<Partner>,
     /// The lower surface or plane.
     pub lower: Located<Partner>,
-    /// The non-mortar (slave) side. `None`: chosen by how stiff the two sides are, see `case/carrier.rs`.
+    /// The non-mortar (slave) side. `None`: chosen by how stiff the two sides are, see `model/scene/carrier.rs`.
     pub carrier: Option<Side>,
     /// The side that carries where both are equally stiff.
     pub preferred: Side,

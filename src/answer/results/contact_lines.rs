@@ -163,7 +163,7 @@ pub(super) fn contact_lines_by(
 
 /// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
 /// the load.
-pub(super) fn across(scene: &Scene, axis: usize) -> Option<usize> {
+pub fn across(scene: &Scene, axis: usize) -> Option<usize> {
     let facing = upright(scene);
     (0..3).find(|i| *i != axis && *i != facing && axis != facing)
 }

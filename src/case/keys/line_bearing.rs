@@ -14,7 +14,12 @@ pub const LINE_BEARING: Keys = Keys {
             whole bearing. Rollers are `roller`, or `roller_1`, `roller_2` and so on from the lowest x; plates are \
             `upper_plate` and `lower_plate`.",
     keys: &[
-        key("load", "force", "required", "vertical, on the top face"),
+        key(
+            "load",
+            "force",
+            "required without `[[combination]]`",
+            "vertical, on the top face",
+        ),
         ECCENTRICITY,
         HORIZONTAL,
         MOMENT,

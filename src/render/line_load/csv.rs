@@ -41,6 +41,7 @@ mod tests {
         let line = WholeLine {
             interface: "a \"b\", c",
             axis: "y",
+            across_axis: "x",
             across: -0.5,
             rows: vec![(0.1, 1.0 / 3.0)],
             mean: 1.0,

@@ -22,6 +22,8 @@ pub struct WholeLine<'a> {
     pub interface: &'a str,
     /// The axis along which it runs.
     pub axis: &'static str,
+    /// The axis across it.
+    pub across_axis: &'static str,
     /// Its place across.
     pub across: f64,
     /// Coordinate along and force normal to the surface per length at each row of nodes; the
@@ -41,6 +43,7 @@ pub fn whole_lines(summary: &Summary) -> Vec<WholeLine<'_>> {
             lines.extend(across.into_iter().flatten().map(|across| WholeLine {
                 interface,
                 axis: line.axis,
+                across_axis: line.across_axis,
                 across,
                 rows: whole_rows(line),
                 mean: line.mean,

@@ -29,10 +29,7 @@ fn panel(lines: &[WholeLine], units: &UnitLabels) -> Panel {
     let axis = first.map_or("", |line| line.axis);
     let interface = first.map_or("", |line| line.interface);
     let places: Vec<String> = lines.iter().map(|l| significant(l.across, 3)).collect();
-    let across = match axis {
-        "x" => "y",
-        _ => "x",
-    };
+    let across = first.map_or("", |line| line.across_axis);
     let curve = |(style, line): (usize, &WholeLine)| Line::dotted(style, line.rows.clone());
     let (length, places) = (&units.length, places.join(" and "));
     Panel {

@@ -40,7 +40,7 @@ pub struct SizedPatch {
 pub struct SizingRule {
     /// The interface whose steels ask for most.
     pub interface: String,
-    /// P on the whole bearing.
+    /// P on one roller.
     pub load: f64,
     pub diameter: f64,
     /// L', of the roller.

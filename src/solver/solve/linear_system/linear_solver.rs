@@ -9,21 +9,23 @@ use crate::solver::linear::preconditioner::{Precision, Prepared};
 use crate::solver::linear::sparse::SymmetricMatrix;
 use crate::solver::solve::checkpoint::counters::Counters;
 use crate::solver::solve::checkpoint::timers::Phase;
-use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::equilibrium::evaluation::{Evaluation, flowing_points};
 use crate::solver::solve::linear_system::correction::{Correction, Sought};
 use crate::solver::solve::linear_system::low_rank_update::LowRankUpdate;
 use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
 use crate::solver::solve::linear_system::shifted_diagonal::{set_diagonal, shift_diagonal};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
-    AGED_FACTOR_DIRECTIONS, AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR, FACTOR_DIRECTIONS,
-    SINGLE_FACTOR_DIRECTIONS,
+    AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR,
+    FACTOR_DIRECTIONS, SINGLE_FACTOR_DIRECTIONS,
 };
 
 /// The linear solver with the factor that it carries from iteration to iteration.
 #[derive(Default)]
 pub struct LinearSolver {
     factor: Option<Prepared>,
+    /// Number of flowing points that the factor was made for.
+    flowing: usize,
     /// The last tangent, for its memory.
     matrix: SymmetricMatrix,
     /// Contact that has changed since.
@@ -114,6 +116,7 @@ impl LinearSolver {
             }
             self.factor = Some(factor);
         }
+        self.flowing = flowing_points(evaluation);
         self.update = LowRankUpdate::new(model, evaluation);
         Ok(sought.found)
     }
@@ -128,7 +131,9 @@ impl LinearSolver {
         counters: &mut Counters,
     ) -> bool {
         let timers = &mut counters.timers;
-        let trusted = self.distrust == 0 && !model.is_divided();
+        let little_flow =
+            flowing_points(evaluation).abs_diff(self.flowing) <= AGED_FACTOR_FLOW_CHANGES;
+        let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
         // Renewing the parts that changed costs next to nothing.
         let Some(factor) = self.factor.as_ref().filter(|_| trusted) else {
             return false;

@@ -59,7 +59,8 @@ impl PatchFigures {
             return None;
         }
         // What is measured is of all that mirrors through the bodies make of the pair; one patch is what those through it make.
-        let cut = mirrors_through(scene, field);
+        let active = (0..field.nodes.len()).filter(|i| field.is_active(*i));
+        let cut = scene.mirrors_that_cut(active.map(|i| field.nodes[i]));
         let images = 1 << (scene.mirrors.len() - cut.len());
         let one = times(&cut) / times(&cutting_pair(scene, pair));
         let [force, area] = [measured.pressure_integral, measured.area].map(|all| one * all);
@@ -106,20 +107,6 @@ fn shape(scene: &Scene, side: &Partner) -> Option<Shape> {
             shape => Some(shape),
         },
     }
-}
-
-/// The mirrors that cut the patch: nodes that press lie on them.
-fn mirrors_through(scene: &Scene, field: &ContactField) -> Vec<usize> {
-    let active = (0..field.nodes.len()).filter(|i| field.is_active(*i));
-    let points: Vec<_> = active
-        .map(|i| scene.mesh.points[field.nodes[i] as usize])
-        .collect();
-    let cuts = |axis: &usize| {
-        points
-            .iter()
-            .any(|at| scene.mirrors_through(at).any(|a| a == *axis))
-    };
-    scene.mirrors.iter().copied().filter(cuts).collect()
 }
 
 /// Centre of the forces on the modelled part; `None` where nothing presses.

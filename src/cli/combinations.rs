@@ -19,12 +19,11 @@ pub fn run(
     options: &Options,
     console: &mut Console,
 ) -> CommandResult {
-    let solved = combinations::solve(all, options, console);
+    let (solved, ended) = combinations::solve(all, options, console);
     console.finish();
-    let (solved, ended) = solved;
+    let ended = ended.map_err(|error| failure(console, ConvergeError::from(error)));
     if solved.is_empty() {
-        ended.map_err(|error| failure(console, ConvergeError::from(error)))?;
-        return Ok(ExitStatus::Done);
+        return ended.map(|()| ExitStatus::Done);
     }
     let parts = combinations::parts(&solved);
     let governs = joint::governs(&parts).unwrap_or_default();
@@ -42,7 +41,7 @@ pub fn run(
         say(&format!("written: {}", written.join(", ")));
     }
     // What was solved before stands, whatever became of the next.
-    ended.map_err(|error| failure(console, ConvergeError::from(error)))?;
+    ended?;
     let missed = solved
         .iter()
         .flat_map(|one| one.missed.iter().map(move |limit| (&one.name, limit)));

@@ -3,7 +3,7 @@
 use super::load::{self, cutting, cutting_pair, times, whole_of};
 use crate::ground::geometry::{cross, dot};
 use crate::model::mesh::Surface;
-use crate::model::scene::{Partner, Scene, Side};
+use crate::model::scene::{Partner, Scene, Side, joined};
 use crate::model::state::State;
 
 /// What contact does to a body that nothing else touches.
@@ -36,12 +36,19 @@ pub fn centre_of_force(scene: &Scene, state: &State, pair: usize) -> Option<[f64
     (total != 0.0).then(|| [0, 1, 2].map(centre))
 }
 
-/// The balance of every body without support, rigid plane, traction or tie, in the order of the mesh.
+/// The balance of every body without support, rigid plane or traction that is joined to no other, in the order of the mesh.
 pub fn balances(scene: &Scene, state: &State) -> Vec<Balance> {
-    let held = held_bodies(scene);
+    let (held, joined) = (held_bodies(scene), joined(scene));
+    let alone = |index: usize| {
+        joined
+            .iter()
+            .filter(|group| **group == joined[index])
+            .count()
+            == 1
+    };
     let bodies = scene.mesh.bodies.iter().enumerate();
     bodies
-        .filter(|(index, _)| !held.contains(index))
+        .filter(|(index, _)| !held.contains(index) && alone(*index))
         .filter_map(|(index, body)| {
             let mirrors = cutting(scene, index);
             let about = middle(scene, index, &mirrors)?;
@@ -85,8 +92,7 @@ fn held_bodies(scene: &Scene) -> Vec<usize> {
     let supports = scene.supports.iter().map(|s| &s.surface);
     let planes = scene.rigid_planes.iter().map(|p| &p.surface);
     let tractions = scene.tractions.iter().map(|t| &t.surface);
-    let ties = scene.ties.iter().flat_map(|t| &t.surfaces);
-    let surfaces = supports.chain(planes).chain(tractions).chain(ties);
+    let surfaces = supports.chain(planes).chain(tractions);
     // A symmetry plane holds as a mirror does: what it takes, the other half gives.
     let mirror = |surface: &&Surface| {
         let nodes = surface.nodes();

@@ -180,6 +180,8 @@ struct Rows {
     members: Vec<Vec<usize>>,
     /// Coordinates that differ by no more are the same.
     same: f64,
+    /// The mirrors that cut both bodies.
+    mirrors: Vec<usize>,
 }
 
 impl Rows {
@@ -220,6 +222,7 @@ impl Rows {
             at,
             members,
             same,
+            mirrors: cutting_pair(scene, pair),
         })
     }
 
@@ -334,8 +337,7 @@ impl Rows {
         let total: f64 = runs.iter().map(force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
-        let mirrors = cutting_pair(scene, pair);
-        let doubled = |axis: usize| if mirrors.contains(&axis) { 2 } else { 1 };
+        let doubled = |axis: usize| if self.mirrors.contains(&axis) { 2 } else { 1 };
         Some(ContactLine {
             across: runs.iter().map(|r| force(r) * r.across).sum::<f64>() / total,
             at: self.at.clone(),

@@ -6,9 +6,9 @@
 use super::interface::Interface;
 use super::load::{along, cutting_pair, times};
 use crate::model::mesh::Surface;
-use crate::model::scene::{Partner, PlaneMotion, Scene, Support};
+use crate::model::scene::{Partner, PlaneMotion, Scene, Support, joined};
 use crate::model::state::State;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// The forces along the load that balance says are the whole load: of every level that all of it passes. A pair that no
 /// support is reached from stands for itself.
@@ -48,7 +48,7 @@ pub fn passing(scene: &Scene, state: &State, measured: &[Interface]) -> Vec<f64>
 }
 
 /// How many contacts each body is away from what is held along `along`; `None` where no chain of contacts leads there.
-/// Bodies that are tied together are as far away.
+/// Bodies that are joined are as far away.
 fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<Option<usize>> {
     let mut levels = vec![None; scene.mesh.bodies.len()];
     for body in held_bodies(scene, along) {
@@ -62,16 +62,9 @@ fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<O
             }
         }
     }
-    let tied: Vec<BTreeSet<usize>> = (scene.ties.iter())
-        .map(|tie| {
-            tie.surfaces
-                .iter()
-                .flat_map(|name| bodies_of(scene, name))
-                .collect()
-        })
-        .collect();
+    let joined = joined(scene);
     for next in 1..=levels.len() {
-        pass_on(&mut levels, &tied);
+        pass_on(&mut levels, &joined);
         for sides in sides {
             let [Some(a), Some(b)] = *sides else { continue };
             for [from, to] in [[a, b], [b, a]] {
@@ -84,15 +77,11 @@ fn levels(scene: &Scene, along: [f64; 3], sides: &[[Option<usize>; 2]]) -> Vec<O
     levels
 }
 
-/// Gives bodies that are tied together one level, along chains of ties.
-fn pass_on(levels: &mut [Option<usize>], tied: &[BTreeSet<usize>]) {
-    for _ in tied {
-        for bodies in tied {
-            let lowest = bodies.iter().filter_map(|body| levels[*body]).min();
-            for body in bodies {
-                levels[*body] = levels[*body].or(lowest);
-            }
-        }
+/// Gives bodies of one group the lowest level of it.
+fn pass_on(levels: &mut [Option<usize>], joined: &[usize]) {
+    for body in 0..levels.len() {
+        let group = (0..levels.len()).filter(|other| joined[*other] == joined[body]);
+        levels[body] = levels[body].or(group.filter_map(|other| levels[other]).min());
     }
 }
 
@@ -159,8 +148,7 @@ mod tests {
     #[test]
     fn a_chain_of_ties_is_of_one_level() {
         let mut levels = [Some(0), None, None, None];
-        let tied = [[2, 1], [1, 0]].map(BTreeSet::from);
-        pass_on(&mut levels, &tied);
+        pass_on(&mut levels, &[0, 0, 0, 3]);
         assert_eq!(levels, [Some(0), Some(0), Some(0), None]);
     }
 }

@@ -21,14 +21,7 @@ pub fn whole(scene: &Scene, modelled: [f64; 3]) -> [f64; 3] {
 pub fn cutting(scene: &Scene, body: usize) -> Vec<usize> {
     let elements = scene.mesh.bodies.get(body).map(|b| b.elements.clone());
     let hexes = elements.and_then(|elements| scene.mesh.hexes.get(elements));
-    let reaches = |axis: &usize| {
-        let mut nodes = hexes.into_iter().flatten().flatten();
-        nodes.any(|node| {
-            let at = &scene.mesh.points[*node as usize];
-            scene.mirrors_through(at).any(|through| through == *axis)
-        })
-    };
-    scene.mirrors.iter().copied().filter(reaches).collect()
+    scene.mirrors_that_cut(hexes.into_iter().flatten().flatten().copied())
 }
 
 /// The mirrors that cut both bodies of a contact pair. A pair beside a plane has an image that is another pair, with

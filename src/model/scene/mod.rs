@@ -5,6 +5,7 @@
 
 pub mod carrier;
 mod controls;
+mod joined;
 mod loads;
 mod pair;
 mod rigid_plane;
@@ -18,6 +19,7 @@ use crate::ground::geometry::planes_through;
 use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
 pub use controls::{Controls, ElementKind, SolverKind};
+pub use joined::joined;
 pub use loads::{PlaneMotion, Support, Traction, TractionValue};
 pub use pair::{ContactPair, EDGE_REACH, Partner, Side};
 pub use rigid_plane::{PlaneTurn, Pose, RigidPlane};
@@ -93,6 +95,15 @@ impl Scene {
     /// Axes whose mirror plane the point `at` of the mesh lies on.
     pub fn mirrors_through(&self, at: &[f64; 3]) -> impl Iterator<Item = usize> {
         planes_through(&self.mirrors, at)
+    }
+
+    /// Axes whose mirror plane some of these `nodes` of the mesh lie on.
+    pub fn mirrors_that_cut(&self, nodes: impl Iterator<Item = u32> + Clone) -> Vec<usize> {
+        let cuts = |axis: &usize| {
+            let mut points = nodes.clone().map(|node| &self.mesh.points[node as usize]);
+            points.any(|at| self.mirrors_through(at).any(|through| through == *axis))
+        };
+        self.mirrors.iter().copied().filter(cuts).collect()
     }
 
     /// C_E of Hertz's contact between the steels of `pair`; a rigid plane does not give.

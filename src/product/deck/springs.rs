@@ -3,9 +3,9 @@
 use super::bounds::diagonal;
 use crate::answer::results::load;
 use crate::ground::geometry::{AXES, norm};
+use crate::model::scene::joined;
 use crate::model::scene::{Partner, PlaneMotion, Scene};
 use crate::render::inp::{Names, Springs};
-use crate::solver::solve::joined;
 use std::collections::BTreeSet;
 
 /// The springs of a body and axis together would carry this share of the load if the body moved by

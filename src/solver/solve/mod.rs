@@ -61,6 +61,5 @@ pub use observer::{Iteration, Observer, Silent};
 pub use rigid::free_motion::{FreeMotion, free_motions};
 pub use spring_back::spring_back;
 pub use start::close_gaps::{Closing, close_gaps};
-pub use start::joined::joined;
 pub use ties::error::TieError;
 pub use ties::unknowns::{joints, unknowns};

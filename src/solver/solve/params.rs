@@ -163,8 +163,6 @@ pub const NEW_COLUMNS_SHARE: f64 = 1.0 / 12.0;
 pub const KEPT_COLUMNS: usize = 900;
 /// Unknowns that are worth a task of their own.
 pub const UNKNOWNS_PER_TASK: usize = 1 << 12;
-/// Matrix entries that are worth a task of their own.
-pub const ENTRIES_PER_TASK: usize = 1 << 16;
 
 // --- Static condensation, and what it costs on a machine of two cores ---------------------------------------------
 // Measured on bearings of 25 to 220 thousand unknowns, elastic and plastic. Only ratios decide.

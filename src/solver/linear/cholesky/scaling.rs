@@ -5,11 +5,8 @@
 
 use super::error::FactorError;
 use super::number::Number;
-use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
+use crate::solver::linear::sparse::{ENTRIES_PER_TASK, Pattern, SymmetricMatrix};
 use rayon::prelude::*;
-
-/// Entries that are worth a task of their own.
-const ENTRIES_PER_TASK: usize = 1 << 16;
 
 /// One over the root of each entry of the diagonal.
 ///

@@ -4,6 +4,9 @@ mod product;
 
 use std::ops::Range;
 
+/// Entries of a matrix that are worth a task of their own.
+pub const ENTRIES_PER_TASK: usize = 1 << 16;
+
 /// The pattern of a symmetric matrix whose equations come in vertices (a node's components).
 ///
 /// Vertices that share a clique (an element, a contact row) are coupled in full.

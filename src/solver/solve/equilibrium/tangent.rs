@@ -1,10 +1,9 @@
 //! The tangent matrix: elastic bodies, changed by what flows, and closed contact rows.
 
 use crate::solver::contact::law::NodeResponse;
-use crate::solver::linear::sparse::SymmetricMatrix;
+use crate::solver::linear::sparse::{ENTRIES_PER_TASK, SymmetricMatrix};
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
-use crate::solver::solve::params::ENTRIES_PER_TASK;
 use crate::solver::solve::rows::contact_row::ContactRow;
 use rayon::prelude::*;
 

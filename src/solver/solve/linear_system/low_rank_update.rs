@@ -12,6 +12,7 @@
 use crate::ground::geometry::add;
 use crate::solver::contact::law::NodeResponse;
 use crate::solver::fem::dofs::FIXED;
+use crate::solver::linear::cholesky::Number;
 use crate::solver::linear::preconditioner::Precision;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
@@ -59,16 +60,15 @@ impl Column {
     /// Takes `share` times the entries from `from` on off `x`.
     fn take_off(&self, x: &mut [f64], from: usize, share: f64) {
         match self {
-            Self::Single(values) => {
-                let values = values[from..].iter().map(|v| f64::from(*v));
-                x.iter_mut().zip(values).for_each(|(x, z)| *x -= share * z);
-            }
-            Self::Double(values) => {
-                let values = values[from..].iter();
-                x.iter_mut().zip(values).for_each(|(x, z)| *x -= share * z);
-            }
+            Self::Single(values) => take_off(x, &values[from..], share),
+            Self::Double(values) => take_off(x, &values[from..], share),
         }
     }
+}
+
+fn take_off<T: Number>(x: &mut [f64], values: &[T], share: f64) {
+    let pairs = x.iter_mut().zip(values);
+    pairs.for_each(|(x, z)| *x -= share * z.widened());
 }
 
 /// The correction for the tangent of now.

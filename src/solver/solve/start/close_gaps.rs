@@ -9,11 +9,11 @@
 //! and the descent from there converges with a far smaller constant than from the touch of points.
 
 use crate::ground::geometry::{Vec3, add, dot, scale};
+use crate::model::scene::joined;
 use crate::model::scene::{ContactPair, Partner, Scene};
 use crate::solver::solve::params::CLOSING_ROUNDS;
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::start::held_bodies::held_bodies;
-use crate::solver::solve::start::joined::joined;
 use crate::solver::solve::start::load_direction::load_direction;
 use crate::solver::solve::start::nearest_row::nearest_row;
 

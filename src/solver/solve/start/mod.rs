@@ -5,7 +5,6 @@ pub mod close_gaps;
 pub mod expected;
 pub mod extent;
 pub mod held_bodies;
-pub mod joined;
 pub mod load_direction;
 pub mod load_names;
 pub mod nearest_row;

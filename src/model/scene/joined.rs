@@ -1,7 +1,7 @@
 //! Bodies that ties or shared nodes join.
 
+use super::Scene;
 use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::Scene;
 
 /// Of each body the lowest one that ties or shared nodes join it to, by whatever way; itself where there is none.
 pub fn joined(scene: &Scene) -> Vec<usize> {

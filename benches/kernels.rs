@@ -135,7 +135,7 @@ fn condensation(bencher: Bencher, cells: usize) {
     let top: Vec<bool> = mesh.points.iter().map(|p| p[2] == 1.0).collect();
     bencher.bench(|| {
         let condensation = Condensation::new(&pattern, &top)?;
-        condensation.eliminate(&pattern, matrix.clone())
+        condensation.eliminate(&pattern, &matrix)
     });
 }
 

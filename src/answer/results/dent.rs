@@ -1,5 +1,6 @@
 //! The dent that a load leaves in a contact surface.
 
+use crate::model::mesh::hexahedron::gauss_volumes;
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
@@ -100,7 +101,7 @@ fn samples(scene: &Scene, displacement: &[[f64; 3]], body: usize) -> Option<Vec<
     let samples = elements.flat_map(|element| {
         let corners = scene.mesh.corners(element);
         let moved = scene.mesh.hexes[element].map(|n| displacement[n as usize]);
-        let volumes = rule.volumes(&corners);
+        let volumes = gauss_volumes(&corners);
         let points = rule.shape.iter().zip(volumes);
         let sample = |(shape, volume): (&[f64; 8], f64)| -> Sample {
             let [x, u] = [&corners, &moved].map(|nodal| interpolate(shape, nodal).into());

@@ -1,6 +1,8 @@
-//! The trilinear hexahedron as results see it: shape functions, integration points, volumes.
+//! The trilinear hexahedron as results see it: shape functions and integration points.
 
-pub use crate::solver::fem::hex8::{CORNERS, GAUSS, shape, shape_derivatives as natural_gradients};
+pub use crate::model::mesh::hexahedron::{
+    CORNERS, GAUSS, shape, shape_derivatives as natural_gradients,
+};
 
 /// Sums nodal vectors weighted by nodal values, such as a position from shape functions.
 pub fn interpolate(weights: &[f64; 8], nodal: &[[f64; 3]; 8]) -> [f64; 3] {
@@ -11,26 +13,6 @@ pub fn interpolate(weights: &[f64; 8], nodal: &[[f64; 3]; 8]) -> [f64; 3] {
         }
     }
     sum
-}
-
-/// `J[i][j]` = derivative of nodal vector component `i` by natural coordinate `j`.
-pub fn jacobian(gradients: &[[f64; 3]; 8], nodal: &[[f64; 3]; 8]) -> [[f64; 3]; 3] {
-    let mut jacobian = [[0.0; 3]; 3];
-    for (g, v) in gradients.iter().zip(nodal) {
-        for i in 0..3 {
-            for j in 0..3 {
-                jacobian[i][j] += v[i] * g[j];
-            }
-        }
-    }
-    jacobian
-}
-
-/// Determinant of a 3x3 matrix.
-pub fn determinant(m: &[[f64; 3]; 3]) -> f64 {
-    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
-        - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
-        + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
 }
 
 /// Tables of the 2x2x2 Gauss rule; integration point `k` lies at the side of corner `k`.
@@ -56,12 +38,6 @@ impl GaussRule {
             gradients: points.map(natural_gradients),
             to_corners: CORNERS.map(|c| shape(c.map(|x| x / GAUSS))),
         }
-    }
-
-    /// Volume that each integration point stands for.
-    pub fn volumes(&self, corners: &[[f64; 3]; 8]) -> [f64; 8] {
-        self.gradients
-            .map(|gradients| determinant(&jacobian(&gradients, corners)))
     }
 
     /// Position of integration point `point`.
@@ -110,13 +86,6 @@ pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_volumes_of_a_sheared_box_sum_to_its_volume() {
-        let corners = CORNERS.map(|c| [2.0 * c[0] + 0.3 * c[2], 0.5 * c[1], c[2]]);
-        let sum: f64 = GaussRule::new().volumes(&corners).iter().sum();
-        assert!((sum - 8.0).abs() < 1e-13);
-    }
 
     #[test]
     fn a_trilinear_field_is_extrapolated_exactly() {

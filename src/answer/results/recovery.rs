@@ -1,5 +1,6 @@
 //! Stress at nodes and in elements from the stress at integration points.
 
+use crate::model::mesh::hexahedron::gauss_volumes;
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
@@ -97,7 +98,9 @@ pub fn recover(scene: &Scene, state: &State) -> Recovered {
         mises_mean: stress().map(|s| mises(&mean(s))).collect(),
         mises_max: stress().map(|s| largest(s.iter().map(mises))).collect(),
         peeq: elements().map(|e| largest(state.peeq_of(e))).collect(),
-        volumes: elements().map(|e| rule.volumes(&mesh.corners(e))).collect(),
+        volumes: elements()
+            .map(|e| gauss_volumes(&mesh.corners(e)))
+            .collect(),
         points,
     }
 }

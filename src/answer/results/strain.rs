@@ -3,8 +3,9 @@
 use nalgebra::{Matrix3, SymmetricEigen};
 use rayon::prelude::*;
 
-use super::hex::{GaussRule, jacobian};
+use super::hex::GaussRule;
 use crate::model::mesh::Mesh;
+use crate::model::mesh::hexahedron::jacobian_matrix;
 
 /// The largest principal strain by size at any integration point, and its undeformed position.
 ///
@@ -79,9 +80,9 @@ fn strain_tensor(
     moved: &[[f64; 3]; 8],
 ) -> Matrix3<f64> {
     let matrix = |m: [[f64; 3]; 3]| Matrix3::from_fn(|i, j| m[i][j]);
-    let Some(inverse) = matrix(jacobian(gradients, corners)).try_inverse() else {
+    let Some(inverse) = matrix(jacobian_matrix(corners, gradients)).try_inverse() else {
         return Matrix3::zeros();
     };
-    let gradient = matrix(jacobian(gradients, moved)) * inverse;
+    let gradient = matrix(jacobian_matrix(moved, gradients)) * inverse;
     0.5 * (gradient + gradient.transpose())
 }

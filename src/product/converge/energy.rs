@@ -1,8 +1,8 @@
 //! Potential energy of an elastic state.
 
-use crate::answer::results::hex::GaussRule;
 use crate::answer::results::quad::{area_vector, integrate};
 use crate::model::material::Elastic;
+use crate::model::mesh::hexahedron::gauss_volumes;
 use crate::model::scene::{Scene, TractionValue};
 use crate::model::state::State;
 
@@ -13,12 +13,12 @@ pub fn potential(scene: &Scene, state: &State) -> f64 {
 
 /// ½ ∫ σ:C⁻¹:σ dV: σ:C⁻¹:σ = (tr σ)² / 9K + s:s / 2G.
 pub fn strain_energy(scene: &Scene, state: &State) -> f64 {
-    let (mesh, rule) = (&scene.mesh, GaussRule::new());
+    let mesh = &scene.mesh;
     let mut sum = 0.0;
     for (body, steel) in mesh.bodies.iter().zip(&scene.materials) {
         let Elastic { shear, bulk } = steel.moduli();
         for e in body.elements.clone() {
-            let volumes = rule.volumes(&mesh.corners(e));
+            let volumes = gauss_volumes(&mesh.corners(e));
             for (s, v) in state.stress[e].iter().zip(volumes) {
                 let trace = s[0] + s[1] + s[2];
                 let normal = s[..3]

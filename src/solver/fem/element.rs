@@ -41,14 +41,6 @@ impl Element {
         }
     }
 
-    /// Volume that each integration point stands for.
-    pub fn volumes(&self) -> &[f64; 8] {
-        match self {
-            Self::Displacement(g) => &g.volumes,
-            Self::Enhanced(e) => &e.volumes,
-        }
-    }
-
     /// Elastic stiffness.
     pub fn stiffness(&self, elastic: &Elastic) -> ElementMatrix {
         match self {

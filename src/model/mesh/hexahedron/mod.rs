@@ -9,4 +9,4 @@ mod trilinear;
 
 pub use numbering::{CORNERS, EDGES, FACES, NEIGHBOURS, faces_of, mirrored, side_of};
 pub(super) use orientation::{Orientation, edge_lengths, orientation, scaled_jacobians};
-pub use trilinear::{GAUSS, jacobian_matrix, shape, shape_derivatives, volume};
+pub use trilinear::{GAUSS, gauss_volumes, jacobian_matrix, shape, shape_derivatives, volume};

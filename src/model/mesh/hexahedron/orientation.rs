@@ -1,7 +1,7 @@
 //! Is a hexahedron sound? Scaled Jacobians at its corners and determinants at its Gauss points.
 
 use super::numbering::{EDGES, NEIGHBOURS};
-use super::trilinear::gauss_jacobians;
+use super::trilinear::gauss_volumes;
 use crate::ground::geometry::{Vec3, cross, dot, norm, sub};
 
 /// Below this, a scaled Jacobian counts as zero.
@@ -38,7 +38,7 @@ pub(in crate::model::mesh) fn edge_lengths(x: &[[f64; 3]; 8]) -> [f64; 12] {
 /// Whether the element is sound, and what is wrong otherwise.
 pub(in crate::model::mesh) fn orientation(x: &[[f64; 3]; 8]) -> Orientation {
     let corners = scaled_jacobians(x);
-    let gauss = gauss_jacobians(&unit_size(x));
+    let gauss = gauss_volumes(&unit_size(x));
     if corners.iter().all(|&j| j > ZERO_JACOBIAN) && gauss.iter().all(|&j| j > 0.0) {
         return Orientation::Sound;
     }

@@ -49,14 +49,15 @@ fn jacobian(corners: &[[f64; 3]; 8], s: [f64; 3]) -> f64 {
     dot(cross(a, b), c)
 }
 
-/// Determinants of the Jacobian at the 2×2×2 Gauss points, in the order of the corners.
-pub(super) fn gauss_jacobians(corners: &[[f64; 3]; 8]) -> [f64; 8] {
+/// Volume that each of the 2×2×2 Gauss points stands for, in the order of the corners: the determinant of the Jacobian,
+/// as every weight is one.
+pub fn gauss_volumes(corners: &[[f64; 3]; 8]) -> [f64; 8] {
     CORNERS.map(|corner| jacobian(corners, corner.map(|c| c * GAUSS)))
 }
 
 /// Volume, exact for the trilinear element; negative for a mirrored one.
 pub fn volume(corners: &[[f64; 3]; 8]) -> f64 {
-    gauss_jacobians(corners).iter().sum()
+    gauss_volumes(corners).iter().sum()
 }
 
 #[cfg(test)]
@@ -70,5 +71,12 @@ mod tests {
                 assert_eq!(*value, if a == b { 1.0 } else { 0.0 });
             }
         }
+    }
+
+    #[test]
+    fn the_volumes_of_a_sheared_box_sum_to_its_volume() {
+        let corners = CORNERS.map(|c| [2.0 * c[0] + 0.3 * c[2], 0.5 * c[1], c[2]]);
+        let sum: f64 = gauss_volumes(&corners).iter().sum();
+        assert!((sum - 8.0).abs() < 1e-13);
     }
 }

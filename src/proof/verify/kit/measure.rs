@@ -1,6 +1,6 @@
 //! What is read from the mesh and the state of a scene of the ladder.
 
-use crate::answer::results::hex::GaussRule;
+use crate::model::mesh::hexahedron::gauss_volumes;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::state::State;
 use crate::proof::verify::VerifyError;
@@ -39,10 +39,9 @@ pub fn displacement_at(mesh: &Mesh, state: &State, at: [f64; 3]) -> Result<[f64;
 /// By virtual work with a displacement u = x along an axis, the force times the height of a body
 /// that is pressed between planes across that axis: exact for what the solver balanced.
 pub fn stress_integral(mesh: &Mesh, state: &State) -> [f64; 6] {
-    let rule = GaussRule::new();
     let mut sum = [0.0; 6];
     for (e, points) in state.stress.iter().enumerate() {
-        for (stress, volume) in points.iter().zip(rule.volumes(&mesh.corners(e))) {
+        for (stress, volume) in points.iter().zip(gauss_volumes(&mesh.corners(e))) {
             for (s, t) in sum.iter_mut().zip(stress) {
                 *s += t * volume;
             }

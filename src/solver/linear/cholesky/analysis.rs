@@ -44,7 +44,9 @@ pub(in crate::solver::linear) fn supernodal_work(
         .map(columns)
         .filter(|(node, _)| node.start() < end)
         .map(|(node, width)| {
-            let (below, w) = (node.pattern().len() as f64, width as f64);
+            let own = width.min(end - node.start());
+            let below = (width - own + node.pattern().len()) as f64;
+            let w = own as f64;
             // Column by column, half the square of what is left of it.
             0.5 * w * (below * below + below * w + w * w / 3.0)
         })

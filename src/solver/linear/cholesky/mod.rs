@@ -23,12 +23,14 @@ pub(super) use analysis::{analyse, structure, supernodal_work};
 pub use error::FactorError;
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 pub use number::Number;
-use numeric::order;
-pub(super) use numeric::{numeric, numeric_alone, solve};
+pub(super) use numeric::{Eliminated, eliminate, numeric_alone, solve};
+use numeric::{numeric, order};
 use rayon::prelude::*;
 use scaling::{scale, scaled};
 use std::sync::OnceLock;
 use subtrees::Plan;
+pub(super) use tree::Tree;
+pub(super) use triangles::Triangles;
 
 /// Symbolic work that is done once a pattern: order and structure of the factor.
 pub struct Symbolic {

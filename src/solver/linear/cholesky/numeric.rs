@@ -5,9 +5,12 @@ use super::error::FactorError;
 use super::number::Number;
 use super::subtrees::Plan;
 use super::supernode::Pivot;
-use crate::solver::linear::sparse::Pattern;
+use super::tree::Tree;
+use crate::solver::linear::pages::Pages;
+use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::traits::RealField;
@@ -26,10 +29,38 @@ pub(in crate::solver::linear) fn numeric<T: Number>(
     let threads = rayon::current_num_threads();
     if let (SymbolicCholeskyRaw::Supernodal(nodes), 2..) = (symbolic.raw(), threads) {
         let order = order(symbolic);
-        let plan = plan.get_or_init(|| Plan::new(nodes, pattern, order));
+        let plan = plan.get_or_init(|| Plan::new(nodes, pattern, (order, order.len())));
         return (plan.factorise(nodes, entries, values)).map_err(|Pivot(k)| not_positive(order, k));
     }
     numeric_alone(symbolic, structure(pattern), entries, values)
+}
+
+/// Columns of a factor of which the last ones are kept, and what is left of those.
+pub(in crate::solver::linear) struct Eliminated {
+    pub tree: Tree,
+    pub values: Pages<f64>,
+    /// The lower triangle, column by column.
+    pub complement: Vec<f64>,
+}
+
+/// Eliminates the first equations of `order`, `count` of them, on all threads of the pool.
+///
+/// # Errors
+/// [`FactorError`] where memory runs out or what is eliminated is not positive definite.
+pub(in crate::solver::linear) fn eliminate(
+    nodes: &SymbolicSupernodalCholesky<u32>,
+    (order, count): (&[u32], usize),
+    (pattern, matrix): (&Pattern, &SymmetricMatrix),
+) -> Result<Eliminated, FactorError> {
+    let plan = Plan::new(nodes, pattern, (order, count));
+    let mut values = Pages::new(plan.values()).map_err(|_| FactorError::Memory)?;
+    (plan.factorise(nodes, &matrix.values, &mut values))
+        .map_err(|Pivot(k)| not_positive(order, k))?;
+    Ok(Eliminated {
+        complement: plan.complement(nodes, &matrix.values, &values),
+        tree: plan.into_tree(),
+        values,
+    })
 }
 
 /// Factors a lower triangle into `values` on one thread.

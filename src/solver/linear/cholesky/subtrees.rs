@@ -28,9 +28,9 @@ use super::supernode::{Pivot, Scratch, Work};
 use super::tree::Tree;
 use super::triangles::Triangles;
 use crate::solver::linear::sparse::Pattern;
-use faer::Par;
 use faer::prelude::ReborrowMut;
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
+use faer::{MatMut, Par};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Mutex;
@@ -42,14 +42,14 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// For a pattern whose equations are eliminated in `order`.
+    /// For a pattern whose equations are eliminated in `order`, the first `eliminated` of them.
     pub fn new(
         symbolic: &SymbolicSupernodalCholesky<u32>,
         pattern: &Pattern,
-        order: &[u32],
+        (order, eliminated): (&[u32], usize),
     ) -> Self {
         Self {
-            tree: Tree::new(symbolic),
+            tree: Tree::new(symbolic, eliminated),
             entries: Entries::new(pattern, order),
         }
     }
@@ -64,13 +64,43 @@ impl Plan {
         entries: &[T],
         values: &mut [T],
     ) -> Result<(), Pivot> {
-        let work = Work {
+        self.work(symbolic, entries)
+            .factorise(values, rayon::current_num_threads())
+    }
+
+    /// What the elimination with a factor of these `values` leaves of the kept columns: the lower triangle, column by
+    /// column.
+    pub(super) fn complement<T: Number>(
+        &self,
+        symbolic: &SymbolicSupernodalCholesky<u32>,
+        entries: &[T],
+        values: &[T],
+    ) -> Vec<T> {
+        self.work(symbolic, entries)
+            .complement(values, rayon::current_num_threads())
+    }
+
+    fn work<'a, T>(
+        &'a self,
+        symbolic: &'a SymbolicSupernodalCholesky<u32>,
+        values: &'a [T],
+    ) -> Work<'a, T> {
+        Work {
             symbolic,
             tree: &self.tree,
             entries: &self.entries,
-            values: entries,
-        };
-        work.factorise(values, rayon::current_num_threads())
+            values,
+        }
+    }
+
+    /// Number of values of the factor.
+    pub(super) fn values(&self) -> usize {
+        self.tree.value[self.tree.len()]
+    }
+
+    /// The tree alone, to solve with.
+    pub(super) fn into_tree(self) -> Tree {
+        self.tree
     }
 
     /// Replaces b by x with L Lᵀ x = b, both in the order of elimination; `values` are those of L.
@@ -86,7 +116,7 @@ impl Plan {
             tree,
             values,
         };
-        triangles.solve(x, rayon::current_num_threads());
+        triangles.solve(x);
     }
 }
 
@@ -154,7 +184,7 @@ impl<T: Number> Work<'_, T> {
         Ok(())
     }
 
-    /// Factors a supernode above the subtrees, all threads on it: each takes the updates of a stretch of columns.
+    /// Factors a supernode above the subtrees, all threads on it.
     fn above(
         &self,
         s: usize,
@@ -162,12 +192,41 @@ impl<T: Number> Work<'_, T> {
         scratch: &mut Scratch<T>,
         threads: usize,
     ) -> Result<(), Pivot> {
-        /// Columns that are worth a task of their own.
-        const COLUMNS_PER_TASK: usize = 48;
         /// Multiplications of the dense factor from which on faer's threads pay.
         const LEAST_WORK_FOR_THREADS: f64 = 1e7;
         let (below, tail) = values.split_at_mut(self.tree.value[s]);
         let own = &mut tail[..self.tree.value[s + 1] - self.tree.value[s]];
+        let block = self.gather(s, below, own, scratch, threads);
+        let columns = block.ncols();
+        let own: f64 = columns as f64 * (block.nrows() as f64).powi(2);
+        let par = if own > LEAST_WORK_FOR_THREADS {
+            Par::rayon(threads)
+        } else {
+            Par::Seq
+        };
+        self.finish(block, s, par)
+    }
+
+    /// See [`Plan::complement`].
+    fn complement(&self, values: &[T], threads: usize) -> Vec<T> {
+        let s = self.tree.len();
+        let mut kept = vec![T::rounded(0.0); self.tree.columns(s).pow(2)];
+        let mut scratch = Scratch::new(self.entries.len());
+        self.gather(s, values, &mut kept, &mut scratch, threads);
+        kept
+    }
+
+    /// Entries of a supernode less all updates, made by all threads: each takes the updates of a stretch of columns.
+    fn gather<'v>(
+        &self,
+        s: usize,
+        below: &[T],
+        own: &'v mut [T],
+        scratch: &mut Scratch<T>,
+        threads: usize,
+    ) -> MatMut<'v, T> {
+        /// Columns that are worth a task of their own.
+        const COLUMNS_PER_TASK: usize = 48;
         let mut block = self.scatter(s, own, &mut scratch.local);
         let columns = block.ncols();
         let tasks = (columns / COLUMNS_PER_TASK).clamp(1, 4 * threads);
@@ -183,12 +242,6 @@ impl<T: Number> Work<'_, T> {
         (parts.into_par_iter().with_max_len(1)).for_each_init(Vec::new, |product, (at, part)| {
             self.update(below, 0, part, s, at, local, product);
         });
-        let own: f64 = columns as f64 * (block.nrows() as f64).powi(2);
-        let par = if own > LEAST_WORK_FOR_THREADS {
-            Par::rayon(threads)
-        } else {
-            Par::Seq
-        };
-        self.finish(block, s, par)
+        block
     }
 }

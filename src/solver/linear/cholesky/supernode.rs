@@ -30,7 +30,7 @@ pub(super) struct Pivot(pub usize);
 impl<'a, T: Number> Work<'a, T> {
     /// Rows of a supernode below its triangle, ascending, in the order of elimination.
     fn rows(&self, s: usize) -> &'a [u32] {
-        self.symbolic.supernode(s).pattern()
+        self.tree.rows(self.symbolic, s)
     }
 
     /// Puts the entries of the matrix in a supernode. `local` then holds, of each row of the supernode, its position in
@@ -46,7 +46,7 @@ impl<'a, T: Number> Work<'a, T> {
             local[row as usize] = i as u32;
         }
         values.fill(T::rounded(0.0));
-        for (column, own) in (begin..end).zip(values.chunks_exact_mut(height)) {
+        for (column, own) in (begin..end).zip(values.chunks_exact_mut(height.max(1))) {
             let range = self.entries.columns[column]..self.entries.columns[column + 1];
             for (row, place) in self.entries.rows[range.clone()]
                 .iter()
@@ -87,7 +87,7 @@ impl<'a, T: Number> Work<'a, T> {
             if a == b {
                 continue;
             }
-            let width = self.tree.begin[d + 1] - self.tree.begin[d];
+            let width = self.tree.columns(d);
             let source = &below[self.tree.value[d] - base..self.tree.value[d + 1] - base];
             let source = MatRef::from_column_major_slice(source, width + rows.len(), width);
             let (count, height) = (b - a, rows.len() - a);

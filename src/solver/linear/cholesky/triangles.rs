@@ -9,7 +9,7 @@
 //! in the work of the factor.
 
 use super::number::Number;
-use super::tree::Tree;
+use super::tree::{Split, Tree};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// A factor to solve with.
-pub(super) struct Triangles<'a, T> {
+pub(in crate::solver::linear) struct Triangles<'a, T> {
     pub symbolic: &'a SymbolicSupernodalCholesky<u32>,
     pub tree: &'a Tree,
     /// Values of the factor.
@@ -38,10 +38,30 @@ struct Stretch<'x, T> {
 
 impl<T: Number> Triangles<'_, T> {
     /// Replaces b by x with L Lᵀ x = b, both in the order of elimination.
-    pub fn solve(&self, x: &mut [T], threads: usize) {
-        let (shares, top) = self.tree.shares(threads);
+    pub fn solve(&self, x: &mut [T]) {
+        let split = self.split();
+        self.all_forward(x, &split);
+        self.all_backward(x, &split);
+    }
+
+    /// Replaces b by y with L y = b; where the elimination ends before, kept entries by what it leaves of them.
+    pub fn reduce(&self, x: &mut [T]) {
+        self.all_forward(x, &self.split());
+    }
+
+    /// Replaces y by x with Lᵀ x = y; where the elimination ends before, kept entries have their answers already.
+    pub fn recover(&self, x: &mut [T]) {
+        self.all_backward(x, &self.split());
+    }
+
+    /// How the threads of the pool share the work.
+    fn split(&self) -> Split {
+        self.tree.shares(rayon::current_num_threads())
+    }
+
+    fn all_forward(&self, x: &mut [T], (shares, top): &Split) {
         let zeros = || vec![T::rounded(0.0); self.symbolic.nrows()];
-        let spills: Vec<Vec<T>> = (self.stretches(&shares, x).into_par_iter())
+        let spills: Vec<Vec<T>> = (self.stretches(shares, x).into_par_iter())
             .map(|mut share| {
                 let (mut spill, mut product) = (zeros(), Vec::new());
                 for stretch in &mut share {
@@ -54,21 +74,33 @@ impl<T: Number> Triangles<'_, T> {
             .collect();
         let (mut none, mut product) = (Vec::new(), Vec::new());
         let mut whole = Stretch {
-            supernodes: 0..self.symbolic.n_supernodes(),
+            supernodes: 0..self.tree.len(),
             base: 0,
             x,
         };
-        for s in &top {
+        for s in top {
             for i in self.tree.begin[*s]..self.tree.begin[*s + 1] {
                 spills.iter().for_each(|spill| whole.x[i] += spill[i]);
             }
             self.forward(*s, &mut whole, &mut none, &mut product);
         }
+        for i in self.tree.kept() {
+            spills.iter().for_each(|spill| whole.x[i] += spill[i]);
+        }
+    }
+
+    fn all_backward(&self, x: &mut [T], (shares, top): &Split) {
+        let (none, mut product) = (Vec::new(), Vec::new());
+        let mut whole = Stretch {
+            supernodes: 0..self.tree.len(),
+            base: 0,
+            x,
+        };
         for s in top.iter().rev() {
             self.backward(*s, &mut whole, &none, &mut product);
         }
         let above = whole.x.to_vec();
-        (self.stretches(&shares, whole.x).into_par_iter()).for_each(|mut share| {
+        (self.stretches(shares, whole.x).into_par_iter()).for_each(|mut share| {
             let mut product = Vec::new();
             for stretch in &mut share {
                 for s in stretch.supernodes.clone().rev() {
@@ -103,8 +135,7 @@ impl<T: Number> Triangles<'_, T> {
 
     /// Triangle and rectangle of a supernode, and the rows of the rectangle.
     fn block(&self, s: usize) -> (MatRef<'_, T>, MatRef<'_, T>, &[u32]) {
-        let rows = self.symbolic.supernode(s).pattern();
-        let width = self.tree.begin[s + 1] - self.tree.begin[s];
+        let (rows, width) = (self.tree.rows(self.symbolic, s), self.tree.columns(s));
         let values = &self.values[self.tree.value[s]..self.tree.value[s + 1]];
         let block = MatRef::from_column_major_slice(values, width + rows.len(), width);
         let (triangle, rectangle) = block.split_at_row(width);

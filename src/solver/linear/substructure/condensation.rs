@@ -41,11 +41,6 @@ impl Condensation {
         supernodal_work(self.supernodal(), self.eliminated)
     }
 
-    /// Entries of the factor.
-    pub fn factor_entries(&self) -> usize {
-        self.inner.len_val()
-    }
-
     /// Number of equations kept.
     pub fn kept(&self) -> usize {
         self.order.len() - self.eliminated

@@ -7,7 +7,6 @@ use crate::solver::solve::condensed::assembly::{Condensing, assemble_elastic};
 use crate::solver::solve::condensed::cost::{seconds_condensed, seconds_sparse};
 use crate::solver::solve::condensed::groups::{Group, local_pattern, numbering};
 use crate::solver::solve::error::SolveError;
-use faer::Mat;
 
 /// A condensed group of bodies that hold together.
 pub struct CondensedPart {
@@ -26,8 +25,8 @@ pub struct Condensed {
     pub part: CondensedPart,
     pub zone: Vec<u32>,
     pub kept_vertices: Vec<u32>,
-    /// The part's stiffness seen from the kept vertices.
-    pub schur: Mat<f64>,
+    /// The part's stiffness seen from the kept vertices: the lower triangle, column by column.
+    pub schur: Vec<f64>,
 }
 
 /// A group, and how its inner unknowns would be eliminated if that is possible and may pay.
@@ -78,7 +77,7 @@ impl Candidate {
         };
         let (equations, local_of) = numbering(plan, &group);
         let matrix = assemble_elastic(plan, &group.elements, &pattern, |e| local_of[e as usize]);
-        match condensation.eliminate(&pattern, matrix) {
+        match condensation.eliminate(&pattern, &matrix) {
             Ok((substructure, schur)) => Ok(Made::Condensed(Box::new(Condensed {
                 kept_vertices: (group.vertices.iter().zip(kept(plan, &group)))
                     .filter_map(|(v, kept)| kept.then_some(*v))

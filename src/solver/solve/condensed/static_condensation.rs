@@ -22,7 +22,6 @@ use crate::solver::solve::condensed::condense::{Candidate, CondensedPart, Made};
 use crate::solver::solve::condensed::cost::worth_condensing;
 use crate::solver::solve::condensed::groups::{Group, groups};
 use crate::solver::solve::error::SolveError;
-use faer::Mat;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -42,8 +41,9 @@ pub struct CondensedBodies {
     pub blocks: Vec<Block>,
     /// Elements that were not condensed.
     pub sparse_elements: Vec<u32>,
-    /// Kept vertices of each condensed group, and its stiffness S seen from there: a superelement.
-    superelements: Vec<(Range<u32>, Mat<f64>)>,
+    /// Kept vertices of each condensed group, and its stiffness S seen from there, the lower triangle column by column: a
+    /// superelement.
+    superelements: Vec<(Range<u32>, Vec<f64>)>,
 }
 
 impl CondensedBodies {
@@ -153,14 +153,17 @@ impl CondensedBodies {
     /// Adds the condensed stiffness on the kept equations.
     pub fn add_stiffness(&self, pattern: &Pattern, matrix: &mut SymmetricMatrix) {
         for (vertices, schur) in &self.superelements {
-            let first = self.vertex_start[vertices.start as usize] as usize;
-            for column in 0..schur.ncols() {
+            let [first, end] = [vertices.start, vertices.end]
+                .map(|vertex| self.vertex_start[vertex as usize] as usize);
+            for (column, own) in schur.chunks_exact((end - first).max(1)).enumerate() {
                 // Below the diagonal a column of the part begins with the part's own rows.
                 let start = pattern.columns[first + column] as usize;
-                let values = &mut matrix.values[start..start + schur.nrows() - column];
-                for (offset, value) in values.iter_mut().enumerate() {
-                    *value += schur[(column + offset, column)];
-                }
+                let own = &own[column..];
+                let values = &mut matrix.values[start..start + own.len()];
+                values
+                    .iter_mut()
+                    .zip(own)
+                    .for_each(|(value, s)| *value += s);
             }
         }
     }
@@ -178,8 +181,6 @@ impl CondensedBodies {
     /// Entries of all factors.
     pub fn factor_entries(&self) -> usize {
         let parts = self.parts.iter();
-        parts
-            .map(|p| p.substructure.condensation().factor_entries())
-            .sum()
+        parts.map(|p| p.substructure.factor_entries()).sum()
     }
 }

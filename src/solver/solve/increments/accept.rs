@@ -12,9 +12,10 @@ use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::recovery::state::recovered_state;
 
 impl Run<'_, '_> {
+    /// Goes on to `trial`, which is in balance and moves the nodes by `u`; is it the `last` of its step?
     pub(super) fn accept(
         &mut self,
-        trial: Point,
+        (trial, u): (Point, Vec<Vec3>),
         evaluation: &Evaluation,
         last: bool,
     ) -> Result<(), SolveError> {
@@ -25,7 +26,7 @@ impl Run<'_, '_> {
         let state = timers.time(Phase::Recover, || {
             let (model, point) = (&self.model, &self.point);
             let with = (evaluation, self.sights.as_slice());
-            let mut state = recovered_state(model, &self.history, point, with);
+            let mut state = recovered_state(model, &self.history, (point, u), with);
             let before = if self.last.displacement.is_empty() {
                 Some(Energy::default())
             } else {

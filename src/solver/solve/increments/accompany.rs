@@ -70,7 +70,8 @@ impl Run<'_, '_> {
         if let Some(evaluation) = evaluation.filter(|_| tells) {
             let (model, history) = (&self.model, &companion.history);
             let with = (&evaluation, self.sights.as_slice());
-            let state = recovered_state(model, history, &companion.point, with);
+            let u = model.displacement(&companion.point, &history.settled);
+            let state = recovered_state(model, history, (&companion.point, u), with);
             let plastic = history.all_plastic(model);
             self.beside.doubled.push(Kept::new(&state, plastic));
         }

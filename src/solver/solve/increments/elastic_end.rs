@@ -80,7 +80,7 @@ impl Run<'_, '_> {
                 // From there on increments are as large as they have to be.
                 self.size = LARGEST_INCREMENT * self.first_increment();
                 let with = (evaluation, self.sights.as_slice());
-                let state = recovered_state(model, &self.history, &end, with);
+                let state = recovered_state(model, &self.history, (&end, u), with);
                 self.beside.elastic = Some(Kept::new(&state, Vec::new()));
                 self.beside.elastic_doubled = None;
                 if self.model.scene.rubs() {
@@ -138,7 +138,8 @@ impl Run<'_, '_> {
             return;
         };
         let with = (&evaluation, self.sights.as_slice());
-        let state = recovered_state(&self.model, &history, &point, with);
+        let u = self.model.displacement(&point, &history.settled);
+        let state = recovered_state(&self.model, &history, (&point, u), with);
         let of_two = Kept::new(&state, Vec::new());
         self.beside.elastic_doubled = self.beside.elastic.replace(of_two);
     }

@@ -94,7 +94,7 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
-                    self.accept(trial, &evaluation, target >= 1.0)?;
+                    self.accept((trial, u), &evaluation, target >= 1.0)?;
                     (self.asked, self.held_back) = (false, false);
                     time = target;
                     self.accompany();

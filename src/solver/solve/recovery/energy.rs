@@ -11,6 +11,7 @@
 
 use crate::ground::geometry::dot;
 use crate::model::material::{Elastic, mises};
+use crate::model::mesh::hexahedron::gauss_volumes;
 use crate::model::scene::{PlaneMotion, PlaneTurn};
 use crate::model::state::{Energy, State};
 use crate::solver::fem::loads;
@@ -106,9 +107,9 @@ fn of_temperatures(model: &Model, before: &State, after: &State) -> (f64, f64) {
             };
             let [was, now] = [before, after].map(strain);
             let bulk = model.elastic[model.scene.mesh.body_of(element)].bulk;
-            let shape = model.element(element as u32);
+            let volumes = gauss_volumes(&model.scene.mesh.corners(element));
             let (mut work, mut scale) = (0.0, 0.0);
-            for (k, volume) in shape.volumes().iter().enumerate() {
+            for (k, volume) in volumes.iter().enumerate() {
                 let trace = |state: &State| {
                     let stress = state.stress.get(element).map_or([0.0; 6], |s| s[k]);
                     stress[0] + stress[1] + stress[2]
@@ -136,9 +137,9 @@ fn in_bodies(model: &Model, before: &State, after: &State) -> (f64, f64) {
         .into_par_iter()
         .map(|element| {
             let elastic = &model.elastic[model.scene.mesh.body_of(element)];
-            let shape = model.element(element as u32);
+            let volumes = gauss_volumes(&model.scene.mesh.corners(element));
             let (mut stored, mut spent) = (0.0, 0.0);
-            for (point, volume) in shape.volumes().iter().enumerate() {
+            for (point, volume) in volumes.iter().enumerate() {
                 let stress = &after.stress[element][point];
                 stored += volume * density(elastic, stress);
                 let flow = after.peeq_of(element)[point] - before.peeq_of(element)[point];

@@ -1,5 +1,6 @@
 //! An accepted solution in the terms of the scene.
 
+use crate::ground::geometry::Vec3;
 use crate::model::state::State;
 use crate::solver::contact::facing::Sight;
 use crate::solver::solve::checkpoint::point::Point;
@@ -12,14 +13,13 @@ use crate::solver::solve::recovery::plane_fields::plane_fields;
 use crate::solver::solve::recovery::stresses::stresses;
 use crate::solver::solve::recovery::tie_fields::tie_fields;
 
-/// The accepted state in the terms of the scene.
+/// The accepted state at `point`, in the terms of the scene; `displacement` is that of all its nodes.
 pub fn recovered_state(
     model: &Model,
     history: &History,
-    point: &Point,
+    (point, displacement): (&Point, Vec<Vec3>),
     (evaluation, sights): (&Evaluation, &[Vec<Sight>]),
 ) -> State {
-    let displacement = model.displacement(point, &history.settled);
     let plastic = history.all_plastic(model);
     let (stress, peeq) = stresses(model, &plastic, (&displacement, (point.step, point.time)));
     let mut left = left_over(model, (point, evaluation), &plastic, &displacement);

@@ -1,7 +1,7 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
 use super::bearing::UNLOAD_TO;
-use super::bearing::{MeshRequest, Preset, Scales, Strips};
+use super::bearing::{MeshRequest, Preset, Scales, Strips, UnknownPreset};
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};
@@ -15,13 +15,8 @@ impl Case {
     /// Where there is no such preset, it does not fit the bearing, or the case is a general scene, which has a mesh file.
     pub fn set_preset(&mut self, name: &str) -> Result<(), CaseError> {
         let names = || Preset::ALL.iter().map(|preset| preset.name());
-        let found = Preset::ALL.into_iter().find(|preset| preset.name() == name);
-        let preset = found.ok_or_else(|| {
-            let message = format!(
-                "`{name}` is not a mesh preset; it must be one of: {}",
-                list(names())
-            );
-            CaseError::new(ErrorKind::Value, message).help(advice(name, names()))
+        let preset: Preset = name.parse().map_err(|unknown: UnknownPreset| {
+            CaseError::new(ErrorKind::Value, unknown.to_string()).help(advice(name, names()))
         })?;
         let bearing = self.bearing_mut("a mesh preset")?;
         let offered = bearing.geometry.presets();

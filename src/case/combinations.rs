@@ -6,7 +6,7 @@ use super::error::{CaseError, ErrorKind};
 use super::nearest::advice;
 use super::parse::Table;
 use super::source::Source;
-use super::{Case, keys};
+use super::{Case, TEMPLATE_TABLES, keys};
 use crate::ground::units::{Dimension, UnitSystem};
 use std::path::Path;
 use toml::Value;
@@ -72,7 +72,9 @@ pub fn combinations_of(name: &str, text: &str) -> Result<Option<Vec<Combination>
     let root = root.only_either(&[&keys::ROOT, &keys::SCENE])?;
     let units = super::read_units(&root)?;
     let root = root.with_units(units);
-    let is_bearing = TEMPLATES.iter().any(|table| root.get(table).is_some());
+    let is_bearing = TEMPLATE_TABLES
+        .iter()
+        .any(|table| root.get(table).is_some());
     let actions = actions(&root, is_bearing)?;
     let tables = root.tables("combination")?;
     if tables.is_empty() {
@@ -164,12 +166,9 @@ fn factors<'a>(table: &Table, actions: &'a [Action]) -> Result<Vec<(&'a Action, 
     }
 }
 
-/// The tables of bearings, whose load a combination sets.
-const TEMPLATES: [&str; 2] = ["bearing", "line_bearing"];
-
 /// What the combinations set the file may not say as well.
 fn refuse_the_load_itself(root: &Table, is_bearing: bool) -> Result<(), CaseError> {
-    let bearing = TEMPLATES.iter().find_map(|table| root.get(table));
+    let bearing = TEMPLATE_TABLES.iter().find_map(|table| root.get(table));
     let (place, what) = match (is_bearing, bearing, root.get("step")) {
         (true, Some(bearing), _) => {
             let bearing = bearing.table()?;
@@ -212,7 +211,7 @@ fn text_of(
             .map(|(action, factor)| factor * action.load.unwrap_or_default())
             .sum();
         let load = units.write(load, Dimension::FORCE);
-        for table in TEMPLATES {
+        for table in TEMPLATE_TABLES {
             if let Some(bearing) = case.get_mut(table).and_then(Value::as_table_mut) {
                 bearing.insert("load".to_owned(), load.clone().into());
             }

@@ -63,6 +63,9 @@ use crate::model::scene::{Controls, Scene};
 use document::{Context, document};
 use parse::Table;
 
+/// The tables of the file that describe a bearing by its dimensions; a case has one of them, or none.
+const TEMPLATE_TABLES: [&str; 2] = ["bearing", "line_bearing"];
+
 /// A validated case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
@@ -148,8 +151,9 @@ impl Case {
         let reference = reference.map(|r| r.value.to_string());
         let controls = controls::read(root)?;
         refuse_combinations(root)?;
-        let templates = ["bearing", "line_bearing"];
-        let given = templates.into_iter().filter(|key| root.get(key).is_some());
+        let given = TEMPLATE_TABLES
+            .into_iter()
+            .filter(|key| root.get(key).is_some());
         let kind = match given.collect::<Vec<_>>().as_slice() {
             [_, second, ..] => {
                 let why = "and `[bearing]` are two bearings, and a case is of one";

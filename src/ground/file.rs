@@ -71,15 +71,23 @@ pub fn lock(path: &Path) -> io::Result<Option<File>> {
     }
 }
 
+/// Removes a file; one that is not there is gone already.
+///
+/// # Errors
+/// Where it is there and cannot be removed.
+pub fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
 fn write_through(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
     // A link that waits there under the temporary name is removed, and never written through.
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-        _ => {}
-    }
+    remove(path)?;
     let mut writer = BufWriter::new(File::create_new(path)?);
     content(&mut writer)?;
     let file = writer

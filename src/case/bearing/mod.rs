@@ -44,7 +44,7 @@ pub use error::GeometryError;
 pub use fingerprint::{fingerprint, write_with_fingerprint};
 pub use geometry::{BearingGeometry, Roller};
 pub use layout::{Layout, RollerPlace};
-pub use line::{LineGeometry, LinePlate, PlateCurve};
+pub use line::{LineGeometry, LinePlate, MOST_ROLLERS, PlateCurve};
 pub use parameter::Parameter;
 pub use parameters::{gmsh_parameters, mesh_scale, rescale};
 pub use preset::{Preset, UnknownPreset};

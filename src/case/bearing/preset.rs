@@ -53,11 +53,11 @@ impl FromStr for Preset {
 
 /// A preset that there is not.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, miette::Diagnostic)]
-#[error("there is no mesh preset `{0}`")]
-#[diagnostic(
-    code(brinell::case::preset),
-    help("one of: auto, h025, h0125, report-like")
+#[error(
+    "`{0}` is not a mesh preset; it must be one of: {names}",
+    names = Preset::ALL.map(|preset| preset.name()).join(", ")
 )]
+#[diagnostic(code(brinell::case::preset))]
 pub struct UnknownPreset(pub String);
 
 #[cfg(test)]

@@ -136,17 +136,9 @@ impl<'a, 'b> BearingReader<'a, 'b> {
     }
 
     fn plate_size(&mut self, length: f64) -> Result<[f64; 2], CaseError> {
-        let side = |field: &Field| field.quantity(Dimension::LENGTH).map(|side| side.value);
         let size = match self.table.get("plate_size") {
             None => [length; 2],
-            Some(field) if field.is_list() => match field.list()?.as_slice() {
-                [x, y] => [side(x)?, side(y)?],
-                _ => {
-                    let why = "must be one length, or two: along x and along y";
-                    return Err(field.place().error(ErrorKind::Value, why));
-                }
-            },
-            Some(field) => [side(&field)?; 2],
+            Some(field) => plan(&field)?,
         };
         let text = format!("{} x {}", self.show(size[0]), self.show(size[1]));
         let why = "by default roller length x roller length: the study does not give the plan \
@@ -300,5 +292,20 @@ fn roller_end(field: &Field) -> Result<RollerEnd, CaseError> {
         (None, None) => Err(field
             .place()
             .error(ErrorKind::Conflict, "must have radius, crown, or both")),
+    }
+}
+
+/// A length for both sides, or along x and along y.
+pub(super) fn plan(field: &Field) -> Result<[f64; 2], CaseError> {
+    let side = |field: &Field| field.quantity(Dimension::LENGTH).map(|side| side.value);
+    if !field.is_list() {
+        return Ok([side(field)?; 2]);
+    }
+    match field.list()?.as_slice() {
+        [x, y] => Ok([side(x)?, side(y)?]),
+        _ => {
+            let why = "must be one length, or two: along x and along y";
+            Err(field.place().error(ErrorKind::Value, why))
+        }
     }
 }

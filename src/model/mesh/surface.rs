@@ -167,7 +167,8 @@ impl Face {
     }
 }
 
-fn sorted(mut nodes: [u32; 4]) -> [u32; 4] {
+/// Nodes of an edge or a face in ascending order: the same from whichever element it is seen.
+pub fn sorted<const N: usize>(mut nodes: [u32; N]) -> [u32; N] {
     nodes.sort_unstable();
     nodes
 }

@@ -1,9 +1,8 @@
 //! What a piece of work costs: seconds on the clock, seconds of the processors, memory.
 
 use crate::ground::memory;
-use cpu_time::ProcessTime;
+use crate::product::job::{Clock, Spent};
 use serde::Serialize;
-use std::time::Instant;
 
 /// What a level cost.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
@@ -22,8 +21,7 @@ pub struct Cost {
 /// Measures from its start to its stop.
 #[derive(Debug)]
 pub struct Meter {
-    clock: Instant,
-    cpu: Option<ProcessTime>,
+    clock: Clock,
     own: bool,
 }
 
@@ -31,20 +29,15 @@ impl Meter {
     pub fn start() -> Self {
         Self {
             own: forget_peak(),
-            cpu: ProcessTime::try_now().ok(),
-            clock: Instant::now(),
+            clock: Clock::start(),
         }
     }
 
     pub fn stop(&self) -> Cost {
-        let now = ProcessTime::try_now().ok();
-        let cpu = self.cpu.zip(now).map(|(then, now)| {
-            let spent = now.as_duration().saturating_sub(then.as_duration());
-            spent.as_secs_f64()
-        });
+        let Spent { wall_s, cpu_s } = self.clock.spent();
         Cost {
-            wall_s: self.clock.elapsed().as_secs_f64(),
-            cpu_s: cpu.unwrap_or(f64::NAN),
+            wall_s,
+            cpu_s: cpu_s.unwrap_or(f64::NAN),
             peak_memory_bytes: memory::peak(),
             peak_is_own: self.own,
         }

@@ -29,6 +29,7 @@ mod verified;
 
 pub use check::check;
 pub use checkpoint::{Checkpoint, FILE as CHECKPOINT_FILE};
+pub(super) use clock::{Clock, Spent};
 pub use error::JobError;
 pub use export::{Exported, export};
 pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unknowns};

@@ -159,10 +159,6 @@ impl RowRecord {
 /// # Errors
 /// Where it cannot be removed.
 pub fn forget(folder: &Path) -> Result<(), SweepError> {
-    match std::fs::remove_file(folder.join(RECORD_FILE)) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-            Err(SweepError::folder(folder, error))
-        }
-        _ => Ok(()),
-    }
+    crate::ground::file::remove(&folder.join(RECORD_FILE))
+        .map_err(|error| SweepError::folder(folder, error))
 }

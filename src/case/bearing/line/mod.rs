@@ -8,3 +8,4 @@ mod reader;
 mod sizes;
 
 pub use geometry::{LineGeometry, LinePlate, PlateCurve};
+pub use limits::MOST_ROLLERS;

@@ -2,11 +2,10 @@
 //! [`LineGeometry::check`] to say.
 
 use super::geometry::{LineGeometry, LinePlate, PlateCurve};
-use crate::case::bearing::reader::BearingReader;
+use crate::case::bearing::reader::{BearingReader, plan};
 use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
-use crate::case::parse::Field;
 use crate::ground::units::Dimension;
 
 impl BearingReader<'_, '_> {
@@ -142,20 +141,5 @@ impl BearingReader<'_, '_> {
         };
         self.note("full", text, why);
         Ok(full || broken.is_some())
-    }
-}
-
-/// A length for both sides, or along x and along y.
-fn plan(field: &Field) -> Result<[f64; 2], CaseError> {
-    let side = |field: &Field| field.quantity(Dimension::LENGTH).map(|side| side.value);
-    if !field.is_list() {
-        return Ok([side(field)?; 2]);
-    }
-    match field.list()?.as_slice() {
-        [x, y] => Ok([side(x)?, side(y)?]),
-        _ => {
-            let why = "must be one length, or two: along x and along y";
-            Err(field.place().error(ErrorKind::Value, why))
-        }
     }
 }

@@ -6,16 +6,12 @@ use super::error::MeshError;
 use super::file::File;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::hexahedron::{Orientation, mirrored, orientation, scaled_jacobians};
+use crate::model::mesh::surface::sorted;
 
 impl File<'_> {
     /// Refuses hexahedra with a node twice, and two hexahedra of the same nodes.
     pub fn check_repeated(&self, mesh: &Mesh, origin: &[usize]) -> Result<(), MeshError> {
-        let sorted = |hex: &[u32; 8]| {
-            let mut nodes = *hex;
-            nodes.sort_unstable();
-            nodes
-        };
-        let twice = |hex: &[u32; 8]| sorted(hex).windows(2).find(|w| w[0] == w[1]).map(|w| w[0]);
+        let twice = |hex: &[u32; 8]| sorted(*hex).windows(2).find(|w| w[0] == w[1]).map(|w| w[0]);
         if let Some((k, node)) = mesh
             .hexes
             .iter()
@@ -28,7 +24,7 @@ impl File<'_> {
         let mut keys: Vec<([u32; 8], u32)> = mesh
             .hexes
             .par_iter()
-            .map(sorted)
+            .map(|hex| sorted(*hex))
             .zip(0..mesh.hexes.len() as u32)
             .collect();
         keys.par_sort_unstable();

@@ -2,6 +2,7 @@
 
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::shape::{Shape, fit};
+use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Hanging, Mesh};
 use std::collections::{HashMap, HashSet};
 
@@ -232,9 +233,4 @@ fn middle(corners: &[usize]) -> [f64; 3] {
 fn on(shape: Option<&Shape>, point: [f64; 3]) -> [f64; 3] {
     let foot = shape.and_then(|shape| shape.project(point));
     foot.map_or(point, |(foot, _)| foot)
-}
-
-fn sorted<const N: usize>(mut nodes: [u32; N]) -> [u32; N] {
-    nodes.sort_unstable();
-    nodes
 }

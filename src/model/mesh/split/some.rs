@@ -7,6 +7,7 @@
 use super::nodes::{Directions, Nodes, child};
 use super::{MOST_HEXAHEDRA, SplitError};
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES, side_of};
+use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Body, Face, Hanging, Mesh, Surface};
 use std::collections::{BTreeMap, HashSet};
 
@@ -151,11 +152,6 @@ fn along([a, b]: [usize; 2]) -> usize {
     (0..3)
         .find(|k| CORNERS[a][*k] != CORNERS[b][*k])
         .unwrap_or_default()
-}
-
-fn sorted<const N: usize>(mut nodes: [u32; N]) -> [u32; N] {
-    nodes.sort_unstable();
-    nodes
 }
 
 /// Marks every direction of a marked element in which one of its edges has a node in its middle, or gets one.

@@ -1,8 +1,9 @@
 //! The table of candidates and the one that is recommended.
 
 use super::candidate::{LineCandidate, PLATE_TO_DIAMETER, compliance};
-use super::request::{LineRequest, MOST_ROLLERS};
+use super::request::LineRequest;
 use crate::analytic::hertz::LineContact;
+use crate::case::bearing::MOST_ROLLERS;
 use crate::ground::units::{Dimension, UnitLabels};
 use crate::product::size::candidate::SLENDEREST;
 use crate::product::size::practical::diameters;

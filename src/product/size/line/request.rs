@@ -1,12 +1,9 @@
 //! What is asked for of parallel rollers, in one system of units.
 
 use crate::analytic::sizing::PRESSURE_LIMIT;
-use crate::case::bearing::{Preset, RollerEnd};
+use crate::case::bearing::{MOST_ROLLERS, Preset, RollerEnd};
 use crate::ground::units::UnitSystem;
 use crate::product::size::{Request, Setting, SizeError};
-
-/// The most rollers of a bearing.
-pub const MOST_ROLLERS: usize = 12;
 
 /// For what an even load does not see: ends that bulge leave a hundredth or three more to the middle, and of
 /// several rollers those below the middle of a plate take more than those at its edge.

@@ -12,7 +12,6 @@ use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::companion::Companion;
 use crate::solver::solve::increments::run::Run;
-use crate::solver::solve::linear_system::linear_solver::LinearSolver;
 use crate::solver::solve::model::settled::Settled;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::rows::contact_row::ContactRow;
@@ -46,7 +45,7 @@ impl Run<'_, '_> {
         let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
 
         // Two models at once would be twice the memory.
-        self.solver = LinearSolver::default();
+        self.solver.forget();
         self.model.release();
         let (scene, expected) = (self.model.scene, &self.expected);
         let tied = self.model.all.tied.clone();

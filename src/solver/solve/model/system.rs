@@ -4,6 +4,7 @@ use crate::model::material::Elastic;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::{DofMap, ElementTerms, FIXED, Source};
 use crate::solver::fem::element::Element;
+use crate::solver::linear::cholesky::Symbolic;
 use crate::solver::linear::preconditioner::Preconditioner;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use crate::solver::solve::condensed::assembly::shaped;
@@ -75,6 +76,9 @@ impl Model<'_> {
         self.bodies.forget();
         self.stiffness.values = Vec::new();
         self.pattern = Pattern::new(vec![0], std::iter::empty());
+        if let Ok(none) = Symbolic::new(&self.pattern, &[]) {
+            self.preconditioner = Preconditioner::Direct(Box::new(none));
+        }
     }
 
     pub fn source_name(&self, source: Source) -> &str {

@@ -117,7 +117,11 @@ impl Series {
                 mesh
             }
             Self::Files(files) => match files.get(level) {
-                Some(path) => msh::read(path)?,
+                Some(path) => {
+                    let reading = msh::read_with_notes(path)?;
+                    (reading.notes.iter()).for_each(|note| observer.message(note));
+                    reading.mesh
+                }
                 None => return Err(ConvergeError::TooFew { count: files.len() }),
             },
         };

@@ -1,13 +1,13 @@
 //! Figures of ties.
 
 use super::named::Named;
-use super::results::load::{copies, whole};
+use super::results::load::{cutting_all, times, whole_of};
 use crate::ground::geometry::{add, norm};
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, Tie};
 use crate::model::state::{State, TieField};
 use serde::Serialize;
 
-/// What a tie carries; forces and areas are those of the whole.
+/// What a tie carries; forces and areas are those of the whole of its two bodies.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct TieFigures {
     /// The two surfaces, in the order of the scene.
@@ -41,22 +41,27 @@ pub fn ties(scene: &Scene, state: &State) -> Named<TieFigures> {
         let figures = TieFigures {
             surfaces: tie.surfaces.clone(),
             follows: tie.surfaces[field.follows].clone(),
-            ..figures(scene, field)
+            ..figures(scene, tie, field)
         };
         (tie.name.clone(), figures)
     });
     Named(of.collect())
 }
 
-fn figures(scene: &Scene, field: &TieField) -> TieFigures {
+fn figures(scene: &Scene, tie: &Tie, field: &TieField) -> TieFigures {
     let modelled = field.force.iter().fold([0.0; 3], |sum, f| add(sum, *f));
-    let times = copies(scene);
+    // A tie beside a mirror plane has an image that is another tie.
+    let surfaces = tie.surfaces.iter();
+    let faces = surfaces.filter_map(|name| scene.mesh.surface(name)?.faces.first());
+    let bodies = faces.map(|face| scene.mesh.body_of(face.element as usize));
+    let mirrors = cutting_all(scene, bodies);
+    let times = times(&mirrors);
     let carried = field.pressure.iter().zip(&field.area);
     let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let size = |at: usize| field.pressure[at].abs().max(norm(field.shear[at]));
     let peak = (0..field.nodes.len()).max_by(|a, b| size(*a).total_cmp(&size(*b)));
     TieFigures {
-        force: whole(scene, modelled),
+        force: whole_of(&mirrors, modelled),
         pressure_integral: times * carried.map(|(p, a)| p * a).sum::<f64>(),
         max_pressure: most(&mut field.pressure.iter().copied()),
         max_tension: most(&mut field.pressure.iter().map(|p| -p)),

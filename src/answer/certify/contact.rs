@@ -28,6 +28,9 @@ pub(super) struct Contact<'a> {
     pub interface: &'a Interface,
     pub line: Option<&'a HeaviestLine>,
     pub edges: &'a LoadedEdges,
+    /// By which share the mesh makes the load too large, where a prescribed motion makes it; infinite where that is not
+    /// known.
+    pub too_stiff: f64,
 }
 
 impl Contact<'_> {
@@ -44,7 +47,12 @@ impl Contact<'_> {
         let copies = times(&cutting_pair(self.scene, self.pair));
         let band = RIM * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
-        claims.push(self.claim(Quantity::ContactArea, area, Some(band / area), COARSE));
+        claims.push(self.claim(
+            Quantity::ContactArea,
+            area,
+            Some(band / area + self.too_stiff),
+            COARSE,
+        ));
         claims
     }
 

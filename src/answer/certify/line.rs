@@ -38,6 +38,10 @@ const WIDTH: f64 = 0.03;
 impl Contact<'_> {
     /// Of the line that carries most; where a fillet that the mesh hides decides that, away from it, too.
     pub(super) fn along(&self, line: &HeaviestLine) -> Vec<Figure> {
+        // A patch has no load per length: that of its longest row depends on the mesh.
+        if !line.is_long() {
+            return Vec::new();
+        }
         let mut claims = vec![
             self.line_load(Quantity::LineLoad, line),
             self.half_width(line),
@@ -66,7 +70,7 @@ impl Contact<'_> {
         let (error, why) = match line.departs {
             Some(Departure::Width) => (None, MERGED),
             _ if self.hides_load(line) => (None, FILLET),
-            _ => (Some(load_error(line) + beside), COARSE),
+            _ => (Some(self.load_error(line) + beside), COARSE),
         };
         Figure {
             at_edge,
@@ -80,23 +84,32 @@ impl Contact<'_> {
         Some(self.claim(
             Quantity::HertzPressure,
             value,
-            Some(0.5 * load_error(line)),
+            Some(0.5 * self.load_error(line)),
             COARSE,
         ))
+    }
+
+    /// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
+    pub(super) fn load_error(&self, line: &HeaviestLine) -> f64 {
+        let edge = match line.departs {
+            Some(Departure::LoadedEdge) => BESIDE_EDGE + KINK_AT_EDGE * line.kink,
+            _ => KINK * line.kink,
+        };
+        let own = coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge;
+        own.max(HIDDEN * line.hidden) + ALTERNATES * line.alternates + self.too_stiff
     }
 
     fn half_width(&self, line: &HeaviestLine) -> Figure {
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
-        let hertz = line.contact.filter(|_| line.is_long());
-        let error = match (hertz, line.departs) {
+        let error = match (line.contact, line.departs) {
             (Some(hertz), None | Some(Departure::LoadedEdge)) => {
                 let spacing = WIDTH * edge * edge;
-                Some((hertz.half_width / a - 1.0).abs() + spacing + 0.5 * load_error(line))
+                Some((hertz.half_width / a - 1.0).abs() + spacing + 0.5 * self.load_error(line))
             }
             (Some(_), Some(Departure::Width)) => None,
-            _ => Some(0.5 * edge * edge + load_error(line)),
+            _ => Some(0.5 * edge * edge + self.load_error(line)),
         };
         self.claim(Quantity::HalfWidth, a, error, MERGED)
     }
@@ -131,16 +144,6 @@ impl Contact<'_> {
 pub(super) fn coarseness(row: &StripRow) -> f64 {
     const FINE: f64 = 3.0;
     (FINE * row.spacing() / row.half_width).min(1.0)
-}
-
-/// Relative error of the largest load per length; Hertz's pressure and half-width go with its root.
-pub(super) fn load_error(line: &HeaviestLine) -> f64 {
-    let edge = match line.departs {
-        Some(Departure::LoadedEdge) => BESIDE_EDGE + KINK_AT_EDGE * line.kink,
-        _ => KINK * line.kink,
-    };
-    let own = coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge;
-    own.max(HIDDEN * line.hidden) + ALTERNATES * line.alternates
 }
 
 /// See [`UNSEEN`].

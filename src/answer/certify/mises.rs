@@ -170,7 +170,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
         // Elsewhere away from a loaded edge it matters more how near to it nodes lie.
         let corrected = strip
             .filter(|_| body.away.is_none() || is_on_border)
-            .map_or(0.0, |strip| strip.resolves(share));
+            .map_or(0.0, |strip| strip.resolves(share, &around.extent));
         let Curvature { overshoot, vertex } = around.curvature;
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
         let left = 1.0 - corrected * (1.0 - OF_BAR);
@@ -180,7 +180,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
             Some(strip) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second
                 // order.
-                let weight = (FINE * strip.widest() / (share * strip.half_width))
+                let weight = (FINE * strip.widest(&around.extent) / (share * strip.half_width))
                     .min(1.0)
                     .powi(2);
                 let mises = share * strip.mises;

@@ -78,7 +78,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         lines: evidence.lines,
     };
     let too_stiff = || descent::too_stiff(scene, state, evidence.recovered, contacts);
-    let too_stiff = tilted.then(too_stiff).flatten();
+    let moved = scene.is_moved();
+    let too_stiff = (tilted || moved).then(too_stiff).flatten();
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     let flowing = mises::claims(
         peaks,
@@ -97,6 +98,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             interface,
             line,
             edges: evidence.edges,
+            too_stiff: match moved {
+                true => too_stiff.unwrap_or(f64::INFINITY),
+                false => 0.0,
+            },
         };
         claims.extend(contact.claims());
         claims.extend(horizontal.get(pair).cloned().flatten());

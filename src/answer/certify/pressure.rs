@@ -6,7 +6,7 @@
 
 use super::contact::{COARSE, Contact, FILLET};
 use super::figure::{Figure, Quantity};
-use super::line::{coarseness, load_error};
+use super::line::coarseness;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::strip_row::StripRow;
 use crate::ground::geometry::{add, norm, scale, sub};
@@ -115,11 +115,11 @@ impl Contact<'_> {
                 (Some(hertz), None) => {
                     let coarse = coarseness(&line.line.heaviest);
                     let off = (hertz.peak_pressure / value - 1.0).abs();
-                    coarse.powi(2) * off + coarse * READ + 0.5 * load_error(line)
+                    coarse.powi(2) * off + coarse * READ + 0.5 * self.load_error(line)
                 }
                 (Some(hertz), Some(Departure::Flow)) => {
                     let a = line.line.heaviest.half_width.max(hertz.half_width);
-                    of_nodes(&line.line.heaviest, a) + load_error(line)
+                    of_nodes(&line.line.heaviest, a) + self.load_error(line)
                 }
                 _ => fall(),
             });

@@ -57,9 +57,11 @@ impl<'l> StripBelow<'l> {
         self.spacing() <= COARSEST * self.half_width
     }
 
-    /// The larger of that and the one at its edge.
-    pub fn widest(&self) -> f64 {
-        self.line.line.heaviest.spacing()
+    /// The larger of that, the one at its edge and the extent across it of the elements around the peak below, which grow
+    /// with depth.
+    pub fn widest(&self, extent: &[f64; 3]) -> f64 {
+        let across = (0..3).filter(|k| *k != self.line.axis).map(|k| extent[k]);
+        across.fold(self.line.line.heaviest.spacing(), f64::max)
     }
 
     /// Pressure, stress and width of the strip where it passes over that, over those of its heaviest row: roots of the loads
@@ -78,9 +80,9 @@ impl<'l> StripBelow<'l> {
     }
 
     /// Is the nodal peak below the strip corrected, where its load is that share of the largest? One where it is wholly.
-    pub fn resolves(&self, share: f64) -> f64 {
+    pub fn resolves(&self, share: f64, extent: &[f64; 3]) -> f64 {
         let [from, to] = CORRECTED;
-        let facets = share * self.half_width / self.widest();
+        let facets = share * self.half_width / self.widest(extent);
         ((facets - from) / (to - from)).clamp(0.0, 1.0)
     }
 

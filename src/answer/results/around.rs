@@ -22,6 +22,8 @@ pub struct Around {
     pub border: f64,
     /// What is between the nodal value and the stress itself.
     pub curvature: Curvature,
+    /// How far these elements reach along x, y and z, the largest of them.
+    pub extent: Vec3,
 }
 
 /// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which places are beside an edge.
@@ -41,7 +43,15 @@ pub(super) fn around(
     };
     let elements: Vec<(usize, usize)> = body.elements.clone().filter_map(at_node).collect();
     let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
+    let mut extent = [0.0; 3];
     for (element, corner) in &elements {
+        let corners = scene.mesh.corners(*element);
+        for (k, extent) in extent.iter_mut().enumerate() {
+            let along = corners.map(|corner| corner[k]);
+            let most = along.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let least = along.iter().copied().fold(f64::INFINITY, f64::min);
+            *extent = f64::max(*extent, most - least);
+        }
         let at_node = mises(&rule.extrapolate(&state.stress[*element])[*corner]);
         extrapolated = extrapolated.max(at_node);
         for point in &recovered.points.cells[*element] {
@@ -57,5 +67,6 @@ pub(super) fn around(
         fall: peak - smallest,
         border: beside - peak,
         curvature: curvature(scene, recovered, &elements, is_beside),
+        extent,
     }
 }

@@ -7,7 +7,7 @@ use crate::model::scene::{Partner, Scene};
 
 /// The axis (0, 1, 2) of the lines of contact pair `pair`: that about which one of its surfaces is round, a cylinder or
 /// a roller with fillets or a crown; else the longer horizontal side of the more slender of the two. `None` where
-/// the pair has no carrier surface.
+/// the pair has no carrier surface, or where a cylinder lies across all three axes.
 pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
     let carrier = scene.carrier(pair)?;
     let contact = &scene.contacts[pair];
@@ -18,6 +18,9 @@ pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
             Partner::Plane { .. } => None,
         })
         .collect();
+    if sides.iter().any(|surface| is_oblique(&scene.mesh, surface)) {
+        return None;
+    }
     let round = sides
         .iter()
         .find_map(|surface| axis_of_rotation(&scene.mesh, surface));
@@ -34,11 +37,19 @@ pub(super) fn extent(mesh: &Mesh, surface: &Surface, axis: usize) -> [f64; 2] {
     [ends.0, ends.1]
 }
 
-/// The axis along which, or nearly, a surface is a cylinder (rollers may be a tenth of a radian askew), or about which
+/// From this cosine on a cylinder counts as along an axis: rollers may be a tenth of a radian askew.
+const ALONG: f64 = 0.99;
+
+/// Is it a cylinder along none of the axes? Sections across these are ellipses.
+fn is_oblique(mesh: &Mesh, surface: &Surface) -> bool {
+    matches!(fit(mesh, surface), Shape::Cylinder { axis, .. } if axis.iter().all(|a| a.abs() <= ALONG))
+}
+
+/// The axis along which, or nearly, a surface is a cylinder, or about which
 /// its rows of nodes are round. A sphere has none.
 fn axis_of_rotation(mesh: &Mesh, surface: &Surface) -> Option<usize> {
     match fit(mesh, surface) {
-        Shape::Cylinder { axis, .. } => (0..3).find(|i| axis[*i].abs() > 0.99),
+        Shape::Cylinder { axis, .. } => (0..3).find(|i| axis[*i].abs() > ALONG),
         Shape::Facets => (0..3).find(|axis| is_round_about(mesh, surface, *axis)),
         Shape::Plane { .. } | Shape::Sphere { .. } => None,
     }

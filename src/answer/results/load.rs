@@ -29,7 +29,11 @@ pub fn cutting(scene: &Scene, body: usize) -> Vec<usize> {
 pub fn cutting_pair(scene: &Scene, pair: usize) -> Vec<usize> {
     let sides = scene.contacts.get(pair).map(|c| [&c.upper, &c.lower]);
     let bodies = sides.into_iter().flatten();
-    let bodies = bodies.filter_map(|side| side.body(&scene.mesh));
+    cutting_all(scene, bodies.filter_map(|side| side.body(&scene.mesh)))
+}
+
+/// The mirrors that cut all of some bodies.
+pub fn cutting_all(scene: &Scene, bodies: impl Iterator<Item = usize>) -> Vec<usize> {
     bodies.fold(scene.mirrors.clone(), |mut axes, body| {
         let own = cutting(scene, body);
         axes.retain(|axis| own.contains(axis));
@@ -244,29 +248,40 @@ pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
     }
     let size = norm(resultant(scene, state));
     Some(match size.is_finite() && size > 0.0 {
-        true => work(scene, state) / size,
+        true => work(scene, state).iter().sum::<f64>() / size,
         false => first,
     })
 }
 
-/// Work of the forces that act in `state`, as they are now, on the travels of what they act on; of the
-/// whole. A traction acts by its resultant on the mean of its surface.
-fn work(scene: &Scene, state: &State) -> f64 {
+/// Of the work on the [`descent`], the share that prescribed forces do, and not prescribed motions.
+pub fn forced_share(scene: &Scene, state: &State) -> f64 {
+    let [forced, moved] = work(scene, state).map(f64::abs);
+    if moved == 0.0 {
+        1.0
+    } else {
+        forced / (forced + moved)
+    }
+}
+
+/// Work of the forces that act in `state`, as they are now, on the travels of what they act on, of the whole: of
+/// prescribed forces, and of those with which what is moved resists. A traction acts by its resultant on the mean of its
+/// surface.
+fn work(scene: &Scene, state: &State) -> [f64; 2] {
     let now = |name: &str| scene.factor(name, state.step, state.time);
     let others = driven_axes(scene).map(|driven| !driven);
     let loads = loads(scene);
     let (of_planes, of_tractions) = loads.split_at(scene.rigid_planes.len());
-    let mut work = 0.0;
+    let mut work = [0.0; 2];
     for ((plane, field), load) in (scene.rigid_planes.iter().zip(&state.planes)).zip(of_planes) {
-        let force = add(
-            scale(load.force, now(load.name)),
-            moving_force(plane, field, others),
-        );
-        work += dot(whole(scene, force), field.travel);
+        let given = scale(load.force, now(load.name));
+        let forces = [given, moving_force(plane, field, others)];
+        for (work, force) in work.iter_mut().zip(forces) {
+            *work += dot(whole(scene, force), field.travel);
+        }
     }
     for (traction, load) in scene.tractions.iter().zip(of_tractions) {
         let force = whole(scene, scale(load.force, now(load.name)));
-        work += dot(force, mean_travel(scene, state, traction));
+        work[0] += dot(force, mean_travel(scene, state, traction));
     }
     work
 }

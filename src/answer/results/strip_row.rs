@@ -41,13 +41,24 @@ impl StripRow {
         self.middle_spacing().max(self.edge_spacing())
     }
 
-    /// The larger distance from the node next to the centre to its neighbours.
-    pub fn middle_spacing(&self) -> f64 {
-        let middle = (0..self.nodes.len()).min_by(|a, b| {
+    /// Distance of the node next to the centre of pressure from it.
+    pub fn off_centre(&self) -> f64 {
+        self.middle().map_or(0.0, |i| self.nodes[i].0.abs())
+    }
+
+    /// The node next to the centre of pressure.
+    fn middle(&self) -> Option<usize> {
+        (0..self.nodes.len()).min_by(|a, b| {
             let off = |i: &usize| self.nodes[*i].0.abs();
             off(a).total_cmp(&off(b))
-        });
-        let Some(middle) = middle else { return 0.0 };
+        })
+    }
+
+    /// The larger distance from the node next to the centre to its neighbours.
+    pub fn middle_spacing(&self) -> f64 {
+        let Some(middle) = self.middle() else {
+            return 0.0;
+        };
         let apart = |a: usize, b: usize| match (self.nodes.get(a), self.nodes.get(b)) {
             (Some(a), Some(b)) => b.0 - a.0,
             _ => 0.0,

@@ -17,6 +17,12 @@ pub struct Support {
 }
 
 impl Support {
+    /// Does it move what it holds?
+    pub fn moves(&self) -> bool {
+        let parts = self.components.iter().flatten();
+        (parts.chain(self.gradient.as_flattened())).any(|u| *u != 0.0)
+    }
+
     /// Displacement along `axis` of a node at `x`, at factor one; `None` where free.
     pub fn displacement(&self, axis: usize, x: &[f64; 3]) -> Option<f64> {
         let row = &self.gradient[axis];

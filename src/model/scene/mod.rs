@@ -87,6 +87,14 @@ impl Scene {
         carrier.surface(&self.mesh)
     }
 
+    /// Does a prescribed motion load it?
+    pub fn is_moved(&self) -> bool {
+        let moves = |motion: &PlaneMotion| matches!(motion, PlaneMotion::Held(u) if *u != 0.0);
+        let mut planes = self.rigid_planes.iter();
+        planes.any(|plane| plane.motion.iter().any(moves))
+            || self.supports.iter().any(Support::moves)
+    }
+
     /// Do bodies rub, wherever they touch?
     pub fn rubs(&self) -> bool {
         self.contacts.iter().any(|pair| pair.friction > 0.0)

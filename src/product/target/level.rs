@@ -202,8 +202,8 @@ fn single(goal: Goal, certificate: &[certify::Figure]) -> Vec<Goal> {
     }
 }
 
-/// The claim that a single goal is about: the largest away from loaded edges, with a bar or without; of Mises peaks the
-/// largest of those with a bar. One at a loaded edge where there is no other.
+/// The claim that a single goal is about: the largest away from loaded edges, with a bar or without. One at a loaded edge
+/// where there is no other. Of Mises peaks the largest without a bar, where there is one: it may be larger than it reads.
 fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure> {
     let among = |names: &[Quantity]| -> Vec<&certify::Figure> {
         let claims = certificate.iter().filter(|c| names.contains(&c.what));
@@ -211,16 +211,18 @@ fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure
             .filter(|c| !certify::is_replaced(certificate, c))
             .collect()
     };
-    let regular = |names: &[Quantity]| {
-        let (sure, unsure): (Vec<_>, Vec<_>) =
-            (among(names).into_iter()).partition(|claim| claim.is_resolved());
-        largest(if sure.is_empty() { unsure } else { sure })
-    };
     match goal {
         Goal::Certified => None,
         Goal::Mises | Goal::ElasticMises => {
             let elastic = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
-            regular(&elastic).or_else(|| regular(&[Quantity::PeakMises, Quantity::MisesAway]))
+            let plastic = [Quantity::PeakMises, Quantity::MisesAway];
+            let peak = |names: &[Quantity]| {
+                let unsure = among(names)
+                    .into_iter()
+                    .filter(|c| !c.is_resolved() && !c.at_edge);
+                largest(unsure.collect()).or_else(|| largest(among(names)))
+            };
+            peak(&elastic).or_else(|| peak(&plastic))
         }
         Goal::PlasticStrain => largest(among(&[Quantity::PeakPlasticStrain])),
         Goal::Pressure => largest(among(&[Quantity::PeakPressure, Quantity::PressureAway])),

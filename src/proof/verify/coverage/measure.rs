@@ -64,19 +64,17 @@ pub struct JudgedRun {
     pub beyond_limits: Vec<String>,
 }
 
-/// A claim holds if the value is within bar and uncertainty of the true one.
+/// A claim holds if the value is within bar and uncertainty of the true one; beyond both it is missed, however uncertain the
+/// true one is.
 pub fn judge(reading: &ClaimReading, truth: Option<Truth>) -> BarVerdict {
     let Some(bar) = reading.bar else {
         return BarVerdict::Unresolved;
     };
     match truth {
-        Some(truth) if truth.uncertainty <= bar / 3.0 => {
-            let error = (reading.value - truth.value).abs();
-            match error <= bar + truth.uncertainty {
-                true => BarVerdict::Holds,
-                false => BarVerdict::Missed,
-            }
+        Some(truth) if (reading.value - truth.value).abs() > bar + truth.uncertainty => {
+            BarVerdict::Missed
         }
+        Some(truth) if truth.uncertainty <= bar / 3.0 => BarVerdict::Holds,
         _ => BarVerdict::Undecidable,
     }
 }

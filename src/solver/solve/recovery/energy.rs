@@ -12,7 +12,7 @@
 use crate::ground::geometry::dot;
 use crate::model::material::{Elastic, mises};
 use crate::model::mesh::hexahedron::gauss_volumes;
-use crate::model::scene::{PlaneMotion, PlaneTurn};
+use crate::model::scene::{PlaneMotion, PlaneTurn, Support};
 use crate::model::state::{Energy, State};
 use crate::solver::fem::loads;
 use crate::solver::solve::model::system::Model;
@@ -27,12 +27,7 @@ impl Energy {
         before: &State,
         after: &State,
     ) -> Option<Self> {
-        let supports = &model.scene.supports;
-        let moves = |s: &crate::model::scene::Support| {
-            let parts = s.components.iter().flatten();
-            parts.chain(s.gradient.as_flattened()).any(|u| *u != 0.0)
-        };
-        if supports.iter().any(moves) {
+        if model.scene.supports.iter().any(Support::moves) {
             return None;
         }
         let work = of_planes(model, before, after) + of_tractions(model, before, after);

@@ -12,6 +12,10 @@ const CORRECTED: [f64; 2] = [3.0, 3.5];
 /// Distance of nodes over the half-width of a strip above which the peak below is not read.
 const COARSEST: f64 = 0.9;
 
+/// By how much elements at the peak are larger than facets of the strip in the meshes that the shares of errors were found
+/// on.
+const GROWTH: f64 = 1.4;
+
 /// A Hertzian strip on a body.
 pub(super) struct StripBelow<'l> {
     pub body: usize,
@@ -57,11 +61,13 @@ impl<'l> StripBelow<'l> {
         self.spacing() <= COARSEST * self.half_width
     }
 
-    /// The larger of that, the one at its edge and the extent across it of the elements around the peak below, which grow
-    /// with depth.
+    /// The larger of that, the one at its edge and the extent across it of the elements around the peak below, where they
+    /// grow more with depth than [`GROWTH`].
     pub fn widest(&self, extent: &[f64; 3]) -> f64 {
         let across = (0..3).filter(|k| *k != self.line.axis).map(|k| extent[k]);
-        across.fold(self.line.line.heaviest.spacing(), f64::max)
+        across.fold(self.line.line.heaviest.spacing(), |widest, extent| {
+            widest.max(extent / GROWTH)
+        })
     }
 
     /// Pressure, stress and width of the strip where it passes over that, over those of its heaviest row: roots of the loads

@@ -177,6 +177,12 @@ fn each_is_solved_and_the_governing_one_is_named() {
         (grown / (70.5f64 / 50.0).sqrt() - 1.0).abs() < 0.03,
         "{grown}"
     );
+    // What governs is what the digest of that run says, and no rule about loads.
+    let most = governing(parts[1].summary.unwrap()).unwrap();
+    let told = brinell::render::digest::digest(parts[1].summary.unwrap(), &[]);
+    let line = told.lines().find(|line| line.contains("governs")).unwrap();
+    let against = most.what.rsplit(", of ").next().unwrap();
+    assert!(line.ends_with(against), "{line}: {}", most.what);
     combinations::write("a bearing", &solved, true, folder.path()).unwrap();
     let text = std::fs::read_to_string(folder.path().join("combinations.json")).unwrap();
     let record: serde_json::Value = serde_json::from_str(&text).unwrap();

@@ -56,29 +56,15 @@ pub struct Governing {
     pub resolved: bool,
 }
 
-/// What governs a run: the largest share of a limit, of stresses, pressures and rules.
+/// What governs a run, as its digest has it: the largest share of a stress or a pressure in its limit. Design rules are told
+/// beside it; those of loads would be squares of such shares.
 pub fn governing(summary: &Summary) -> Option<Governing> {
     let used = utilisations(summary);
-    let of_stress = largest(&used).map(|most: &Utilisation| Governing {
+    largest(&used).map(|most: &Utilisation| Governing {
         what: format!("{} of {}, of {}", most.what, most.place, most.against),
         utilisation: most.share(),
         error: most.share_error(),
         resolved: most.resolved,
-    });
-    let rules = summary.rules.iter().flat_map(|sheet| &sheet.rules);
-    let of_rules = rules.filter_map(|rule| {
-        let judged = rule.largest?;
-        Some(Governing {
-            what: format!("{}, largest load per length", rule.rule.name),
-            utilisation: judged.utilisation,
-            error: judged.error,
-            resolved: judged.error.is_some(),
-        })
-    });
-    let all = of_stress.into_iter().chain(of_rules);
-    all.reduce(|most, other| match other.utilisation > most.utilisation {
-        true => other,
-        false => most,
     })
 }
 

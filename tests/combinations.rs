@@ -188,6 +188,9 @@ fn each_is_solved_and_the_governing_one_is_named() {
     let record: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(record["governs"], "ultimate: traffic");
     assert_eq!(record["combinations"][2]["acts"], "1.35 permanent");
+    // Sizing rules that are missed are limits that are missed.
+    let missed = record["combinations"][1]["missed"].to_string();
+    assert!(missed.contains("(2-50)"), "{missed}");
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
     for part in &solved {
         assert!(page.contains(&format!("{}/report.html", part.folder)));

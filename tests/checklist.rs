@@ -1,6 +1,8 @@
 //! The page of a bearing answers every item of the checker's list in the book.
 
 use brinell::case;
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::mesh::msh::write::msh41;
 use brinell::product::job::{self, Options};
 use brinell::solver::solve::Silent;
 use std::path::Path;
@@ -92,4 +94,42 @@ fn the_page_of_a_bearing_answers_every_item() {
         "the page does not answer\n{}",
         missing.join("\n")
     );
+}
+
+/// A plane that is turned by an angle and bears a moment: both stand in the tables of the model.
+#[test]
+fn moments_and_rotations_are_listed() {
+    let scene = r#"
+units = "mm-N-MPa"
+mesh.file = "block.msh"
+[steel]
+youngs_modulus = 210000
+poissons_ratio = 0.3
+elastic = true
+[[support]]
+surface = "z_min"
+fixed = "xyz"
+[[rigid_plane]]
+surface = "z_max"
+force = { z = -10 }
+turns = "x"
+moment = { x = 3 }
+rotation = { z = "1 mrad" }
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let side = || uniform(0.0, 1.0, 2);
+    let block = Block::new("block", side(), side(), side()).build().unwrap();
+    std::fs::write(folder.path().join("block.msh"), msh41(&block)).unwrap();
+    let path = folder.path().join("case.toml");
+    let case = case::parse(&path.display().to_string(), scene).unwrap();
+    let options = Options {
+        out: Some(folder.path().join("out")),
+        report: true,
+        ..Options::default()
+    };
+    job::run(&case, &options, &mut Silent).unwrap();
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    let model = section(&page, "model").unwrap();
+    assert!(model.contains("turned about z by 0.001000 rad"), "{model}");
+    assert!(model.contains("3.0000 N mm about x"), "{model}");
 }

@@ -2,6 +2,8 @@
 
 use brinell::case::combinations::{Combination, combinations_of};
 use brinell::case::{Kind, parse};
+use brinell::model::mesh::block::{Block, uniform};
+use brinell::model::mesh::msh::write::msh41;
 use brinell::product::combinations::{self, parts};
 use brinell::product::job::Options;
 use brinell::render::joint::{governing, governs};
@@ -159,12 +161,12 @@ fn each_is_solved_and_the_governing_one_is_named() {
     assert_eq!(governs(&parts), Some(1));
     let used: Vec<f64> = parts
         .iter()
-        .map(|part| governing(part.summary).unwrap().utilisation)
+        .map(|part| governing(part.summary.unwrap()).unwrap().utilisation)
         .collect();
     assert!(used[1] > used[0] && used[0] > used[2], "{used:?}");
     // Contact is not linear: 1.41 times the load is less than 1.41 times the pressure, about its root.
     let pressure = |part: usize| {
-        let lines = &parts[part].summary.sizing.as_ref().unwrap().lines;
+        let lines = &parts[part].summary.unwrap().sizing.as_ref().unwrap().lines;
         lines
             .iter()
             .map(|line| line.hertz_pressure)
@@ -175,11 +177,20 @@ fn each_is_solved_and_the_governing_one_is_named() {
         (grown / (70.5f64 / 50.0).sqrt() - 1.0).abs() < 0.03,
         "{grown}"
     );
+    // What governs is what the digest of that run says, and no rule about loads.
+    let most = governing(parts[1].summary.unwrap()).unwrap();
+    let told = brinell::render::digest::digest(parts[1].summary.unwrap(), &[]);
+    let line = told.lines().find(|line| line.contains("governs")).unwrap();
+    let against = most.what.rsplit(", of ").next().unwrap();
+    assert!(line.ends_with(against), "{line}: {}", most.what);
     combinations::write("a bearing", &solved, true, folder.path()).unwrap();
     let text = std::fs::read_to_string(folder.path().join("combinations.json")).unwrap();
     let record: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(record["governs"], "ultimate: traffic");
     assert_eq!(record["combinations"][2]["acts"], "1.35 permanent");
+    // Sizing rules that are missed are limits that are missed.
+    let missed = record["combinations"][1]["missed"].to_string();
+    assert!(missed.contains("(2-50)"), "{missed}");
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
     for part in &solved {
         assert!(page.contains(&format!("{}/report.html", part.folder)));
@@ -194,4 +205,74 @@ fn each_is_solved_and_the_governing_one_is_named() {
         assert!(page.contains(&part.case_hash) && own.contains(&part.case_hash));
     }
     assert!(page.contains("ultimate: traffic governs"));
+}
+
+/// A block of 8 MPa yield under 16 and 4 MPa: the first collapses, the second is solved all the same, and the case of
+/// either finds its mesh from where it stands. What an earlier run found is gone before.
+#[test]
+fn one_that_collapses_does_not_stop_the_others() {
+    let scene = r#"
+units = "mm-N-MPa"
+mesh.file = "block.msh"
+[steel]
+youngs_modulus = 210000
+poissons_ratio = 0.3
+yield_stress = 8
+hardening_modulus = 0
+[[support]]
+surface = "z_min"
+fixed = "z"
+[[support]]
+surface = "x_min"
+fixed = "x"
+[[support]]
+surface = "y_min"
+fixed = "y"
+[[pressure]]
+name = "p"
+surface = "z_max"
+value = 8
+[[action]]
+name = "load"
+loads = ["p"]
+[[combination]]
+name = "twice"
+factors = { load = 2 }
+[[combination]]
+name = "half"
+factors = { load = 0.5 }
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let side = || uniform(0.0, 1.0, 1);
+    let block = Block::new("block", side(), side(), side()).build().unwrap();
+    std::fs::write(folder.path().join("block.msh"), msh41(&block)).unwrap();
+    let path = folder.path().join("case.toml").display().to_string();
+    let all = combinations_of(&path, scene).unwrap().unwrap();
+    let out = folder.path().join("out");
+    let earlier = ["combinations.json", "report.html", "1-twice/summary.json"];
+    std::fs::create_dir_all(out.join("1-twice")).unwrap();
+    for file in earlier {
+        std::fs::write(out.join(file), "earlier").unwrap();
+    }
+    let options = Options {
+        out: Some(out.clone()),
+        ..Options::default()
+    };
+    let (solved, ended) = combinations::solve(&all, &options, &mut Silent);
+    ended.unwrap();
+    assert!(!out.join(earlier[0]).exists() && !out.join(earlier[1]).exists());
+    let summary = std::fs::read_to_string(out.join(earlier[2])).unwrap_or_default();
+    assert_ne!(summary, "earlier");
+    assert!(solved[0].found.is_err() && solved[1].found.is_ok());
+    assert_eq!(governs(&parts(&solved)), Some(0));
+    combinations::write("a block", &solved, true, &out).unwrap();
+    let text = std::fs::read_to_string(out.join(earlier[0])).unwrap();
+    let record: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(record["governs"], "twice");
+    assert_eq!(record["combinations"][0]["verdict"], "No answer.");
+    assert_eq!(record["combinations"][1]["applied_load"], 4.0);
+    for part in &solved {
+        let case = brinell::case::read(&out.join(&part.folder).join("case.toml")).unwrap();
+        brinell::product::job::find_mesh(&case, None, &mut |_| ()).unwrap();
+    }
 }

@@ -85,7 +85,14 @@ fn run(text: &str, mesh: &Mesh) -> (Value, String) {
         .code(0);
     let json = std::fs::read_to_string(folder.path().join("out/summary.json")).unwrap();
     let printed = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
-    (serde_json::from_str(&json).unwrap(), printed)
+    let summary: Value = serde_json::from_str(&json).unwrap();
+    // The views are of the moment that the figures are of.
+    let views = std::fs::read_to_string(folder.path().join("out/scene-views.py")).unwrap();
+    let mut steps = summary["steps"].as_array().unwrap().iter();
+    let reported = steps.position(|step| step["reported"] == true).unwrap();
+    let full_load = format!("FULL_LOAD = {}.0\n", reported + 1);
+    assert!(views.contains(&full_load), "not {full_load}");
+    (summary, printed)
 }
 
 /// The two blocks, loaded by `load`, at these factors at the ends of steps 0, 1, ...

@@ -290,6 +290,19 @@ fn tasks_of_a_job_array_come_to_the_table_of_a_local_sweep() {
     }
     let peak = table[0]["mises_nodal"].as_f64().unwrap();
     assert!((peak / 10.0 - 1.0).abs() < 1e-6, "{peak}");
+    // Every figure without an error is named; those away from edges have columns of their own.
+    let row = table[0].as_object().unwrap();
+    let unresolved = row["unresolved"].as_str().unwrap();
+    let pairs = row.iter().filter(|(key, _)| key.ends_with(".p_max_error"));
+    assert!(pairs.clone().count() > 0);
+    for (key, error) in pairs {
+        let pair = key.trim_end_matches(".p_max_error");
+        assert!(row.contains_key(&format!("{pair}.p_max_away")), "{pair}");
+        assert!(
+            !error.is_null() || unresolved.contains(pair),
+            "{unresolved}"
+        );
+    }
     assert!(bench.path("here/pressure.0.value.svg").exists());
 }
 

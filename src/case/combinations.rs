@@ -3,6 +3,7 @@
 
 use super::document::{Context, document};
 use super::error::{CaseError, ErrorKind};
+use super::named_files::NamedFiles;
 use super::nearest::advice;
 use super::parse::Table;
 use super::source::Source;
@@ -94,6 +95,7 @@ pub fn combinations_of(name: &str, text: &str) -> Result<Option<Vec<Combination>
         }
         let factors = factors(&table, &actions)?;
         let text = text_of(text, units, &named.value, &factors, is_bearing);
+        let text = NamedFiles::new(Path::new(name)).absolute(text);
         all.push(Combination {
             factors: factors
                 .iter()

@@ -91,15 +91,16 @@ impl Loads {
         temperature::check_symmetry(root, mirrors, help)?;
         loads.steps = steps(root, &names)?;
         if !loads.moves() {
-            let message =
-                "the case has no load: no pressure, traction, force, displacement or temperature";
+            let message = "the case has no load: no pressure, traction, force, displacement or temperature that a step does not \
+                 take to zero";
             return Err(root.error(ErrorKind::MissingKey, message));
         }
         Ok(loads)
     }
 
-    /// Is there anything that is not zero?
+    /// Is there anything that is not zero, in some step?
     fn moves(&self) -> bool {
+        let acts = |name: &str| self.steps.iter().any(|step| step.factor_of(name) != 0.0);
         let moved = |d: &Option<f64>| d.is_some_and(|d| d != 0.0);
         let driven = |m: &PlaneMotion| match m {
             PlaneMotion::Held(v) | PlaneMotion::Driven(v) => *v != 0.0,
@@ -108,18 +109,20 @@ impl Loads {
         let turned = |t: &PlaneTurn| match t {
             PlaneTurn::Held(v) | PlaneTurn::Driven(v) => *v != 0.0,
         };
-        !self.temperatures.is_empty()
-            || self
-                .supports
-                .iter()
-                .any(|s| s.value.components.iter().any(moved))
-            || self
-                .planes
-                .iter()
-                .any(|p| p.value.motion.iter().any(driven) || p.value.turn.iter().any(turned))
-            || self.tractions.iter().any(|t| match t.value.value {
-                TractionValue::Pressure(p) => p != 0.0,
-                TractionValue::Vector(v) => v.iter().any(|c| *c != 0.0),
+        let mut supports = self.supports.iter().map(|s| &s.value);
+        let mut planes = self.planes.iter().map(|p| &p.value);
+        let mut tractions = self.tractions.iter().map(|t| &t.value);
+        self.temperatures.iter().any(|t| acts(&t.value.name))
+            || supports.any(|s| acts(&s.name) && s.components.iter().any(moved))
+            || planes.any(|p| {
+                acts(&p.name) && (p.motion.iter().any(driven) || p.turn.iter().any(turned))
+            })
+            || tractions.any(|t| {
+                acts(&t.name)
+                    && match t.value {
+                        TractionValue::Pressure(p) => p != 0.0,
+                        TractionValue::Vector(v) => v.iter().any(|c| *c != 0.0),
+                    }
             })
     }
 }

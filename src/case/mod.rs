@@ -24,6 +24,7 @@ pub mod keys;
 mod load;
 mod mesh_choice;
 mod model;
+pub(crate) mod named_files;
 mod nearest;
 mod parse;
 mod place;

@@ -26,9 +26,11 @@ pub fn run(
         return ended.map(|()| ExitStatus::Done);
     }
     let parts = combinations::parts(&solved);
-    let governs = joint::governs(&parts).unwrap_or_default();
-    if let Some(part) = parts.get(governs) {
-        say(&digest(part.summary, part.missed));
+    let governs = parts.get(joint::governs(&parts).unwrap_or_default());
+    if let Some(part) = governs
+        && let Ok(summary) = part.summary
+    {
+        say(&digest(summary, part.missed));
     }
     say(&text(&joint::overview(&parts)));
     if let Some(out) = &options.out {
@@ -42,15 +44,18 @@ pub fn run(
     }
     // What was solved before stands, whatever became of the next.
     ended?;
-    let missed = solved
-        .iter()
-        .flat_map(|one| one.missed.iter().map(move |limit| (&one.name, limit)));
     let mut failed = false;
-    for (name, limit) in missed {
-        failed = true;
-        say(&format!("FAILED: {name}: {limit}"));
+    for one in &solved {
+        let why = one.found.as_ref().err().map(ToString::to_string);
+        for limit in one.missed.iter().chain(&why) {
+            failed = true;
+            say(&format!("FAILED: {}: {limit}", one.name));
+        }
     }
     let interrupted = solved.iter().any(|one| one.interrupted);
+    if let Some(error) = solved.into_iter().find_map(|one| one.found.err()) {
+        return Err(failure(console, ConvergeError::from(error)));
+    }
     Ok(match (interrupted, failed) {
         (true, _) => ExitStatus::Interrupted,
         (false, true) => ExitStatus::Failed,

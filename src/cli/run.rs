@@ -197,6 +197,8 @@ fn combinations_of(args: &RunArgs) -> Result<Option<Vec<Combination>>, JobError>
     let refused = [
         (args.target.is_some(), "--target"),
         (args.resume, "--resume"),
+        (args.all_tables, "--all-tables"),
+        (args.explain, "--explain"),
     ];
     if let Some((_, option)) = refused.into_iter().find(|(asked, _)| *asked) {
         return Err(JobError::Combinations { option });

@@ -106,6 +106,19 @@ fn at_edges(summary: &Summary, what: Quantity) -> String {
     })
 }
 
+/// What of that kind may be larger than the figure `told`: at edges, and elsewhere where the mesh does not resolve it.
+fn beyond(summary: &Summary, told: &Figure, what: Quantity) -> String {
+    let (standing, _) = summary.answer.standing();
+    let unsure = standing.into_iter().filter(|f| {
+        f.what == what && f.place != told.place && !f.is_resolved() && f.value > told.value
+    });
+    let elsewhere = first_largest(unsure, |f| f.value).map_or_else(String::new, |figure| {
+        let value = sized(summary, figure);
+        format!("; {value}, NOT RESOLVED, on {}", figure.place)
+    });
+    at_edges(summary, what) + &elsewhere
+}
+
 /// A figure with its bar and its unit.
 fn sized(summary: &Summary, figure: &Figure) -> String {
     let unit = summary.units.of_measure(figure.what.measure());
@@ -147,7 +160,7 @@ fn of_limit(summary: &Summary, pressure: f64, interface: &str) -> String {
 fn pressure(summary: &Summary) -> Option<String> {
     let peak = largest_of(summary, Quantity::PeakPressure)?;
     let limit = of_limit(summary, peak.value, &peak.place);
-    Some(told(summary, peak) + &limit + &at_edges(summary, Quantity::PeakPressure))
+    Some(told(summary, peak) + &limit + &beyond(summary, peak, Quantity::PeakPressure))
 }
 
 /// Hertz's pressure under the largest line load, as certified, else as the sizing rules take it.
@@ -206,7 +219,7 @@ fn plastic_strain(summary: &Summary) -> Option<String> {
 
 fn line_load(summary: &Summary) -> Option<String> {
     let largest = largest_of(summary, Quantity::LineLoad)?;
-    Some(told(summary, largest) + &at_edges(summary, Quantity::LineLoad))
+    Some(told(summary, largest) + &beyond(summary, largest, Quantity::LineLoad))
 }
 
 /// What the interfaces carry along the load.

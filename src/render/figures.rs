@@ -33,16 +33,21 @@ pub fn with_error(value: f64, error: Option<f64>) -> String {
     // An error far below the figure asks for no more than five digits.
     let finest = value.abs().max(error).log10().floor() - 4.0;
     let place = place.max(finest) as i32;
-    if !(-6..=5).contains(&place) {
-        return format!("{value:.2e} ± {error:.0e}");
-    }
     let unit = 10f64.powi(place);
     let decimals = usize::try_from(-place).unwrap_or(0);
-    let [value, error] = [value, error].map(|v| (v / unit).round() * unit);
+    let [value, error] = [value, error].map(|v| (v / unit).round() + 0.0);
+    // So many units, down to that place; no zero has a sign.
+    let written = |units: f64| {
+        let digits = units.abs().log10().max(0.0) as usize;
+        match (-6..=5).contains(&place) {
+            true => format!("{:.decimals$}", units * unit),
+            false => format!("{:.digits$e}", units * unit),
+        }
+    };
     if error > 0.0 {
-        format!("{value:.decimals$} ± {error:.decimals$}")
+        format!("{} ± {}", written(value), written(error))
     } else {
-        format!("{value:.decimals$} ± < {unit:.decimals$}")
+        format!("{} ± < {}", written(value), written(1.0))
     }
 }
 
@@ -72,6 +77,11 @@ mod tests {
         assert_eq!(with_error(238.2, Some(1e-9)), "238.20 ± < 0.01");
         assert_eq!(with_error(12_345.0, Some(700.0)), "12300 ± 700");
         assert_eq!(with_error(f64::NAN, Some(1.0)), "-");
+        // Beyond the range of plain numbers, too.
+        let descent = with_error(3.7456e-6, Some(3.1e-9));
+        assert_eq!(descent, "3.746e-6 ± 3e-9");
+        assert_eq!(with_error(1.875_43e9, Some(2e6)), "1.875e9 ± 2e6");
+        assert_eq!(with_error(-2e-10, Some(1.3e-8)), "0e0 ± 1.3e-8");
     }
 
     #[test]

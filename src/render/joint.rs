@@ -11,6 +11,7 @@ use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
 use crate::render::verdict::{Grade, Verdict, verdict};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::error::Error;
 use std::path::Path;
 
 /// One of the runs.
@@ -23,9 +24,24 @@ pub struct JointPart<'a> {
     pub case_hash: &'a str,
     /// Its folder, beside the page.
     pub folder: &'a str,
-    pub summary: &'a Summary,
+    /// What was found, or why there is no answer.
+    pub summary: Result<&'a Summary, &'a dyn Error>,
     /// Limits of the checks that it misses, in words.
     pub missed: &'a [String],
+}
+
+impl JointPart<'_> {
+    /// The verdict on it.
+    pub fn verdict(&self) -> Verdict {
+        match self.summary {
+            Ok(summary) => verdict(summary, self.missed),
+            Err(why) => Verdict {
+                grade: Grade::Bad,
+                head: "No answer.".to_owned(),
+                rest: vec![format!("{why}.")],
+            },
+        }
+    }
 }
 
 /// What uses most of its limit in a run.
@@ -40,46 +56,35 @@ pub struct Governing {
     pub resolved: bool,
 }
 
-/// What governs a run: the largest share of a limit, of stresses, pressures and rules.
+/// What governs a run, as its digest has it: the largest share of a stress or a pressure in its limit. Design rules are told
+/// beside it; those of loads would be squares of such shares.
 pub fn governing(summary: &Summary) -> Option<Governing> {
     let used = utilisations(summary);
-    let of_stress = largest(&used).map(|most: &Utilisation| Governing {
+    largest(&used).map(|most: &Utilisation| Governing {
         what: format!("{} of {}, of {}", most.what, most.place, most.against),
         utilisation: most.share(),
         error: most.share_error(),
         resolved: most.resolved,
-    });
-    let rules = summary.rules.iter().flat_map(|sheet| &sheet.rules);
-    let of_rules = rules.filter_map(|rule| {
-        let judged = rule.largest?;
-        Some(Governing {
-            what: format!("{}, largest load per length", rule.rule.name),
-            utilisation: judged.utilisation,
-            error: judged.error,
-            resolved: judged.error.is_some(),
-        })
-    });
-    let all = of_stress.into_iter().chain(of_rules);
-    all.reduce(|most, other| match other.utilisation > most.utilisation {
-        true => other,
-        false => most,
     })
 }
 
-/// The run that governs all: its index.
+/// The run that governs all, before others one without an answer: its index.
 pub fn governs(parts: &[JointPart]) -> Option<usize> {
-    let shares = parts.iter().map(|part| governing(part.summary));
-    let shares = shares.map(|most| most.map_or(f64::NEG_INFINITY, |most| most.utilisation));
-    let shares: Vec<f64> = shares.collect();
+    let share = |part: &JointPart| match part.summary {
+        Ok(summary) => governing(summary).map_or(f64::NEG_INFINITY, |most| most.utilisation),
+        Err(_) => f64::INFINITY,
+    };
+    let shares: Vec<f64> = parts.iter().map(share).collect();
     let most = shares.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     shares
         .iter()
-        .position(|share| *share == most && most.is_finite())
+        .position(|share| *share == most && most > f64::NEG_INFINITY)
 }
 
 /// One line a run: its verdict, and what uses most.
 pub fn overview(parts: &[JointPart]) -> Table {
-    let units = parts.first().map(|part| &part.summary.units);
+    let mut found = parts.iter().filter_map(|part| part.summary.ok());
+    let units = found.next().map(|summary| &summary.units);
     let mut table = Table::new("")
         .words("run")
         .words("acts")
@@ -88,13 +93,13 @@ pub fn overview(parts: &[JointPart]) -> Table {
         .figures(["used", "± error"])
         .words("by");
     for part in parts {
-        let most = governing(part.summary);
-        let verdict = verdict(part.summary, part.missed);
+        let most = part.summary.ok().and_then(governing);
+        let verdict = part.verdict();
         let head = verdict.head.clone();
         table.row([
             part.name.into(),
             part.acts.into(),
-            Cell::figure(part.summary.answer.applied_load),
+            Cell::figure(part.summary.ok().map(|summary| summary.answer.applied_load)),
             match verdict.grade {
                 Grade::Good => head.into(),
                 _ => Cell::Care(head),
@@ -106,8 +111,11 @@ pub fn overview(parts: &[JointPart]) -> Table {
                 most => Cell::Share(most.as_ref().map(|most| most.utilisation)),
             },
             Cell::Share(most.as_ref().and_then(|most| most.error)),
-            most.map_or_else(|| "no limit".to_owned(), |most| most.what)
-                .into(),
+            match part.summary {
+                Ok(_) => most.map_or_else(|| "no limit".to_owned(), |most| most.what),
+                Err(why) => why.to_string(),
+            }
+            .into(),
         ]);
     }
     if let Some(part) = governs(parts).and_then(|index| parts.get(index)) {
@@ -118,7 +126,8 @@ pub fn overview(parts: &[JointPart]) -> Table {
 
 /// The page; `about` are sentences below its title.
 pub fn page(title: &str, about: &[String], parts: &[JointPart]) -> Markup {
-    let block = parts.first().map(|part| &part.summary.title_block.0);
+    let mut found = parts.iter().filter_map(|part| part.summary.ok());
+    let block = found.next().map(|summary| &summary.title_block.0);
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -149,9 +158,7 @@ pub fn page(title: &str, about: &[String], parts: &[JointPart]) -> Markup {
 
 /// The verdict on all: that of the run with the worst news, and what governs.
 fn head(parts: &[JointPart]) -> Markup {
-    let verdicts = parts
-        .iter()
-        .map(|part| (part, verdict(part.summary, part.missed)));
+    let verdicts = parts.iter().map(|part| (part, part.verdict()));
     let rank = |grade: Grade| match grade {
         Grade::Good => 0,
         Grade::Care => 1,
@@ -170,7 +177,7 @@ fn head(parts: &[JointPart]) -> Markup {
     };
     let class = ["good", "care", "bad"][rank(verdict.grade)];
     let most = governs(parts).and_then(|index| parts.get(index));
-    let most = most.and_then(|part| Some((part, governing(part.summary)?)));
+    let most = most.and_then(|part| Some((part, governing(part.summary.ok()?)?)));
     html! {
         p class=(format!("verdict {class}")) role="status" {
             b { (part.name) ": " (verdict.head) } " " (verdict.rest.first().cloned().unwrap_or_default())
@@ -184,14 +191,20 @@ fn head(parts: &[JointPart]) -> Markup {
 
 /// What a checker wants of one run; the rest is on its own page.
 fn one(part: &JointPart) -> Markup {
-    let summary = part.summary;
+    let hash = html! { p class="note" { "case file, FNV-1a: " code { (part.case_hash) } } };
+    let summary = match part.summary {
+        Ok(summary) => summary,
+        Err(why) => {
+            return html! { h2 { (part.name) } p { (part.acts) ": no answer: " (why) "." } (hash) };
+        }
+    };
     let units = &summary.units;
     let load = significant(summary.answer.applied_load, 5);
     html! {
         h2 { (part.name) }
         p { (part.acts) ": " (load) " " (units.force) ". All of it: "
             a href=(format!("{}/report.html", part.folder)) { (part.folder) "/report.html" } }
-        p class="note" { "case file, FNV-1a: " code { (part.case_hash) } }
+        (hash)
         (tables(&sections::rules(summary)))
         (table(&sections::certificate(summary)))
         (table(&sections::hand_checks(summary)))

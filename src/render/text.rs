@@ -30,13 +30,15 @@ pub fn percent(value: f64) -> String {
     format!("{} %", significant(100.0 * value, 3))
 }
 
-/// A place in the case's coordinates.
+/// A place in the case's coordinates: four decimals, or five digits of the largest where all are small, as in metres.
 pub fn place(at: [f64; 3]) -> String {
+    let largest = at.into_iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let decimals = (4.0 - largest.log10().floor()).clamp(4.0, 15.0) as usize;
     let [x, y, z] = at.map(|v| {
-        if v.abs() < 5e-5 {
+        if v.abs() < 0.5 * 0.1f64.powi(decimals as i32) {
             "0".to_string()
         } else {
-            format!("{v:.4}")
+            format!("{v:.decimals$}")
         }
     });
     format!("({x}, {y}, {z})")
@@ -104,6 +106,14 @@ mod tests {
         assert_eq!(of(f64::NAN), "-");
         assert_eq!(of(0.0), "0");
         assert_eq!(significant(123.4, 2), "123");
+    }
+
+    #[test]
+    fn places_have_digits_in_any_unit() {
+        assert_eq!(place([12.5, 3e-5, -0.25]), "(12.5000, 0, -0.2500)");
+        let metres = place([0.00614, 1e-8, 0.0121]);
+        assert_eq!(metres, "(0.006140, 0, 0.012100)");
+        assert_eq!(place([0.0; 3]), "(0, 0, 0)");
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! The verdict: may the answer be used, are the sizing rules met, does steel yield.
 
-use crate::render::figures::share;
-use crate::render::summary::Summary;
+use crate::analytic::rules::RuleVerdict;
+use crate::render::figures::{share, with_error};
+use crate::render::summary::{SizedLine, Summary};
 use crate::render::text::significant;
 use crate::render::utilisation::first_largest;
 
@@ -50,9 +51,15 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
         (summary.answer.bodies.0.iter()).max_by(|a, b| a.1.peeq_max.total_cmp(&b.1.peeq_max));
     let flows = flows.filter(|(_, body)| body.peeq_max > 0.0);
     let mut rest = Vec::new();
+    let open = open_rule(summary);
     if !missed.is_empty() {
         rest.push(format!("{}.", missed.join("; ")));
-    } else if let Some(rules) = judged_rules(summary) {
+    }
+    if let Some(open) = &open {
+        rest.push(format!("{open}."));
+    } else if missed.is_empty()
+        && let Some(rules) = judged_rules(summary)
+    {
         rest.push(format!("{rules} met."));
     }
     match flows {
@@ -79,6 +86,10 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
             format!("Solved; it FAILS {fails}, and steel yields."),
         ),
         (None, Some(_)) => (Grade::Care, "Solved; steel yields.".to_owned()),
+        (None, None) if open.is_some() => (
+            Grade::Care,
+            "Solved; the pressure limit (2-49) is open.".to_owned(),
+        ),
         (None, None) if unsure > 0 => (
             Grade::Care,
             "Solved; not all figures are resolved.".to_owned(),
@@ -91,7 +102,7 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
 /// The sizing rules that are missed, each with how much of it is used; `None` where there are none.
 fn fails(summary: &Summary) -> Option<String> {
     let sizing = summary.sizing.as_ref()?;
-    let lines = sizing.lines.iter().filter(|line| line.met == Some(false));
+    let lines = sizing.lines.iter().filter(|line| is_missed(line));
     let pressure = lines.filter_map(|line| line.utilisation).reduce(f64::max);
     let demands = sizing.rule.as_ref().map(|rule| [rule.printed, rule.exact]);
     let demands = demands.into_iter().flatten().filter(|demand| !demand.met);
@@ -117,13 +128,36 @@ fn judged_rules(summary: &Summary) -> Option<&'static str> {
     has_limit.then_some("The pressure limit (2-49) is")
 }
 
+fn is_missed(line: &SizedLine) -> bool {
+    line.verdict == Some(RuleVerdict::NotMet)
+}
+
+/// That (2-49) is open, where the error of p0 does not tell whether it is met, in words.
+pub fn open_rule(summary: &Summary) -> Option<String> {
+    let lines = &summary.sizing.as_ref()?.lines;
+    let open = (lines.iter()).filter(|line| line.verdict.is_some_and(|v| v.is_within().is_none()));
+    let most = first_largest(open, |line| line.utilisation.unwrap_or(0.0))?;
+    let used = with_error(
+        100.0 * most.utilisation?,
+        most.error.map(|error| 100.0 * error),
+    );
+    let doubt = match most.error {
+        Some(_) => "",
+        None => ", NOT RESOLVED",
+    };
+    Some(format!(
+        "The pressure limit (2-49) is open: {} uses {used} % of it{doubt}",
+        most.interface
+    ))
+}
+
 /// The sizing rules that are missed, in words.
 pub fn missed_rules(summary: &Summary) -> Vec<String> {
     let Some(sizing) = &summary.sizing else {
         return Vec::new();
     };
     let mut missed = Vec::new();
-    let lines = sizing.lines.iter().filter(|line| line.met == Some(false));
+    let lines = sizing.lines.iter().filter(|line| is_missed(line));
     let worst = first_largest(lines.clone(), |line| line.utilisation.unwrap_or(0.0));
     if let Some(line) = worst {
         let (count, of) = (lines.count(), sizing.lines.len());

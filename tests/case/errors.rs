@@ -700,6 +700,8 @@ fn an_impossible_support_or_load() {
         &["support#1.displacement.z = 1", "already fixed"],
     );
     refused(&set("\"10 MPa\"", "0"), &["the case has no load"]);
+    let off = "[[step]]\nname = \"off\"\nfactor = 0\n";
+    refused(&format!("{SCENE}{off}"), &["the case has no load"]);
     let plane = "[[rigid_plane]]\nname = \"lid\"\nsurface = \"top\"\nfixed = \"xy\"\n";
     refused(
         &format!("{SCENE}{plane}force = {{ x = \"1 N\" }}\n"),

@@ -317,6 +317,17 @@ fn pressures_tractions_and_floating_bodies() {
     }
     let pulled = all(&cards, "*CLOAD")[0].data.iter().map(|l| numbers(l)[2]);
     close(pulled.sum(), 2.0);
+    // Other programs keep a force that a step does not give anew: one that is taken off is written as zero.
+    scene.steps.push(Step {
+        factors: vec![("block_u+".into(), 0.0)],
+        ..Step::to("off", 1.0)
+    });
+    let both = deck(&scene, &settings());
+    let [on, off] = all(&both, "*CLOAD")[..] else {
+        panic!("one in each step")
+    };
+    assert_eq!(on.data.len(), off.data.len());
+    assert!(off.data.iter().all(|line| numbers(line)[2] == 0.0));
     // Held along x by the wall, free along y and z.
     let names: Vec<&str> = all(&cards, "*SPRING")
         .iter()
@@ -379,6 +390,10 @@ fn what_cannot_be_expressed_is_named() {
         refused(&apart, &settings()),
         InpError::Apart { .. }
     ));
+    // Faces that are made to travel as far meet.
+    apart.rigid_planes[0].motion[2] = PlaneMotion::Held(-3.1);
+    let cards = deck(&apart, &settings());
+    assert_eq!(all(&cards, "*SURFACE")[0].data.len(), 6);
 
     let mut lost = stack();
     lost.rigid_planes[0].surface = "roof".into();

@@ -59,6 +59,7 @@ fn pvbatch_draws_every_view_by_fields_that_exist() {
         title,
         &units,
         &scene,
+        0,
         (2, 1.0),
     )
     .unwrap();

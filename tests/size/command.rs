@@ -22,6 +22,10 @@ fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
 fn prints_the_table_and_writes_the_cases() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = with(&["--rule", "printed", "--diameter", "3 in", "--out", "b"]);
+    // The verdict on an earlier design is none on this one.
+    let verdict = folder.path().join("b/verdict.json");
+    std::fs::create_dir(folder.path().join("b")).unwrap();
+    std::fs::write(&verdict, "{}").unwrap();
     let assert = brinell(folder.path(), &arguments).code(0);
     let output = &assert.get_output().stdout;
     contains(
@@ -39,6 +43,7 @@ fn prints_the_table_and_writes_the_cases() {
         text.lines().all(|line| line.chars().count() <= 140),
         "{text}"
     );
+    assert!(!verdict.exists());
     for name in ["centre", "displaced"] {
         case::read(&folder.path().join(format!("b/{name}.toml"))).unwrap();
     }

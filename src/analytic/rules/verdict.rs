@@ -62,7 +62,7 @@ impl RuleVerdict {
     ];
 
     /// Of a utilisation that lies between `least` and `most`.
-    pub(super) fn of(standing: Standing, least: f64, most: f64) -> Self {
+    pub fn of(standing: Standing, least: f64, most: f64) -> Self {
         let within = match (most <= 1.0, least > 1.0) {
             (true, _) => true,
             (_, true) => false,

@@ -7,8 +7,10 @@ use crate::model::mesh::Face;
 use crate::model::scene::{ContactPair, Partner, Scene, Side};
 use crate::render::inp::{DeckPair, Names};
 use crate::solver::contact::search::FacetTree;
+use crate::solver::solve::travel;
 
-/// Faces further apart than this share of the model are left out: far more than bodies approach.
+/// Faces further apart than this share of the model, and what is made to travel, are left out: far more than bodies
+/// approach.
 const NEAR_SHARE: f64 = 0.01;
 /// Default pressure per overclosure, in Young's moduli over the shortest edge of a carrier's face.
 const STIFFNESS_IN_MODULI: f64 = 20.0;
@@ -29,7 +31,7 @@ pub fn default_stiffness(scene: &Scene, pairs: &[DeckPair]) -> f64 {
 
 /// The pairs of the scene, each cut down to the faces that may touch.
 pub fn pairs(scene: &Scene, names: &mut Names) -> Result<Vec<DeckPair>, InpError> {
-    let near = NEAR_SHARE * diagonal(scene);
+    let near = NEAR_SHARE * diagonal(scene) + travel(scene);
     scene
         .contacts
         .iter()

@@ -8,25 +8,26 @@ use crate::solver::fem::loads::add_traction;
 pub fn nodal_forces(scene: &Scene, step: &Step) -> Vec<Vec<NodalForce>> {
     let mesh = &scene.mesh;
     let of = |traction: &Traction| {
-        let surface = match (mesh.surface(&traction.surface), traction.value) {
-            (Some(surface), TractionValue::Vector(_)) => surface,
-            _ => return Vec::new(),
+        let (Some(surface), TractionValue::Vector(vector)) =
+            (mesh.surface(&traction.surface), traction.value)
+        else {
+            return Vec::new();
         };
+        // Also those of a factor of zero: a deck keeps what a step does not give anew.
+        let acts = |axis: &usize| vector[*axis] != 0.0;
         let factor = step.factor_of(&traction.name);
         let mut forces = vec![[0.0; 3]; mesh.points.len()];
         add_traction(mesh, surface, traction.value, factor, &mut forces);
         let nodes = surface.nodes().into_iter();
         let components = nodes.flat_map(|node| {
             let force = forces[node as usize];
-            (0..3).map(move |axis| NodalForce {
+            (0..3).filter(acts).map(move |axis| NodalForce {
                 node,
                 axis,
                 force: force[axis],
             })
         });
-        components
-            .filter(|component| component.force != 0.0)
-            .collect()
+        components.collect()
     };
     scene.tractions.iter().map(of).collect()
 }

@@ -44,11 +44,15 @@ impl Files {
             if !earlier.resumed && !earlier.strips {
                 forget(&self.folder.join(STRIPS))?;
             }
-            let name = self.series.name();
-            let up = upward(scene);
-            paraview::write(&self.folder, name, &self.title, &self.units, scene, up)?;
+            self.write_views(scene, scene.reported_step())?;
         }
         (self.series).write(scene, state, &recover(scene, state))?;
+        Ok(())
+    }
+
+    fn write_views(&self, scene: &Scene, reported: usize) -> Result<(), JobError> {
+        let (name, title, up) = (self.series.name(), &self.title, upward(scene));
+        paraview::write(&self.folder, name, title, &self.units, scene, reported, up)?;
         Ok(())
     }
 }
@@ -116,9 +120,18 @@ impl<'o> Recorder<'o> {
         self.spent
     }
 
-    /// What the iterations told.
-    pub fn into_history(self) -> Vec<Iterate> {
-        self.history
+    /// What the iterations told; `reported` is the step that the figures of all steps are of, where they are done. Whether
+    /// a motion that goes back takes the load off is known only now.
+    ///
+    /// # Errors
+    /// Where the views cannot be written anew.
+    pub fn finish(self, reported: Option<usize>) -> Result<Vec<Iterate>, JobError> {
+        let other = reported.filter(|step| *step != self.scene.reported_step());
+        let written = self.files.filter(|files| files.earlier.is_none());
+        if let (Some(files), Some(step)) = (written, other) {
+            files.write_views(&self.scene, step)?;
+        }
+        Ok(self.history)
     }
 }
 

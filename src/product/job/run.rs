@@ -166,7 +166,8 @@ fn solve_on(
         },
     };
     let writing = recorder.spent();
-    let history = recorder.into_history();
+    let step = (solution.complete).then(|| reported(&scene, &solution).step);
+    let history = recorder.finish(step)?;
     let solving = clock.spent().minus(writing);
     if let Some(strips) = watch.better() {
         return Ok(Ended::Remesh(strips));

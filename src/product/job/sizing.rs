@@ -7,6 +7,7 @@
 use super::error::JobError;
 use super::rollers::{Span, is_merged};
 use crate::analytic::hertz::LineContact;
+use crate::analytic::rules::{RuleVerdict, Standing};
 use crate::analytic::sizing::{
     Constants, PRESSURE_LIMIT, PRINTED, effective_length, equivalent_modulus, exact, final_length,
     within_limit,
@@ -39,6 +40,7 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
             sizing.patches.push(sized_patch(name, patch, steels));
             continue;
         }
+        let bar = answer.hertz_pressure_bar(name);
         for line in &interface.lines {
             let span = Span::of(scene, contact, line);
             let (radius, [length, from_end]) = match (&case.kind, line.relative_radius) {
@@ -59,7 +61,7 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
             sizing.lines.push(SizedLine {
                 merged: is_merged(case, name, line),
                 not_hertz: interface.not_hertz.filter(|_| is_heaviest),
-                ..SizedPair::new(radius, steels)?.line(name, line, [length, from_end])?
+                ..SizedPair::new(radius, steels)?.line(name, line, [length, from_end], bar)?
             });
         }
         let Kind::Bearing(bearing) = &case.kind else {
@@ -146,8 +148,14 @@ impl SizedPair {
         interface: &str,
         line: &LineFigures,
         [roller, from_end]: [f64; 2],
+        bar: Option<f64>,
     ) -> Result<SizedLine, DomainError> {
         let peak = self.pressed(line.peak)?;
+        let error = peak.utilisation.zip(bar).map(|(used, bar)| used * bar);
+        let verdict = |used: f64| match error {
+            Some(error) => RuleVerdict::of(Standing::Rule, used - error, used + error),
+            None => RuleVerdict::Unresolved,
+        };
         let force = line.mean * (line.length + line.lifted_off);
         Ok(SizedLine {
             interface: interface.to_owned(),
@@ -162,7 +170,9 @@ impl SizedPair {
             hertz_pressure: peak.hertz_pressure,
             limit: self.limit(),
             utilisation: peak.utilisation,
+            error,
             met: peak.met,
+            verdict: peak.utilisation.map(verdict),
             even: self.pressed(force / roller)?,
         })
     }

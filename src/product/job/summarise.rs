@@ -142,13 +142,30 @@ fn bores(case: &Case) -> Vec<Bore> {
 
 /// What was assumed where the case says nothing, and what of it does not fit together, in words.
 pub fn assumptions(case: &Case) -> Vec<String> {
-    let taken = case
-        .assumptions
-        .iter()
-        .map(|a| format!("{} = {}: {}", a.key, a.value, a.why));
+    let taken = case.assumptions.iter().filter(|a| !a.given);
+    let taken = taken.map(|a| format!("{} = {}: {}", a.key, a.value, a.why));
     let found = case
         .discrepancies
         .iter()
         .map(|d| format!("{}: {}", d.what, d.effect));
     taken.chain(found).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn what_the_case_gives_is_not_assumed() {
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2");
+        let case = crate::case::read(&cases.join("initial-centre.toml")).expect("it reads");
+        let told = assumptions(&case);
+        for taken in &case.assumptions {
+            let begin = format!("{} = ", taken.key);
+            let is_told = told.iter().any(|text| text.starts_with(&begin));
+            assert_ne!(is_told, taken.given, "{begin}");
+        }
+        assert!(case.assumptions.iter().any(|taken| taken.given) && !told.is_empty());
+    }
 }

@@ -4,7 +4,7 @@ use super::SizeError;
 use super::candidate::Candidate;
 use super::case_file::{Position, case_file};
 use super::proposal::Proposal;
-use super::verdict::{DesignVerdict, Limits, Placed};
+use super::verdict::{DesignVerdict, Limits, Placed, forget_verdict};
 use crate::case;
 use crate::ground::file::FileError;
 use crate::ground::file::write_atomically;
@@ -40,6 +40,7 @@ pub fn write(
     candidate: &Candidate,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, FileError> {
+    forget_verdict(folder)?;
     let mut written = Vec::new();
     for position in Position::of(proposal.request.capacity) {
         let path = folder.join(format!("{}.toml", position.name()));
@@ -95,7 +96,7 @@ pub fn verify(
         case_hash: &solved.case_hash,
         acts: "the load of the request",
         folder: solved.name,
-        summary: &solved.summary,
+        summary: Ok(&solved.summary),
         missed: &solved.missed,
     });
     let about = [

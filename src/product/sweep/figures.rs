@@ -36,8 +36,10 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
         error(summary, Quantity::Descent, "overall"),
     );
     overall(summary, &mut out);
-    let unsure = summary.answer.unresolved().into_iter();
-    let names: Vec<String> = unsure
+    // Also where a figure away from edges stands beside it: the table has both.
+    let claims = summary.answer.certificate.iter();
+    let names: Vec<String> = claims
+        .filter(|claim| !claim.is_resolved())
         .map(|claim| format!("{} of {}", claim.what.name(), claim.place))
         .collect();
     out.add("unresolved", names.join("; "));
@@ -103,6 +105,11 @@ fn add_body(summary: &Summary, name: &str, body: &BodyFigures, out: &mut RowFigu
         "mises_nodal_error",
         error(summary, Quantity::PeakMises, name),
     );
+    add("mises_away", value(summary, Quantity::MisesAway, name));
+    add(
+        "mises_away_error",
+        error(summary, Quantity::MisesAway, name),
+    );
     let known = body.elastic_mises_max.is_some() || nothing_yielded(summary);
     add("elastic_mises_nodal", elastic(body).filter(|_| known));
     add(
@@ -116,6 +123,11 @@ fn add_interface(summary: &Summary, name: &str, contact: &InterfaceFigures, out:
     let mut add = |figure: &str, value: Option<f64>| out.add(format!("{name}.{figure}"), value);
     add("p_max", Some(contact.max_pressure));
     add("p_max_error", error(summary, Quantity::PeakPressure, name));
+    add("p_max_away", value(summary, Quantity::PressureAway, name));
+    add(
+        "p_max_away_error",
+        error(summary, Quantity::PressureAway, name),
+    );
     add("p0", contact.hertz_p0);
     add("p0_error", error(summary, Quantity::HertzPressure, name));
     let loads = contact.lines.iter().map(|line| line.peak);
@@ -156,6 +168,11 @@ fn elastic_error(summary: &Summary, body: &str) -> Option<f64> {
         Quantity::PeakMises
     };
     error(summary, what, body)
+}
+
+/// The value of a claim of the certificate.
+fn value(summary: &Summary, what: Quantity, place: &str) -> Option<f64> {
+    Some(summary.answer.figure(what, place)?.value)
 }
 
 /// The estimated error of a claim of the certificate.

@@ -12,7 +12,6 @@ mod error;
 mod figures;
 mod file;
 mod local;
-mod named_files;
 mod one;
 mod parameter;
 mod place;

@@ -2,8 +2,8 @@
 
 use super::error::SweepError;
 use super::file::{self, SweepFile};
-use super::named_files::NamedFiles;
 use super::settings::KeyValues;
+use crate::case::named_files::NamedFiles;
 use crate::case::{self, Case, CaseError, variant};
 use crate::ground::hash::Fnv;
 use std::path::{Path, PathBuf};

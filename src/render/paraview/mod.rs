@@ -15,7 +15,7 @@ pub fn file_name(name: &str) -> String {
 }
 
 /// Writes `<name>-views.py` into `folder`, for the collection `<name>.pvd` there, and returns its
-/// path. `(up, sign)` are the axis nearest to the load and the sign against it. The hyphen keeps Python from taking a case called `numpy` for the module.
+/// path. The figures are of the end of step `reported`; `(up, sign)` are the axis nearest to the load and the sign against it. The hyphen keeps Python from taking a case called `numpy` for the module.
 ///
 /// # Errors
 /// [`FileError::Write`] names the path.
@@ -25,11 +25,12 @@ pub fn write(
     title: &str,
     units: &UnitLabels,
     scene: &Scene,
+    reported: usize,
     (up, sign): (usize, f64),
 ) -> Result<PathBuf, FileError> {
     let path = folder.join(file_name(name));
     let here = std::path::absolute(folder).unwrap_or_else(|_| folder.to_path_buf());
-    let full_load = scene.reported_step() + 1;
+    let full_load = reported + 1;
     let contact = if scene.contacts.is_empty() {
         "False"
     } else {

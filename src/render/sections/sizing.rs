@@ -118,7 +118,10 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Table {
             Cell::figure(line.hertz_pressure),
             Cell::figure(line.limit),
             Cell::Share(line.utilisation),
-            Cell::Met(line.met),
+            match line.verdict {
+                Some(verdict) if verdict.is_within().is_none() => Cell::Care("open".to_owned()),
+                _ => Cell::Met(line.met),
+            },
             Cell::figure(line.even.line_load),
             Cell::figure(line.even.hertz_pressure),
             Cell::Share(line.even.utilisation),

@@ -1,5 +1,6 @@
 //! The sizing rules (2-49) to (2-51) of the reference study, in the summary.
 
+use crate::analytic::rules::RuleVerdict;
 use serde::Serialize;
 
 /// What the sizing rules say of a bearing, and of the lines of a general scene.
@@ -93,7 +94,12 @@ pub struct SizedLine {
     pub limit: Option<f64>,
     /// p0 over the limit.
     pub utilisation: Option<f64>,
+    /// What that may be off by; none where nothing is known of it.
+    pub error: Option<f64>,
+    /// Is p0 within the limit, whatever it may be off by?
     pub met: Option<bool>,
+    /// What (2-49) says, as far as p0 is known.
+    pub verdict: Option<RuleVerdict>,
     /// The same for the force of the line spread evenly over the length of the roller.
     pub even: EvenLoad,
 }

@@ -62,7 +62,7 @@ impl NoBalance {
                  or offset"
             ),
             None => "no friction helps: bring the load nearer to the middle of what carries it (less offset), or \
-                     support the body; where the balance is close, a mesh that follows round ends and faces \
+                     support the body; what rolls resists no force across its axis; where the balance is close, a mesh that follows round ends and faces \
                      more finely"
                 .to_owned(),
         }

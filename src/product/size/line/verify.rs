@@ -9,7 +9,7 @@ use crate::ground::file::{FileError, write_atomically};
 use crate::ground::units::UnitLabels;
 use crate::product::size::SizeError;
 use crate::product::size::verdict::{
-    Checked, Design, Placed, page, render_checked, short_by_at_most,
+    Checked, Design, Placed, forget_verdict, page, render_checked, short_by_at_most,
 };
 use crate::product::size::verify::{Verification, solved};
 use crate::solver::solve::Observer;
@@ -84,6 +84,7 @@ pub fn write(
     candidate: &LineCandidate,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, FileError> {
+    forget_verdict(folder)?;
     let case = folder.join(format!("{NAME}.toml"));
     let text = case_file(proposal, candidate, NAME);
     write_atomically(&case, |out| out.write_all(text.as_bytes()))?;

@@ -1,7 +1,8 @@
 //! The verdict as files: `verdict.json` and `verdict.md`.
 
 use super::design::DesignVerdict;
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, remove, write_atomically};
+use crate::render::report;
 use std::path::Path;
 
 impl DesignVerdict {
@@ -18,4 +19,17 @@ impl DesignVerdict {
             out.write_all(self.page().as_bytes())
         })
     }
+}
+
+/// Removes the verdict that an earlier design left in `folder`, with its page: it is of another load or other rollers.
+///
+/// # Errors
+/// [`FileError::Write`] names the path.
+pub fn forget_verdict(folder: &Path) -> Result<(), FileError> {
+    ["verdict.json", "verdict.md", report::FILE]
+        .iter()
+        .try_for_each(|file| {
+            let path = folder.join(file);
+            remove(&path).map_err(|source| FileError::Write { path, source })
+        })
 }

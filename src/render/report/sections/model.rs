@@ -1,7 +1,7 @@
 //! The model: elements and their shapes, supports, loads, contact, symmetry and why.
 
 use crate::ground::geometry::AXES;
-use crate::model::scene::{ElementKind, Partner, PlaneMotion, Side, TractionValue};
+use crate::model::scene::{ElementKind, Partner, PlaneMotion, PlaneTurn, Side, TractionValue};
 use crate::render::report::Inputs;
 use crate::render::report::html::list;
 use crate::render::table::html::tables;
@@ -106,7 +106,15 @@ fn held(inputs: &Inputs) -> Table {
             PlaneMotion::Held(by) => Some(both(axis, *by)),
             _ => None,
         });
-        let held: Vec<String> = held.collect();
+        let turned = plane.turn.iter().enumerate();
+        let turned = turned.filter_map(|(axis, turn)| match turn {
+            PlaneTurn::Held(by) if *by != 0.0 => {
+                let by = significant(*by, 4);
+                Some(format!("turned about {} by {by} rad", AXES[axis]))
+            }
+            _ => None,
+        });
+        let held: Vec<String> = held.chain(turned).collect();
         if !held.is_empty() {
             table.row([
                 (&plane.surface).into(),
@@ -132,6 +140,20 @@ fn loaded(inputs: &Inputs) -> Table {
                     (&plane.surface).into(),
                     format!("{force} {} along {}", units.force, AXES[axis]).into(),
                     "a force on a rigid plane".into(),
+                ]);
+            }
+        }
+        for (axis, turn) in plane.turn.iter().enumerate() {
+            if let PlaneTurn::Driven(moment) = turn {
+                let moment = significant(*moment, 5);
+                table.row([
+                    (&plane.surface).into(),
+                    format!(
+                        "{moment} {} {} about {}",
+                        units.force, units.length, AXES[axis]
+                    )
+                    .into(),
+                    "a moment on a rigid plane that is free to turn".into(),
                 ]);
             }
         }

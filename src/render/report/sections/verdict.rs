@@ -9,7 +9,7 @@ use crate::render::table::html::table;
 use crate::render::table::{Cell, Number, Table};
 use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
-use crate::render::verdict::{self, Grade, Verdict, missed_rules};
+use crate::render::verdict::{self, Grade, Verdict, missed_rules, open_rule};
 use maud::{Markup, html};
 
 pub fn verdict(inputs: &Inputs) -> Markup {
@@ -147,6 +147,9 @@ fn sizing_card(summary: &Summary) -> Markup {
             "no limit",
             "no steel of this case can yield",
         ),
+        (true, true) if open_rule(summary).is_some() => {
+            card("Sizing rules", Some(Grade::Care), "open", rules)
+        }
         (true, true) => card("Sizing rules", Some(Grade::Good), "met", rules),
         (true, false) => card("Sizing rules", Some(Grade::Bad), "NOT met", rules),
     }

@@ -32,7 +32,7 @@ pub fn likely_gap(scene: &Scene) -> f64 {
 }
 
 /// The largest displacement that is prescribed.
-fn travel(scene: &Scene) -> f64 {
+pub fn travel(scene: &Scene) -> f64 {
     let factors = |name: &str| {
         let factors = scene.steps.iter().map(|s| s.factor_of(name).abs());
         factors.fold(0.0, f64::max)

@@ -1,6 +1,7 @@
-//! The files that the cases of rows name: a mesh, and a list of steel grades.
+//! The files that a case names: a mesh, and a list of steel grades. Rows of a sweep and combinations stand elsewhere, and
+//! name the same.
 
-use crate::case::variant;
+use super::variant;
 use crate::ground::hash::Fnv;
 use crate::ground::input;
 use std::collections::BTreeMap;
@@ -10,15 +11,16 @@ use toml::{Table, Value};
 /// Keys whose values are paths.
 const KEYS: [&str; 2] = ["mesh.file", "grades"];
 
-/// Files that rows name.
+/// Files that cases name.
 pub struct NamedFiles {
-    /// Folder of the case that is varied.
+    /// Folder of the case that others are made of.
     folder: PathBuf,
     /// Hashes of their content.
     known: BTreeMap<PathBuf, u64>,
 }
 
 impl NamedFiles {
+    /// Of cases that are made of the one at `case`.
     pub fn new(case: &Path) -> Self {
         // An empty path has no absolute one.
         let folder = case.parent().filter(|folder| *folder != Path::new(""));
@@ -29,7 +31,7 @@ impl NamedFiles {
         }
     }
 
-    /// `text` with the absolute paths of its files: the case of a row stands in another folder.
+    /// `text` with the absolute paths of its files, for a case that stands in another folder.
     pub fn absolute(&self, text: String) -> String {
         let files = KEYS
             .iter()

@@ -90,7 +90,7 @@ impl Checkpoint {
     }
 }
 
-/// A hash of all of the scene but its name and the controls that no answer depends on.
+/// A hash of all of the scene but the controls that no answer depends on.
 fn fingerprint(scene: &Scene) -> u64 {
     let Controls {
         plasticity,
@@ -103,7 +103,6 @@ fn fingerprint(scene: &Scene) -> u64 {
         element,
         ..Controls::default()
     };
-    plain.name.clear();
     plain.mesh.source.clear();
     let mut hash = Fnv::default();
     // Writing to a hash cannot fail.

@@ -156,6 +156,18 @@ impl JobError {
         }
     }
 
+    /// Is it of the mesh, or of what solving on it takes, so that an answer on a coarser one stands?
+    pub fn is_of_mesh(&self) -> bool {
+        match self {
+            Self::Case(_) | Self::Mesh(_) | Self::Gmsh(_) | Self::BuiltIn(_) => true,
+            Self::MeshSize { .. } => true,
+            Self::Solve(error) => {
+                !matches!(error, SolveError::Observer(_) | SolveError::Restart(_))
+            }
+            _ => false,
+        }
+    }
+
     /// Did the solver fail to converge, rather than the input to make sense?
     pub fn is_not_converged(&self) -> bool {
         matches!(self, Self::Solve(error) if error.is_of_balance())

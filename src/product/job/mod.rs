@@ -32,6 +32,7 @@ pub use checkpoint::{Checkpoint, FILE as CHECKPOINT_FILE};
 pub(super) use clock::{Clock, Spent};
 pub use error::JobError;
 pub use export::{Exported, export};
+pub(super) use folder::clear;
 pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unknowns};
 pub use options::Options;
 pub use outcome::Outcome;

@@ -33,7 +33,7 @@ pub(super) use clock::{Clock, Spent};
 pub use error::JobError;
 pub use export::{Exported, export};
 pub(super) use folder::clear;
-pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh, unknowns};
+pub use mesh::{FILE as MESH_FILE, find_mesh, forecast, keep_mesh, make_mesh};
 pub use options::Options;
 pub use outcome::Outcome;
 pub use run::{has_checkpoint, is_sized_by_lines, run, run_beside, run_on, run_on_beside};

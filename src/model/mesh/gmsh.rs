@@ -226,8 +226,8 @@ mod tests {
             let options = "Mesh.SubdivisionAlgorithm = 2;";
             std::fs::write(dir.path().join(".gmsh-options"), options).unwrap();
             let mut again = Command::new(std::env::current_exe().unwrap());
-            let again = again.arg(HERE).env(HOME, dir.path()).status().unwrap();
-            assert!(again.success());
+            let again = again.arg(HERE).env(HOME, dir.path()).output().unwrap();
+            assert!(again.status.success(), "{again:?}");
         } else {
             run(&geo, &[], &out).unwrap();
             assert_eq!(crate::model::mesh::msh::read(&out).unwrap().hexes.len(), 1);

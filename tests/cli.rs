@@ -949,6 +949,55 @@ fn a_deck_is_named_after_its_case() {
     brinell(folder.path(), "export scene.toml --out decks").code(2);
 }
 
+/// A coarse mesh of a roller whose ends are rounded and whose face is crowned.
+const ROUNDED: &str = r#"title = "rounded"
+units = "mm-N-MPa"
+
+[line_bearing]
+load = "100 kN"
+friction = 0.1
+solid = true
+roller_diameter = "100 mm"
+roller_length = "100 mm"
+roller_end = { radius = "24 mm", crown = "1 mm" }
+plate_thickness = "40 mm"
+
+[mesh]
+preset = "h025"
+scale = 3
+
+[steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+elastic = true
+"#;
+
+#[test]
+fn the_quality_of_a_mesh_is_that_of_the_shape_that_is_solved() {
+    let folder = TempDir::new().unwrap();
+    std::fs::write(folder.path().join("case.toml"), ROUNDED).unwrap();
+    let mesh = brinell(folder.path(), "mesh case.toml").success();
+    let check = brinell(folder.path(), "check case.toml --json").success();
+    let check: Value = serde_json::from_slice(&check.get_output().stdout).unwrap();
+    let roller = &check["bodies"][0];
+    assert_eq!(roller["name"], "roller");
+    let jacobian = roller["min_scaled_jacobian"].as_f64().unwrap();
+    prints(&mesh, &[&format!("scaled Jacobian >= {jacobian:.3},")]);
+}
+
+#[test]
+fn a_mesh_takes_the_place_of_meshes_alone() {
+    let folder = TempDir::new().unwrap();
+    let case = folder.path().join("case.toml");
+    std::fs::write(&case, ROUNDED).unwrap();
+    let refused = brinell(folder.path(), "mesh case.toml --out case.toml").code(2);
+    says(&refused, &["case.toml is there already, and is no mesh"]);
+    assert_eq!(std::fs::read_to_string(&case).unwrap(), ROUNDED);
+    for _ in 0..2 {
+        brinell(folder.path(), "mesh case.toml --out part.msh").success();
+    }
+}
+
 #[test]
 fn a_target_is_met_by_finer_meshes() {
     let folder = TempDir::new().unwrap();

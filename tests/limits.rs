@@ -158,6 +158,36 @@ fn a_case_beyond_its_control_group_is_refused() {
     refused_by_a_run(&root);
 }
 
+/// Level 1 of problem H takes 23 MB, level 2 takes 129: the answer on level 1 stands, and what an earlier run left beyond
+/// it and beside the levels goes.
+#[test]
+fn a_target_whose_next_mesh_is_beyond_the_memory_keeps_its_last_answer() {
+    let root = kernel(&[
+        ("proc/meminfo", "MemAvailable: 60000 kB\n"),
+        ("out/report.html", "of an earlier run"),
+        ("out/level-2/summary.json", "of an earlier run"),
+    ]);
+    let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .current_dir(root.path())
+        .env("BRINELL_SYSTEM_ROOT", root.path())
+        .arg("run")
+        .arg(shipped("problem-h.toml"))
+        .args(["--out", "out", "--quiet", "--target", "0.1%"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    let last = Path::new("out/level-1");
+    let place = format!("written to {}", last.display());
+    for part in ["there is no finer one", "GB are left", place.as_str()] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    assert!(root.path().join(last).join("summary.json").exists());
+    for gone in ["out/report.html", "out/level-2/summary.json"] {
+        assert!(!root.path().join(gone).exists(), "{gone}");
+    }
+}
+
 /// What becomes of the centred bearing with `from` changed to `to` on a machine with 4 GB, and whether gmsh was called.
 #[cfg(unix)]
 fn meshed(changes: &[(&str, &str)]) -> (Output, bool) {

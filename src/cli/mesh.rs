@@ -4,6 +4,7 @@ use super::case_file::read_case;
 use super::output::say;
 use super::status::{CommandResult, ExitStatus};
 use crate::product::job::{self, JobError};
+use crate::solver::solve::unknowns;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -33,17 +34,16 @@ pub fn run(args: &MeshArgs) -> CommandResult {
 fn make(args: &MeshArgs) -> Result<String, JobError> {
     let case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
     let mesh = job::make_mesh(&case, &args.out)?;
-    let mut first = format!(
-        "{}: {} nodes, {} hexahedra",
+    // Ends and curved faces get their shape here, which the file does not have.
+    let scene = case.scene(mesh)?;
+    let mut lines = vec![format!(
+        "{}: {} nodes, {} hexahedra, {} unknowns",
         args.out.display(),
-        mesh.points.len(),
-        mesh.hexes.len()
-    );
-    if let Some(unknowns) = job::unknowns(&case, &mesh) {
-        first.push_str(&format!(", {unknowns} unknowns"));
-    }
-    let mut lines = vec![first];
-    for quality in mesh.quality() {
+        scene.mesh.points.len(),
+        scene.mesh.hexes.len(),
+        unknowns(&scene)?
+    )];
+    for quality in scene.mesh.quality() {
         lines.push(format!(
             "  {:20} {:7} hexahedra, scaled Jacobian >= {:.3}, aspect ratio <= {:.1}",
             quality.name, quality.elements, quality.min_scaled_jacobian, quality.max_aspect_ratio

@@ -104,20 +104,20 @@ pub fn run(args: &RunArgs) -> CommandResult {
     }
     let result = match &target {
         None => (job::run(&case, &options, &mut console))
-            .map(|outcome| (outcome, None))
+            .map(|outcome| (outcome, None, options.out.clone()))
             .map_err(ConvergeError::from),
         Some(target) => refined(&case, target, &options, &mut console),
     };
     console.finish();
     match result {
-        Ok((outcome, missed_target)) => {
+        Ok((outcome, missed_target, out)) => {
             let mut missed = outcome.missed_limits(&case);
             say(&digest::digest(&outcome.summary, &missed));
             if args.all_tables || args.explain {
                 say(&terminal::tables(&outcome.summary, args.explain));
                 say(&timer_table(&outcome.solution.counters));
             }
-            if let Some(out) = &options.out {
+            if let Some(out) = &out {
                 let (out, page) = (out.display(), options.report);
                 let page = if page { ", or report.html there" } else { "" };
                 say(&format!(
@@ -140,13 +140,13 @@ pub fn run(args: &RunArgs) -> CommandResult {
     }
 }
 
-/// The finest mesh that the target took, and why the target is missed where it is.
+/// The finest mesh that the target took, why the target is missed where it is, and the folder of that mesh.
 fn refined(
     case: &Case,
     target: &Target,
     options: &Options,
     console: &mut Console,
-) -> Result<(Outcome, Option<String>), ConvergeError> {
+) -> Result<(Outcome, Option<String>, Option<PathBuf>), ConvergeError> {
     let told = |level: &Level| say(&target::table(std::slice::from_ref(level)));
     let (levels, verdict, outcome) = target::refine(
         case,
@@ -157,11 +157,13 @@ fn refined(
         told,
     )?;
     say(&target::table(&levels));
+    let last = target::last_level(&levels, &verdict);
+    let folder = (options.out.as_deref()).map(|out| target::folder(out, last));
     let missed = match verdict {
         TargetVerdict::NotMet(why) => Some(format!("{}: {why}", target.goal.name())),
         TargetVerdict::Met | TargetVerdict::Interrupted => None,
     };
-    Ok((outcome, missed))
+    Ok((outcome, missed, folder))
 }
 
 /// Seconds by phase of the solution.

@@ -1,5 +1,7 @@
 use crate::block::{close, pressed, settle, stack};
 use brinell::answer::results::contact_lines::contact_lines;
+use brinell::answer::results::edges::LoadedEdges;
+use brinell::answer::results::hertz::HeaviestLine;
 
 #[test]
 fn a_line_cut_by_a_mirror_is_one_and_whole() {
@@ -85,4 +87,30 @@ fn nodes_on_the_far_side_of_a_roller_part_no_line() {
     let [line] = contact_lines(&scene, &state, 0, 1).try_into().unwrap();
     assert_eq!((line.across, line.images), (0.0, 1));
     line.load.iter().for_each(|load| close(*load, 0.5 * 32.5));
+}
+
+/// Rows at 0, 0.55, 0.6 and 1, all but the first so near to the end of the block that they belong to it.
+#[test]
+fn a_single_row_away_from_edges_stands_out_from_the_row_beside_it() {
+    let mut scene = stack();
+    for [_, y, _] in &mut scene.mesh.points {
+        *y = match *y {
+            0.2 => 0.55,
+            0.5 => 0.6,
+            other => other,
+        };
+    }
+    let mut state = pressed(&scene);
+    let field = &mut state.contacts[0];
+    for (node, pressure) in field.nodes.iter().zip(&mut field.pressure) {
+        let [x, y, _] = scene.mesh.points[*node as usize];
+        *pressure *= if x > 0.3 { 0.0 } else { 1.0 - 0.3 * y };
+    }
+    settle(&mut state.contacts[0]);
+    let edges = LoadedEdges::find(&scene, &state);
+    let near = [0.0, 0.55, 0.6].map(|y| edges.are_near(&[0.0, y, 0.0]));
+    assert_eq!(near, [false, true, true]);
+    let line = HeaviestLine::find(&scene, &state, 0, &edges).unwrap();
+    assert_eq!(line.line.heaviest.at, 0.0);
+    assert!((line.kink - 0.3 * 0.55).abs() < 1e-9, "{}", line.kink);
 }

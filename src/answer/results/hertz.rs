@@ -179,14 +179,15 @@ struct RowsBeside<'a> {
 
 impl RowsBeside<'_> {
     /// By how much the load per length of a row stands out, relative to itself, from the rows on either side. Where a
-    /// loaded edge is beside it, that says nothing of a row that is away from it.
+    /// loaded edge is beside it, that says nothing of a row that is away from it, unless it is all that there is.
     fn kink(&self, row: usize) -> f64 {
         let (at, load) = (&self.line.at, &self.line.load);
         let counts = |beside: &usize| self.is_at_edge(row) || !self.is_at_edge(*beside);
-        let beside = |row: usize| Some(row).filter(counts).map(|row| (at[row], load[row]));
-        let before = row.checked_sub(1).and_then(beside);
         let after = Some(row + 1).filter(|after| *after < at.len());
-        let after = after.and_then(beside);
+        let all = [row.checked_sub(1), after];
+        let away = all.map(|beside| beside.filter(counts));
+        let beside = if away == [None; 2] { all } else { away };
+        let [before, after] = beside.map(|row| row.map(|row| (at[row], load[row])));
         let straight = match (before, after) {
             (Some((a, p)), Some((b, q))) => p + (q - p) * (at[row] - a) / (b - a),
             (Some((_, p)), None) | (None, Some((_, p))) => p,

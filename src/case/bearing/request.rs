@@ -44,6 +44,9 @@ impl Default for MeshRequest {
 /// Scales beyond these make no mesh that is of use: 5 leaves one element where there were five.
 const SCALES: RangeInclusive<f64> = 0.02..=5.0;
 
+/// More fine elements than this are not added for rollers askew: they are coarser instead.
+const MOST_STRAY: f64 = 150.0;
+
 impl MeshRequest {
     /// The sizes of the preset with the overrides in their places, all scaled; overrides whose keys
     /// are not in [`MESH_KEYS`] are passed over.
@@ -54,18 +57,31 @@ impl MeshRequest {
     fn unscaled(&self, geometry: &dyn Layout) -> Sizes {
         let strips = (self.strips).unwrap_or_else(|| Strips::nominal(geometry.diameter()));
         let mut sizes = geometry.preset_sizes(self.preset, &strips);
-        // Fine elements lie along the plates, and the lines of rollers askew do not.
-        sizes.fine_elements += (geometry.stray() / sizes.roller_size).ceil();
         for (key, value) in &self.overrides {
             if let Some(number) = sizes.get_mut(key) {
                 *number = *value;
             }
         }
-        let given = |key: &str| self.overrides.iter().any(|(k, _)| k == key);
-        if given("roller_size") && !given("plate_size") {
+        let given = |key: &str| self.gives(key);
+        let mut is_new = given("roller_size");
+        // Fine elements lie along the plates, and the lines of rollers askew do not.
+        if !given("fine_elements") {
+            let least = geometry.stray() / MOST_STRAY;
+            if !is_new && sizes.roller_size < least {
+                sizes.roller_size = least;
+                is_new = true;
+            }
+            sizes.fine_elements += (geometry.stray() / sizes.roller_size).ceil();
+        }
+        if is_new && !given("plate_size") {
             sizes.plate_size = PLATE_TO_ROLLER * sizes.roller_size;
         }
         sizes
+    }
+
+    /// Is there a number in place of that of the preset?
+    fn gives(&self, key: &str) -> bool {
+        self.overrides.iter().any(|(k, _)| k == key)
     }
 
     /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
@@ -122,21 +138,36 @@ impl MeshRequest {
             "every element this many times as large as the preset has it",
         )?;
         // Scaling mends counts of none, so what was asked for is looked at, too.
-        check_sizes(&self.unscaled(geometry), geometry)?;
+        let unscaled = self.unscaled(geometry);
+        check_sizes(&unscaled, geometry).map_err(|error| match error.key {
+            // The case says a size, and not over how many of them a roller askew strays.
+            "fine_elements" if !self.gives("fine_elements") => GeometryError {
+                key: "roller_size",
+                value: unscaled.roller_size,
+                range: implied(&error),
+                help: "a larger size, or rollers less askew",
+            },
+            _ => error,
+        })?;
         check_sizes(&self.sizes(geometry), geometry).map_err(|error| match self.scale {
             1.0 => error,
             // The case says a scale, and not this size.
             scale => GeometryError {
                 key: "scale",
                 value: scale,
-                range: format!(
-                    "makes `{}` {}, which {}",
-                    error.key, error.value, error.range
-                ),
+                range: implied(&error),
                 help: "a scale nearer to 1, or another preset",
             },
         })
     }
+}
+
+/// What a number makes of another one that cannot be.
+fn implied(error: &GeometryError) -> String {
+    format!(
+        "makes `{}` {}, which {}",
+        error.key, error.value, error.range
+    )
 }
 
 /// Can a mesh of these sizes be made?
@@ -170,6 +201,7 @@ fn check_sizes(sizes: &Sizes, geometry: &dyn Layout) -> Result<(), GeometryError
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::bearing::geometry::BearingGeometry;
     use crate::case::bearing::sample::initial;
 
     #[test]
@@ -232,6 +264,42 @@ mod tests {
         assert_eq!(after.roller_size, 0.5 * before.roller_size);
         assert_eq!(after.fine_elements, 2.0 * before.fine_elements);
         assert_eq!(after.crossing_size, before.crossing_size);
+    }
+
+    #[test]
+    fn fine_elements_reach_the_lines_of_rollers_askew() {
+        let askew = BearingGeometry {
+            skew: [0.1, 0.0],
+            ..initial()
+        };
+        let with = |preset, overrides: &[(&str, f64)]| MeshRequest {
+            preset,
+            strips: Strips::found(
+                3.0,
+                &[FoundLine {
+                    half_width: 0.003,
+                    reach: 0.01,
+                }],
+            ),
+            overrides: overrides.iter().map(|(k, v)| (k.to_string(), *v)).collect(),
+            ..MeshRequest::default()
+        };
+        for request in [
+            with(Preset::Auto, &[]),
+            with(Preset::H025, &[]),
+            with(Preset::H025, &[("roller_size", 0.005)]),
+        ] {
+            assert_eq!(request.check(&askew), Ok(()));
+            let sizes = request.sizes(&askew);
+            assert!(sizes.fine_elements * sizes.roller_size > askew.stray());
+            assert_eq!(sizes.plate_size, PLATE_TO_ROLLER * sizes.roller_size);
+        }
+        let own = with(Preset::H025, &[("fine_elements", 3.0)]);
+        assert_eq!(own.sizes(&askew).fine_elements, 3.0);
+        let error = with(Preset::H025, &[("roller_size", 0.001)]).check(&askew);
+        let error = error.expect_err("four hundred elements");
+        assert_eq!(error.key, "roller_size");
+        assert!(error.range.contains("makes `fine_elements` 404"), "{error}");
     }
 
     #[test]

@@ -60,7 +60,7 @@ impl Contact {
         self
     }
 
-    /// Takes the facets of the mesh for the true shape of the surfaces, and not the circular cylinder, cone or sphere
+    /// Takes the facets of the mesh for the true shape of the surfaces, and not the circular cylinder or sphere
     /// that their nodes lie on.
     pub fn faceted(mut self) -> Self {
         self.pair.true_geometry = false;

@@ -104,6 +104,8 @@ fn run_with(
     })?;
     let unfinished = unfinished(out);
     let result = Command::new(executable)
+        // Options that a user keeps at home make other meshes; below a file there are none.
+        .env("GMSH_HOME", geo)
         .args(["-3", "-format", "msh41", "-bin"])
         .args(settings(parameters)?)
         .arg("-o")
@@ -212,6 +214,24 @@ mod tests {
         assert_eq!(mesh.hexes.len(), 27);
         let least = mesh.points.iter().map(|p| p[2]).fold(0.0, f64::min);
         assert!((least + 2.5e-7).abs() < 1e-15);
+    }
+
+    /// The test runs itself once more, with a home whose options make each hexahedron eight.
+    #[test]
+    fn options_at_home_change_no_mesh() {
+        const HOME: &str = "GMSH_HOME";
+        const HERE: &str = "options_at_home_change_no_mesh";
+        let (dir, geo, out) = written(GEO);
+        if std::env::var_os(HOME).is_none() {
+            let options = "Mesh.SubdivisionAlgorithm = 2;";
+            std::fs::write(dir.path().join(".gmsh-options"), options).unwrap();
+            let mut again = Command::new(std::env::current_exe().unwrap());
+            let again = again.arg(HERE).env(HOME, dir.path()).output().unwrap();
+            assert!(again.status.success(), "{again:?}");
+        } else {
+            run(&geo, &[], &out).unwrap();
+            assert_eq!(crate::model::mesh::msh::read(&out).unwrap().hexes.len(), 1);
+        }
     }
 
     #[test]

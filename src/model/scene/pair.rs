@@ -21,7 +21,7 @@ pub struct ContactPair {
     pub friction: f64,
     /// Multiplies the automatic penalty.
     pub penalty_factor: f64,
-    /// Take a surface whose nodes lie on a circular cylinder, cone or sphere as that true shape
+    /// Take a surface whose nodes lie on a circular cylinder or sphere as that true shape
     /// in the initial gap, not as its facets.
     pub true_geometry: bool,
 }

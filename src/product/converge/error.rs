@@ -74,6 +74,15 @@ impl From<MeshError> for ConvergeError {
 }
 
 impl ConvergeError {
+    /// Is it of the mesh, so that an answer on a coarser one stands?
+    pub fn is_of_mesh(&self) -> bool {
+        match self {
+            Self::Split(_) => true,
+            Self::Job(error) => error.is_of_mesh(),
+            _ => false,
+        }
+    }
+
     /// Did the solver fail to converge, rather than the input to make sense?
     pub fn is_not_converged(&self) -> bool {
         matches!(self, Self::Job(error) if error.is_not_converged())

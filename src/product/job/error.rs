@@ -98,6 +98,16 @@ pub enum JobError {
         /// Title of the case.
         case: String,
     },
+    /// A mesh would take the place of a file of another kind.
+    #[error("{} is there already, and is no mesh", path.display())]
+    #[diagnostic(
+        code(brinell::job::no_mesh),
+        help("name another file with --out, or remove this one")
+    )]
+    NoMesh {
+        /// The file.
+        path: PathBuf,
+    },
     /// The mesh would be far too large.
     #[error(
         "the mesh would have about {elements:.2e} elements, which takes {seconds:.0e} s to make and at least \
@@ -153,6 +163,18 @@ impl JobError {
         Self::Folder {
             path: path.to_owned(),
             error,
+        }
+    }
+
+    /// Is it of the mesh, or of what solving on it takes, so that an answer on a coarser one stands?
+    pub fn is_of_mesh(&self) -> bool {
+        match self {
+            Self::Case(_) | Self::Mesh(_) | Self::Gmsh(_) | Self::BuiltIn(_) => true,
+            Self::MeshSize { .. } => true,
+            Self::Solve(error) => {
+                !matches!(error, SolveError::Observer(_) | SolveError::Restart(_))
+            }
+            _ => false,
         }
     }
 

@@ -9,6 +9,8 @@ use crate::ground::memory::available;
 use crate::model::mesh::family::problem_h;
 use crate::model::mesh::{Mesh, gmsh, msh};
 use crate::solver::solve::{self, Forecast};
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -109,9 +111,12 @@ pub fn forecast(case: &Case, mesh: Mesh) -> Result<Forecast, JobError> {
 /// Meshes a bearing by gmsh into the file `kept`.
 ///
 /// # Errors
-/// Where the case is a general scene, or gmsh is missing or fails.
+/// Where the case is a general scene, `kept` is a file of another kind, or gmsh is missing or fails.
 pub fn make_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
     match &case.kind {
+        Kind::Bearing(_) if is_no_mesh(kept) => Err(JobError::NoMesh {
+            path: kept.to_owned(),
+        }),
         Kind::Bearing(bearing) => make(bearing, kept),
         Kind::General(_) => Err(JobError::NoTemplate {
             case: case.title.clone(),
@@ -119,10 +124,14 @@ pub fn make_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
     }
 }
 
-/// The free displacement components that `case` has on `mesh`; `None` where the two do not fit.
-pub fn unknowns(case: &Case, mesh: &Mesh) -> Option<usize> {
-    let scene = case.scene(mesh.clone()).ok()?;
-    solve::unknowns(&scene).ok()
+/// Is there a file with something in it that begins as no mesh does?
+fn is_no_mesh(path: &Path) -> bool {
+    const GZIP: &[u8] = &[0x1f, 0x8b];
+    let mut start = Vec::new();
+    let file = path.is_file().then(|| File::open(path).ok()).flatten();
+    // Where it cannot be read, writing will tell.
+    let read = file.and_then(|file| file.take(11).read_to_end(&mut start).ok());
+    read.is_some_and(|n| n > 0) && ![GZIP, b"$MeshFormat"].iter().any(|m| start.starts_with(m))
 }
 
 /// What an element costs at least: seconds of gmsh and bytes of the solution.

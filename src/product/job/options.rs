@@ -19,7 +19,7 @@ pub struct Options {
 
 impl Options {
     /// The folder to write into, this job's alone from now on.
-    pub(super) fn open(&self) -> Result<Option<Folder>, JobError> {
+    pub(in crate::product) fn open(&self) -> Result<Option<Folder>, JobError> {
         let out = self.out.as_deref();
         out.map(Folder::open).transpose()
     }

@@ -5,7 +5,7 @@
 //! solution and unloading, is solved on the mesh that should meet the rest, and on a finer one where that was foreseen
 //! too well.
 
-use super::ending::{TargetLimits, TargetVerdict, name, places, singular};
+use super::ending::{Ended, Known, TargetLimits, TargetVerdict, name, places, singular};
 use super::goal::{Goal, Target};
 use super::level::Level;
 use super::plan;
@@ -19,23 +19,22 @@ use crate::product::job::{self, JobError, Options, Outcome, Twin};
 use crate::solver::solve::Observer;
 use std::time::Instant;
 
-type Refined = Result<(Vec<Level>, TargetVerdict, Outcome), ConvergeError>;
-
 /// See [`super::refine`].
 pub(super) fn refine(
     case: &Case,
     (target, limits): (&Target, &TargetLimits),
     options: &Options,
     observer: &mut dyn Observer,
-    told: &mut dyn FnMut(&Level),
-) -> Refined {
+    (known, told): (&mut Known, &mut dyn FnMut(&Level)),
+) -> Ended {
     let mut way = Way {
         target,
         limits,
         options,
         observer,
         told,
-        levels: Vec::new(),
+        levels: &mut known.levels,
+        last: &mut known.last,
     };
     let twin = twin(case).filter(|_| target.goal != Goal::PlasticStrain);
     let Some(twin) = twin else {
@@ -44,7 +43,7 @@ pub(super) fn refine(
     let (twin, case) = match way.elastic(twin, case.clone())? {
         ElasticEnd::Solved(twin, case) => (twin, case),
         ElasticEnd::Interrupted(outcome) => {
-            return Ok((way.levels, TargetVerdict::Interrupted, *outcome));
+            return Ok((TargetVerdict::Interrupted, *outcome));
         }
     };
     way.own(*case, twin.as_ref(), true)
@@ -64,12 +63,15 @@ struct Way<'a> {
     options: &'a Options,
     observer: &'a mut dyn Observer,
     told: &'a mut dyn FnMut(&Level),
-    levels: Vec<Level>,
+    levels: &'a mut Vec<Level>,
+    /// See [`Known`].
+    last: &'a mut Option<Outcome>,
 }
 
 impl Way<'_> {
     /// The elastic twin, until what is elastic is as good as asked for.
     fn elastic(&mut self, mut twin: Case, mut case: Case) -> Result<ElasticEnd, ConvergeError> {
+        let mut known: Option<Twin> = None;
         loop {
             let first = self.levels.is_empty();
             let meter = Meter::start();
@@ -79,7 +81,15 @@ impl Way<'_> {
                 report: false,
                 ..own
             };
-            let outcome = self.solve(&twin, &own, None, !first)?;
+            let outcome = match self.solve(&twin, &own, None, !first) {
+                // What is elastic stays as the mesh before has it.
+                Err(error) if known.is_some() && error.is_of_mesh() => {
+                    self.observer
+                        .message(&format!("no finer elastic solution: {error}"));
+                    return Ok(ElasticEnd::Solved(known, Box::new(case)));
+                }
+                solved => solved?,
+            };
             if outcome.interrupted {
                 return Ok(ElasticEnd::Interrupted(Box::new(outcome)));
             }
@@ -102,22 +112,22 @@ impl Way<'_> {
             self.tell(level);
             // One more level is of the case itself.
             let last = self.levels.len() + 1 >= self.limits.levels;
+            known = flows.then(|| Twin::of(&outcome, name(number)));
             if !flows || last || next == Scales::default() {
-                let twin = flows.then(|| Twin::of(&outcome, name(number)));
-                return Ok(ElasticEnd::Solved(twin, Box::new(case)));
+                return Ok(ElasticEnd::Solved(known, Box::new(case)));
             }
             twin.refine_mesh(&next)?;
         }
     }
 
     /// The case itself, until all is as good as asked for.
-    fn own(mut self, mut case: Case, twin: Option<&Twin>, mut is_sized: bool) -> Refined {
+    fn own(mut self, mut case: Case, twin: Option<&Twin>, mut is_sized: bool) -> Ended {
         loop {
             let meter = Meter::start();
             let (_, own) = places(self.options, self.levels.len());
             let outcome = self.solve(&case, &own, twin, is_sized)?;
             if outcome.interrupted {
-                return Ok((self.levels, TargetVerdict::Interrupted, outcome));
+                return Ok((TargetVerdict::Interrupted, outcome));
             }
             if !is_sized && let Some(strips) = found(&own)? {
                 case.set_strips(strips);
@@ -136,10 +146,10 @@ impl Way<'_> {
             self.tell(level);
             let count = self.levels.len();
             let why = if met {
-                return Ok((self.levels, TargetVerdict::Met, outcome));
+                return Ok((TargetVerdict::Met, outcome));
             } else if nothing {
                 format!("the certificate has no {}", self.target.goal.name())
-            } else if let Some(why) = singular(&self.levels) {
+            } else if let Some(why) = singular(self.levels) {
                 why
             } else if scales == Scales::default() {
                 "the elastic solution misses it on the finest mesh within the limits".to_owned()
@@ -152,10 +162,11 @@ impl Way<'_> {
                     "not met by the finest of {count} meshes; the next one would have about {expected:.0} unknowns"
                 )
             } else {
+                *self.last = Some(outcome);
                 case.refine_mesh(&scales)?;
                 continue;
             };
-            return Ok((self.levels, TargetVerdict::NotMet(why), outcome));
+            return Ok((TargetVerdict::NotMet(why), outcome));
         }
     }
 
@@ -197,11 +208,14 @@ impl Way<'_> {
         self.levels.push(level);
     }
 
-    /// The scales, or as much of them as the limit on unknowns leaves.
+    /// The scales, or as much of them as the limit on unknowns leaves and a mesh can have.
     fn affordable(&self, case: &Case, scales: &Scales, unknowns: usize) -> Scales {
         const SHARES: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
         let parts = SHARES.map(|share| scales.part(share));
-        let fits = |part: &Scales| expected(case, part, unknowns) <= self.limits.unknowns;
+        let fits = |part: &Scales| {
+            expected(case, part, unknowns) <= self.limits.unknowns
+                && case.clone().refine_mesh(part).is_ok()
+        };
         parts.into_iter().find(fits).unwrap_or_default()
     }
 }

@@ -1,7 +1,8 @@
 //! How far a target is sought, how that ended, and where the levels write.
 
 use super::level::{Level, RefinedFigure};
-use crate::product::job::Options;
+use crate::product::converge::ConvergeError;
+use crate::product::job::{self, JobError, Options, Outcome};
 use std::path::{Path, PathBuf};
 
 /// How far to go.
@@ -31,6 +32,17 @@ pub enum TargetVerdict {
     Interrupted,
 }
 
+/// What was solved on the way to a target.
+#[derive(Default)]
+pub(super) struct Known {
+    pub(super) levels: Vec<Level>,
+    /// Of the last of them that is of the case itself.
+    pub(super) last: Option<Outcome>,
+}
+
+/// The verdict on a target, and the outcome that it is about.
+pub(super) type Ended = Result<(TargetVerdict, Outcome), ConvergeError>;
+
 /// Levels whose peak has no estimate before that is believed.
 const SINGULAR_LEVELS: usize = 3;
 
@@ -52,6 +64,21 @@ pub(super) fn name(number: usize) -> String {
 /// Where level `number` writes.
 pub fn folder(below: &Path, number: usize) -> PathBuf {
     below.join(name(number))
+}
+
+/// The level that an outcome is of.
+pub fn last_level(levels: &[Level], verdict: &TargetVerdict) -> usize {
+    // One that was interrupted is not told of.
+    let told = usize::from(*verdict != TargetVerdict::Interrupted);
+    levels.len().saturating_sub(told)
+}
+
+/// Removes what earlier runs left in the folder of all levels and in those of levels beyond `last`: nothing there could be
+/// taken for the answer.
+pub(super) fn clear_beyond(out: &Path, last: usize) -> Result<(), JobError> {
+    job::clear(out, false)?;
+    let beyond = (last + 1..).map(|number| folder(out, number));
+    (beyond.take_while(|folder| folder.is_dir())).try_for_each(|folder| job::clear(&folder, false))
 }
 
 /// Why no mesh meets a target, where that is plain: finer meshes resolve all but peaks beside edges.

@@ -12,7 +12,7 @@ mod level;
 mod local;
 mod plan;
 
-pub use ending::{TargetLimits, TargetVerdict, folder};
+pub use ending::{TargetLimits, TargetVerdict, folder, last_level};
 pub use goal::{Goal, Target, TargetError};
 pub use level::{Level, RefinedFigure, table};
 
@@ -22,7 +22,7 @@ use crate::product::converge::cost::Meter;
 use crate::product::converge::{ConvergeError, Series};
 use crate::product::job::{self, Options, Outcome};
 use crate::solver::solve::Observer;
-use ending::{places, singular};
+use ending::{Ended, Known, clear_beyond, places, singular};
 use std::f64::consts::SQRT_2;
 use std::time::Instant;
 
@@ -31,10 +31,11 @@ use std::time::Instant;
 /// cases as in [`Series`].
 ///
 /// Each is solved in a folder `level-<n>` of its own below that of `options`;
-/// `told` hears of every level. The outcome is that of the last one.
+/// `told` hears of every level. The outcome is that of the last one. Where a finer mesh cannot be made or solved, the one
+/// before it stands.
 ///
 /// # Errors
-/// Where a mesh cannot be made or the solver does not converge on it.
+/// Where the first mesh cannot be made or the solver does not converge on it.
 pub fn refine(
     case: &Case,
     target: &Target,
@@ -43,14 +44,43 @@ pub fn refine(
     observer: &mut dyn Observer,
     mut told: impl FnMut(&Level),
 ) -> Result<(Vec<Level>, TargetVerdict, Outcome), ConvergeError> {
-    if job::is_sized_by_lines(case) {
-        return by_bars::refine(case, (target, limits), options, observer, &mut told);
+    let _folder = options.open()?;
+    let mut known = Known::default();
+    let asked = (target, limits);
+    let ended = match job::is_sized_by_lines(case) {
+        true => by_bars::refine(case, asked, options, observer, (&mut known, &mut told)),
+        false => by_changes(case, asked, options, observer, (&mut known, &mut told)),
+    };
+    let Known { levels, last } = known;
+    let (verdict, outcome) = match (ended, last) {
+        (Err(error), Some(outcome)) if error.is_of_mesh() => {
+            let count = levels.len();
+            let why = format!(
+                "not met by the finest of {count} meshes, and there is no finer one: {error}"
+            );
+            (TargetVerdict::NotMet(why), outcome)
+        }
+        (ended, _) => ended?,
+    };
+    if let Some(out) = &options.out {
+        clear_beyond(out, last_level(&levels, &verdict))?;
     }
+    Ok((levels, verdict, outcome))
+}
+
+/// Refines mesh by mesh until bars and changes are small.
+fn by_changes(
+    case: &Case,
+    (target, limits): (&Target, &TargetLimits),
+    options: &Options,
+    observer: &mut dyn Observer,
+    (known, told): (&mut Known, &mut dyn FnMut(&Level)),
+) -> Ended {
+    let Known { levels, last } = known;
     let mut series = Series::of(case, &[], SQRT_2)?;
     if let Series::Template { contact, .. } = &mut series {
         *contact = SQRT_2;
     }
-    let mut levels: Vec<Level> = Vec::new();
     // Of a mesh that is refined where it has to be: the one of the level to come.
     let mut refined: Option<Mesh> = None;
     loop {
@@ -64,17 +94,18 @@ pub fn refine(
         let coarse = (series == Series::Split).then(|| mesh.clone());
         let outcome = job::run_on(&scaled, mesh, &own, Instant::now(), observer)?;
         if outcome.interrupted {
-            return Ok((levels, TargetVerdict::Interrupted, outcome));
+            return Ok((TargetVerdict::Interrupted, outcome));
         }
         let asked = (target, false);
         let level = Level::new(number, asked, &outcome.summary, levels.last(), meter.stop());
         told(&level);
         levels.push(level);
-        if let Some(verdict) = judge(&levels, target, limits) {
-            return Ok((levels, verdict, outcome));
+        if let Some(verdict) = judge(levels, target, limits) {
+            return Ok((verdict, outcome));
         }
+        let outcome = last.insert(outcome);
         if let (Some(coarse), Some(level)) = (coarse, levels.last()) {
-            refined = Some(finer(&coarse, level, target, &outcome)?);
+            refined = Some(finer(&coarse, level, target, outcome)?);
         }
     }
 }

@@ -14,15 +14,9 @@ pub(super) fn sizes(preset: Preset, geometry: &LineGeometry, strips: &Strips) ->
     let unit = unit(geometry.roller.diameter);
     match preset {
         Preset::Auto => auto::sizes(&roller, own, strips),
-        Preset::H025 => graded(&roller, own, 0.025 * unit, [2.0, 1.0]),
+        // These have no mesh `report-like`.
+        Preset::H025 | Preset::ReportLike => graded(&roller, own, 0.025 * unit, [2.0, 1.0]),
         Preset::H0125 => graded(&roller, own, 0.0125 * unit, [3.0, 1.0]),
-        Preset::ReportLike => Sizes {
-            growth: 2.25,
-            depth_growth: 2.25,
-            wall_least: 4.0,
-            depth_least: 4.0,
-            ..graded(&roller, own, 0.025 * unit, [2.0, 1.0])
-        },
     }
 }
 

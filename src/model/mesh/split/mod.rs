@@ -15,7 +15,10 @@ pub use some::Refined;
 #[derive(Debug, Error, Diagnostic, PartialEq, Eq)]
 pub enum SplitError {
     #[error("the mesh {mesh} is too large to be split: {elements} hexahedra would become {result}")]
-    #[diagnostic(code(brinell::mesh::split_size), help("ask for fewer levels"))]
+    #[diagnostic(
+        code(brinell::mesh::split_size),
+        help("ask for less: fewer levels of a series, or a target that a coarser mesh meets")
+    )]
     TooLarge {
         mesh: String,
         elements: usize,
@@ -27,7 +30,10 @@ pub enum SplitError {
     )]
     #[diagnostic(
         code(brinell::mesh::split_inverted),
-        help("give finer meshes by --mesh instead of having this one split")
+        help(
+            "make the mesh finer along the round surface, or its first layer thicker; `brinell converge` also takes a series \
+             of files by --mesh"
+        )
     )]
     Inverted { mesh: String, body: String },
 }
@@ -122,6 +128,17 @@ mod tests {
         let outer = fine.outer_faces(0).len();
         let named: usize = fine.surfaces.iter().map(|s| s.faces.len()).sum();
         assert_eq!(outer, named);
+    }
+
+    #[test]
+    fn a_layer_that_a_facet_bends_through_is_refused_with_what_helps() {
+        let around = uniform(0.0, FRAC_PI_2, 3);
+        let thin = Block::new("tube", vec![8.0, 8.05, 10.0], around, uniform(0.0, 1.0, 1));
+        let thin = thin.mapped(cylindrical).build().unwrap();
+        let error = thin.split().unwrap_err();
+        assert!(matches!(error, SplitError::Inverted { .. }));
+        let help = error.help().unwrap().to_string();
+        assert!(help.contains("first layer thicker"), "{help}");
     }
 
     #[test]

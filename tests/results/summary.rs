@@ -1,5 +1,6 @@
 use crate::block::{close, fill_stress, pressed, stack};
 use brinell::analytic::rules::{RuleVerdict, Standing};
+use brinell::answer::certify::{Errors, Figure, Quantity};
 use brinell::answer::results::bore::Bore;
 use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::peaks::peaks;
@@ -8,6 +9,7 @@ use brinell::answer::{Answer, AnswerInputs, Named};
 use brinell::ground::units::UnitLabels;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
+use brinell::render::digest::digest;
 use brinell::render::left_out::LeftOut;
 use brinell::render::summary::{
     Comparison, Counters, EvenLoad, Reported, SizedLine, Sizing, Summary, Timing,
@@ -376,4 +378,39 @@ fn a_limit_within_the_error_is_open() {
     }
     let (grade, head, _) = said(1.03, Some(0.014));
     assert!(grade == Grade::Bad && head.contains("FAILS"), "{head}");
+}
+
+/// The digest shows the largest pressure that is resolved, and tells of a larger one that is not.
+#[test]
+fn a_larger_figure_that_is_not_resolved_is_told() {
+    let (scene, state) = loaded();
+    let mut summary = summarise(&scene, &state);
+    let figure = |place: &str, value: f64, discretisation: Option<f64>| Figure {
+        what: Quantity::PeakPressure,
+        place: place.into(),
+        value,
+        error: Errors {
+            discretisation,
+            ..Errors::default()
+        },
+        note: None,
+        at_edge: false,
+    };
+    let line = |summary: &Summary| {
+        let text = digest(summary, &[]);
+        let line = text.lines().find(|line| line.contains("p max")).unwrap();
+        line.to_owned()
+    };
+    summary.answer.certificate = vec![
+        figure("known", 100.0, Some(5.0)),
+        figure("coarse", 400.0, None),
+    ];
+    let told = line(&summary);
+    assert!(told.contains("100 ± 5 ksi, known"), "{told}");
+    assert!(
+        told.ends_with("; 400.0 ksi, NOT RESOLVED, on coarse"),
+        "{told}"
+    );
+    summary.answer.certificate[1].value = 90.0;
+    assert!(!line(&summary).contains("coarse"));
 }

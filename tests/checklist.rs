@@ -112,6 +112,7 @@ fixed = "xyz"
 [[rigid_plane]]
 surface = "z_max"
 force = { z = -10 }
+fixed = "xy"
 turns = "x"
 moment = { x = 3 }
 rotation = { z = "1 mrad" }

@@ -293,13 +293,15 @@ fn tasks_of_a_job_array_come_to_the_table_of_a_local_sweep() {
     // Every figure without an error is named; those away from edges have columns of their own.
     let row = table[0].as_object().unwrap();
     let unresolved = row["unresolved"].as_str().unwrap();
-    let pairs = row.iter().filter(|(key, _)| key.ends_with(".p_max_error"));
-    assert!(pairs.clone().count() > 0);
-    for (key, error) in pairs {
-        let pair = key.trim_end_matches(".p_max_error");
-        assert!(row.contains_key(&format!("{pair}.p_max_away")), "{pair}");
+    let errors = row
+        .iter()
+        .filter(|(key, _)| key.ends_with(".mises_nodal_error"));
+    assert!(errors.clone().count() > 0);
+    for (key, error) in errors {
+        let body = key.trim_end_matches(".mises_nodal_error");
+        assert!(row.contains_key(&format!("{body}.mises_away")), "{body}");
         assert!(
-            !error.is_null() || unresolved.contains(pair),
+            !error.is_null() || unresolved.contains(body),
             "{unresolved}"
         );
     }

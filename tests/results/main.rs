@@ -12,4 +12,5 @@ mod paraview;
 mod recovery;
 mod strip_profile;
 mod summary;
+mod verdict;
 mod vtk_readback;

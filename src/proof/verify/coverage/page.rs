@@ -172,8 +172,8 @@ pub fn page(
          claim of its certificate is set beside the true value: two fine meshes, their difference\n\
          extrapolated by half, uncertain by that difference or by what the figure scatters in the\n\
          middle of all bearings, whichever is more ([`cases/coverage`](../cases/coverage)). A claim\n\
-         *holds* where |value - true value| is at most bar plus uncertainty; it is *undecidable* where the\n\
-         uncertainty exceeds a third of the bar, *unresolved* where it says so itself. Shares that hold\n\
+         is *missed* where |value - true value| exceeds bar plus uncertainty; else it is *undecidable* where the\n\
+         uncertainty exceeds a third of the bar, and *holds* where it does not; *unresolved* where it says so itself. Shares that hold\n\
          are of those that can be decided, undecidable ones of bearings that have true values. Errors and bars are relative, in the middle of the group.\n\
          Errors of `auto` that a limit is set for are counted where the true value is known to a third of the limit.\n\
          {missing}{failed}\n\

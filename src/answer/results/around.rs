@@ -1,6 +1,7 @@
 //! How the Mises stress is around the node with the largest one: what tells whether the mesh resolves it.
 
 use super::curvature::{Curvature, curvature};
+use super::edges::bounds;
 use super::hex::GaussRule;
 use super::recovery::Recovered;
 use super::tensor::mises;
@@ -45,12 +46,9 @@ pub(super) fn around(
     let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
     let mut extent = [0.0; 3];
     for (element, corner) in &elements {
-        let corners = scene.mesh.corners(*element);
-        for (k, extent) in extent.iter_mut().enumerate() {
-            let along = corners.map(|corner| corner[k]);
-            let most = along.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            let least = along.iter().copied().fold(f64::INFINITY, f64::min);
-            *extent = f64::max(*extent, most - least);
+        let (least, most) = bounds(&scene.mesh, scene.mesh.hexes[*element].into_iter());
+        for k in 0..3 {
+            extent[k] = f64::max(extent[k], most[k] - least[k]);
         }
         let at_node = mises(&rule.extrapolate(&state.stress[*element])[*corner]);
         extrapolated = extrapolated.max(at_node);

@@ -241,7 +241,7 @@ fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
 }
 
 /// The corners of the box about some nodes.
-fn bounds(mesh: &Mesh, nodes: impl Iterator<Item = u32>) -> ([f64; 3], [f64; 3]) {
+pub(super) fn bounds(mesh: &Mesh, nodes: impl Iterator<Item = u32>) -> ([f64; 3], [f64; 3]) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for node in nodes {
         for (axis, x) in mesh.points[node as usize].iter().enumerate() {

@@ -18,12 +18,10 @@ pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
             Partner::Plane { .. } => None,
         })
         .collect();
-    if sides.iter().any(|surface| is_oblique(&scene.mesh, surface)) {
-        return None;
-    }
-    let round = sides
-        .iter()
-        .find_map(|surface| axis_of_rotation(&scene.mesh, surface));
+    let axes: Result<Vec<_>, Oblique> = (sides.iter())
+        .map(|surface| axis_of_rotation(&scene.mesh, surface))
+        .collect();
+    let round = axes.ok()?.into_iter().flatten().next();
     Some(round.unwrap_or_else(|| longest_axis(scene, &sides, carrier)))
 }
 
@@ -40,18 +38,19 @@ pub(super) fn extent(mesh: &Mesh, surface: &Surface, axis: usize) -> [f64; 2] {
 /// From this cosine on a cylinder counts as along an axis: rollers may be a tenth of a radian askew.
 const ALONG: f64 = 0.99;
 
-/// Is it a cylinder along none of the axes? Sections across these are ellipses.
-fn is_oblique(mesh: &Mesh, surface: &Surface) -> bool {
-    matches!(fit(mesh, surface), Shape::Cylinder { axis, .. } if axis.iter().all(|a| a.abs() <= ALONG))
-}
+/// A cylinder along none of the axes: sections across these are ellipses.
+struct Oblique;
 
 /// The axis along which, or nearly, a surface is a cylinder, or about which
 /// its rows of nodes are round. A sphere has none.
-fn axis_of_rotation(mesh: &Mesh, surface: &Surface) -> Option<usize> {
+fn axis_of_rotation(mesh: &Mesh, surface: &Surface) -> Result<Option<usize>, Oblique> {
     match fit(mesh, surface) {
-        Shape::Cylinder { axis, .. } => (0..3).find(|i| axis[*i].abs() > ALONG),
-        Shape::Facets => (0..3).find(|axis| is_round_about(mesh, surface, *axis)),
-        Shape::Plane { .. } | Shape::Sphere { .. } => None,
+        Shape::Cylinder { axis, .. } => {
+            let along = (0..3).find(|i| axis[*i].abs() > ALONG);
+            along.map(Some).ok_or(Oblique)
+        }
+        Shape::Facets => Ok((0..3).find(|axis| is_round_about(mesh, surface, *axis))),
+        Shape::Plane { .. } | Shape::Sphere { .. } => Ok(None),
     }
 }
 
@@ -131,7 +130,8 @@ mod tests {
     }
 
     fn axis_of(mesh: &Mesh, name: &str) -> Option<usize> {
-        axis_of_rotation(mesh, mesh.surface(name).unwrap())
+        let axis = axis_of_rotation(mesh, mesh.surface(name).unwrap());
+        axis.ok().flatten()
     }
 
     /// The axis of a short roller with a fillet or a crown is that about which it is round, not its longer side.

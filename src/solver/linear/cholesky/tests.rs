@@ -37,7 +37,7 @@ pub fn plate(n: u32, spring: impl Fn(usize, usize) -> f64) -> (Pattern, Symmetri
 }
 
 /// Held everywhere a little.
-fn held(i: usize, j: usize) -> f64 {
+pub fn held(i: usize, j: usize) -> f64 {
     match (i == j, i % 3 == j % 3) {
         (true, _) => 2.0,
         (false, true) => -1.0,
@@ -45,7 +45,7 @@ fn held(i: usize, j: usize) -> f64 {
     }
 }
 
-fn threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
+pub fn threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(count)
         .build()

@@ -15,7 +15,7 @@ pub use reduced::Substructure;
 mod tests {
     use super::*;
     use crate::solver::linear::cholesky::Symbolic;
-    use crate::solver::linear::cholesky::tests::plate;
+    use crate::solver::linear::cholesky::tests::{held, plate, threads};
     use crate::solver::linear::ordering::Block;
     use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 
@@ -79,24 +79,17 @@ mod tests {
     /// Elimination ends between supernodes, within one, before the first and after the last.
     #[test]
     fn any_vertices_may_be_kept_on_any_number_of_threads() {
-        let spring = |i: usize, j: usize| match (i == j, i % 3 == j % 3) {
-            (true, _) => 2.0,
-            (false, true) => -1.0,
-            _ => 0.1,
-        };
-        let (pattern, matrix) = plate(12, spring);
+        let (pattern, matrix) = plate(12, held);
         let edge = |v: usize| v < 12;
         let scattered = |v: usize| v % 7 == 3;
         let corner = |v: usize| v == 143;
         let half = |v: usize| v % 12 < 6;
         let marks: [&dyn Fn(usize) -> bool; 6] =
             [&edge, &scattered, &corner, &half, &|_| true, &|_| false];
-        for threads in 1..=3 {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-            let pool = pool.build().unwrap();
-            for mark in marks {
-                let kept: Vec<bool> = (0..144).map(mark).collect();
-                pool.install(|| check(&pattern, &matrix, &kept));
+        for mark in marks {
+            let kept: Vec<bool> = (0..144).map(mark).collect();
+            for count in 1..=3 {
+                threads(count, || check(&pattern, &matrix, &kept));
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
 use crate::answer::results::bore::BoreStress;
-use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::flow::{BodyFlow, flows};
 use crate::answer::results::peaks::{BodyPeaks, Peak};
 use serde::Serialize;
@@ -15,7 +15,7 @@ pub struct BodyFigures {
     pub mises_max: Three<Option<f64>>,
     /// Undeformed coordinates of the three peaks.
     pub at: Three<Option<[f64; 3]>>,
-    /// Peaks beside a loaded edge, which grow with every refinement.
+    /// Peaks beside a singular edge, which grow with every refinement.
     pub at_singular_edge: Three<bool>,
     /// Peaks of the elastic solution, where the body has yielded and that solution is known.
     pub elastic_mises_max: Option<Three<Option<f64>>>,
@@ -23,7 +23,7 @@ pub struct BodyFigures {
     pub yield_stress: Option<f64>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
-    /// Plastic strain beside loaded edges and away from them.
+    /// Plastic strain beside singular edges and away from them.
     #[serde(skip)]
     pub flow: BodyFlow,
     /// In the whole body, not only its modelled part; so is `volume`.
@@ -49,7 +49,7 @@ pub struct RollerFigures {
 pub fn bodies(
     solved: &AnswerInputs,
     peaks: &[BodyPeaks],
-    edges: &LoadedEdges,
+    edges: &SingularEdges,
 ) -> Named<BodyFigures> {
     let flows = flows(solved.scene, solved.state, edges);
     let summarise = |(body, peaks): (usize, &BodyPeaks)| {

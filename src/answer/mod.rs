@@ -38,7 +38,7 @@ use crate::ground::geometry::{add, sub};
 use crate::model::state::{Energy, Misfit};
 use certify::{Contacts, Evidence, Figure, Quantity, Travel, certify, figure, unresolved};
 use results::bore::{BoreStress, bore_stress};
-use results::edges::LoadedEdges;
+use results::edges::SingularEdges;
 use results::hertz::HeaviestLine;
 use results::interface::interfaces;
 use results::load;
@@ -115,10 +115,10 @@ impl Answer {
     /// The same where the states are known to be those of the scene.
     fn gather(solved: &AnswerInputs) -> Self {
         let (scene, state) = (solved.scene, solved.state);
-        let edges = LoadedEdges::find(scene, state);
+        let edges = SingularEdges::find(scene, state);
         let peaks = peaks(scene, state, solved.recovered, &edges);
         let measured = interfaces(scene, state);
-        let lines = HeaviestLine::of_pairs(scene, state, &edges);
+        let lines = HeaviestLine::of_pairs(scene, state, &edges.loaded);
         let bores: Vec<(String, BoreStress)> = (solved.bores.iter())
             .map(|bore| {
                 let stress = bore_stress(scene, state, solved.recovered, bore);
@@ -143,7 +143,7 @@ impl Answer {
             peaks: &peaks,
             interfaces: &measured,
             lines: &lines,
-            edges: &edges,
+            edges: &edges.loaded,
             bores: &bores,
             dents: &dents,
             elastic: solved.elastic,

@@ -4,7 +4,7 @@ use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
 use super::plane::{PlaneFigures, planes};
 use crate::answer::certify::{Contacts, Travel};
-use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{StatusCounts, interfaces};
 use crate::answer::results::load;
@@ -89,9 +89,9 @@ fn step(
         Some((peaks, travel)) => (Cow::from(peaks), travel),
         None => {
             let recovered = recover(scene, state);
-            let edges = LoadedEdges::find(scene, state);
+            let edges = SingularEdges::find(scene, state);
             let peaks = peaks(scene, state, &recovered, &edges);
-            let lines = HeaviestLine::of_pairs(scene, state, &edges);
+            let lines = HeaviestLine::of_pairs(scene, state, &edges.loaded);
             let contacts = Contacts {
                 interfaces: &measured,
                 lines: &lines,

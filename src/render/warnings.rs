@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::text::percent;
 use crate::answer::Answer;
 use crate::answer::BodyFigures;
-use crate::answer::certify::{Figure, Quantity};
+use crate::answer::certify::{Figure, Quantity, WITHOUT_INCREMENTS};
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -40,6 +40,14 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     }
     if let Some(text) = of_unresolved(&answer.unresolved()) {
         warn(text);
+    }
+    let unaware = |f: &&Figure| f.is_resolved() && f.note == Some(WITHOUT_INCREMENTS);
+    let number = answer.certificate.iter().filter(unaware).count();
+    if number > 0 {
+        warn(format!(
+            "{number} bars are too narrow: no second solution tells what the size of the increments does to them \
+             (give a smaller `first_increment`, and leave `increment_error` on)"
+        ));
     }
     for (name, roller) in &answer.rollers.0 {
         if roller.bore_mises.is_none() {
@@ -141,8 +149,9 @@ fn of_body(body: &BodyFigures) -> Vec<String> {
     if !singular.is_empty() {
         let measures = singular.join(", ");
         list.push(format!(
-            "the peak ({measures}) sits on a loaded edge, such as a square roller end; there \
-             elastic stress has no bound, so the value belongs to this mesh, not to the part"
+            "the peak ({measures}) sits on a singular edge: a loaded edge, such as a square roller end, an edge of \
+             what is held, an inner corner, or the rim of a tie; there elastic stress has no bound, so the value belongs \
+             to this mesh, not to the part"
         ));
     }
     if body.peeq_max > 0.0 && body.elastic_mises_max.is_none() {

@@ -10,6 +10,7 @@ mod interface;
 mod line_load;
 mod paraview;
 mod recovery;
+mod singular_edges;
 mod strip_profile;
 mod summary;
 mod verdict;

@@ -1,5 +1,5 @@
 use crate::block::{add_block, close, fill_stress, pressed, settle, stack};
-use brinell::answer::results::edges::LoadedEdges;
+use brinell::answer::results::edges::{ByEdge, LoadedEdges, SingularEdges};
 use brinell::answer::results::peaks::{Place, peaks};
 use brinell::answer::results::recovery::recover;
 use brinell::answer::results::strain::largest_strain;
@@ -136,7 +136,7 @@ fn averages_at_nodes_overshoot_a_parabola_by_a_twelfth_of_its_curvature() {
             [0.0, 0.0, stress(p[0]), 0.0, 0.0, shear]
         });
         let recovered = recover(&scene, &state);
-        let found = peaks(&scene, &state, &recovered, &LoadedEdges::default());
+        let found = peaks(&scene, &state, &recovered, &SingularEdges::default());
         let (peak, around) = (found[0].nodal.unwrap(), found[0].around);
         assert_eq!(peak.at[0], 0.0);
         close(around.curvature.overshoot, fall * size * size / 6.0);
@@ -155,7 +155,7 @@ fn peaks_are_found_per_body_and_ties_go_to_the_lowest_index() {
     state.peeq[third][5] = 1e-3;
     state.peeq[third][6] = 2e-3;
     let recovered = recover(&scene, &state);
-    let [block, plate] = peaks(&scene, &state, &recovered, &LoadedEdges::default())
+    let [block, plate] = peaks(&scene, &state, &recovered, &SingularEdges::default())
         .try_into()
         .unwrap();
     assert_eq!(block.name, "block");
@@ -221,7 +221,7 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
                 [100.0 / (0.01 + d), 0.0, 0.0, 0.0, 0.0, 0.0]
             });
             let recovered = recover(scene, &stress);
-            let edges = LoadedEdges::find(scene, state);
+            let edges = SingularEdges::find(scene, state);
             let peak = peaks(scene, &stress, &recovered, &edges)[body]
                 .nodal
                 .unwrap();
@@ -241,6 +241,32 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
     scene.mirrors.clear();
     assert!(!LoadedEdges::find(&scene, &state).is_empty());
     assert_eq!(all.mises_max.len(), scene.mesh.hexes.len());
+}
+
+#[test]
+fn a_peak_elsewhere_is_not_the_largest_where_an_edge_presses() {
+    let scene = stack();
+    let mut state = pressed(&scene);
+    fill_stress(&scene, &mut state, |p| {
+        [100.0 - p[2].abs(), 0.0, 0.0, 0.0, 0.0, 0.0]
+    });
+    let by_edge = |state: &State| {
+        let edges = SingularEdges::find(&scene, state);
+        let bodies = peaks(&scene, state, &recover(&scene, state), &edges);
+        bodies
+            .iter()
+            .map(|b| b.away.map(|(by, _)| by))
+            .collect::<Vec<_>>()
+    };
+    // The block ends on the plate, which goes on.
+    assert_eq!(by_edge(&state), [Some(ByEdge::OnFinerMeshes); 2]);
+    let field = &mut state.contacts[0];
+    for (node, p) in field.nodes.iter().zip(&mut field.pressure) {
+        let [x, y, _] = scene.mesh.points[*node as usize];
+        *p *= f64::from(u8::from(x < 0.4 && y < 0.9));
+    }
+    settle(field);
+    assert_eq!(by_edge(&state), [None; 2]);
 }
 
 /// A bar of `elements` a unit of length along x from `from` to 1, on another one as long, both 0.01 wide and thick and with
@@ -282,7 +308,7 @@ fn what_is_beside_an_edge_is_as_long_in_the_half_as_in_the_whole() {
     // A fiftieth of the length of 2, and more than the diagonal of a face, 0.014.
     for (from, elements) in [(0.0, 100), (-1.0, 100)] {
         let (scene, state) = bar(from, elements);
-        let edges = LoadedEdges::find(&scene, &state);
+        let edges = SingularEdges::find(&scene, &state);
         let near = |x: f64| edges.are_near(&[x, 0.0, 0.0]);
         assert!(near(0.961) && !near(0.959), "from {from}");
         assert!(!near(0.0));
@@ -293,9 +319,11 @@ fn what_is_beside_an_edge_is_as_long_in_the_half_as_in_the_whole() {
 fn a_peak_at_the_border_of_what_is_beside_an_edge_is_doubted() {
     let (scene, mut state) = bar(0.0, 100);
     let peak = |state: &State| {
-        let edges = LoadedEdges::find(&scene, state);
+        let edges = SingularEdges::find(&scene, state);
         let block = peaks(&scene, state, &recover(&scene, state), &edges).swap_remove(0);
-        block.away.unwrap()
+        let (by, away) = block.away.unwrap();
+        assert_eq!(by, ByEdge::Here);
+        away
     };
     fill_stress(&scene, &mut state, |p| {
         [100.0 * p[0], 0.0, 0.0, 0.0, 0.0, 0.0]

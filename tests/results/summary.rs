@@ -1,6 +1,6 @@
 use crate::block::{close, fill_stress, pressed, stack};
 use brinell::answer::results::bore::Bore;
-use brinell::answer::results::edges::LoadedEdges;
+use brinell::answer::results::edges::SingularEdges;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
 use brinell::answer::{Answer, AnswerInputs, Named};
@@ -15,7 +15,7 @@ use serde_json::Value;
 
 pub fn summarise(scene: &Scene, state: &State) -> Summary {
     let recovered = recover(scene, state);
-    let elastic = peaks(scene, state, &recovered, &LoadedEdges::find(scene, state));
+    let elastic = peaks(scene, state, &recovered, &SingularEdges::find(scene, state));
     let comparison = [Comparison {
         what: "Mises, centroid, ksi".to_string(),
         place: "overall".to_string(),

@@ -1,6 +1,6 @@
 //! The centre bearing of the study, pressed until it yields, and its figures.
 
-use brinell::answer::results::edges::LoadedEdges;
+use brinell::answer::results::edges::SingularEdges;
 use brinell::answer::results::load::descent;
 use brinell::answer::results::peaks::peaks;
 use brinell::answer::results::recovery::recover;
@@ -41,7 +41,7 @@ pub fn figures((scene, state): &(Scene, State)) -> Vec<(String, f64)> {
     let mut add = |name: String, value: Option<f64>| {
         all.push((name, value.expect("a figure")));
     };
-    let edges = LoadedEdges::find(scene, state);
+    let edges = SingularEdges::find(scene, state);
     for body in peaks(scene, state, &recover(scene, state), &edges) {
         let peaks = [
             ("centroid", body.centroid),

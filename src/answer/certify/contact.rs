@@ -5,6 +5,7 @@ use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
+use crate::answer::results::recovery::Recovered;
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 use std::collections::BTreeSet;
@@ -17,13 +18,17 @@ pub(super) const FILLET: &str = "the facets are too long for a fillet under load
 /// Beyond this relative error a figure is not resolved.
 const WORTHLESS: f64 = 0.3;
 
-/// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them.
+/// Of the area of the nodes at the rim, on both sides of it: the true rim lies anywhere between them. Hertz's pressure rises
+/// steeply from the rim;
 const RIM: f64 = 0.27;
+/// where flat sides part, or a thin layer carries, it hardly does, and the last node that presses says less.
+const FLAT_RIM: f64 = 0.4;
 
 /// What is known of an interface.
 pub(super) struct Contact<'a> {
     pub scene: &'a Scene,
     pub state: &'a State,
+    pub recovered: &'a Recovered,
     pub pair: usize,
     pub interface: &'a Interface,
     pub line: Option<&'a HeaviestLine>,
@@ -45,7 +50,8 @@ impl Contact<'_> {
         let mut claims = self.pressures(field);
         claims.extend(self.line.into_iter().flat_map(|line| self.along(line)));
         let copies = times(&cutting_pair(self.scene, self.pair));
-        let band = RIM * copies * rim(self.scene, field, self.pair);
+        let of_rim = if self.is_round() { RIM } else { FLAT_RIM };
+        let band = of_rim * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
         claims.push(self.claim(
             Quantity::ContactArea,
@@ -54,6 +60,11 @@ impl Contact<'_> {
             COARSE,
         ));
         claims
+    }
+
+    /// Does one side curve from the other, so that contact spreads from a line or a point?
+    pub(super) fn is_round(&self) -> bool {
+        self.line.is_some_and(|line| line.contact.is_some())
     }
 
     /// With a relative error, where that says anything.

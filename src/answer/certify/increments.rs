@@ -7,7 +7,7 @@ use super::figure::{Figure, Quantity, figure};
 pub const DOUBLING: f64 = 1.5;
 
 /// Said of a figure whose bar does not know of it.
-pub(super) const UNKNOWN: &str =
+pub const WITHOUT_INCREMENTS: &str =
     "the bar is without what the increments did: there is no second solution to tell";
 
 /// What an answer remembers of its path.

@@ -1,8 +1,10 @@
 //! Peak stress and strain of bodies.
 
+use super::below_patches::BelowPatches;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use super::strip_below::StripBelow;
 use crate::answer::results::curvature::Curvature;
+use crate::answer::results::edges::ByEdge;
 use crate::answer::results::peaks::{BodyPeaks, MisesPeaks};
 
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
@@ -10,13 +12,15 @@ const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and 
 
 const OF_TWIN: &str = "of the elastic solution, on a mesh of its own";
 
-const SINGULAR: &str = "at a loaded edge, or where a fillet is not resolved: grows with every refinement until the \
-                        steel yields";
+const SINGULAR: &str = "at a singular edge (loaded or held, an inner corner, the rim of what is joined), or where a fillet is \
+                        not resolved: grows with every refinement until the steel yields";
+
+const EXCEEDED: &str = "a finer mesh may show a larger one at a loaded edge";
 
 const UNCERTAIN_FLOW: &str =
     "the elastic peak is as uncertain as its excess over yield: it may be zero";
 
-const COARSE: &str = "below a strip of contact whose half-width is a node apart or less: there is no peak to be read";
+const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
 
 /// What nodal averages miss of a peak that lies between nodes, at most, of itself,
 const SMOOTH: f64 = 0.02;
@@ -33,6 +37,10 @@ const OF_OVERSHOOT: f64 = 0.75;
 
 /// Share of the bar that is left where the peak is corrected. The share that 95 of 100 peaks of bearings need.
 const OF_BAR: f64 = 0.6;
+
+/// Of a peak on a surface that presses, as at the rim of a flat pad: nodal average, centre and integration points are all below
+/// it. (Of 78 peaks below flat pads 10 were outside without it, 4 with it.)
+const AT_SURFACE: f64 = 2.0;
 
 /// What bodies of finite size and a strip beside add to the largest stress below a strip, of itself.
 const BODIES: f64 = 0.03;
@@ -68,14 +76,14 @@ const BESIDE: f64 = 0.5;
 pub(super) fn claims(
     own: &[BodyPeaks],
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
-    strips: &[StripBelow<'_>],
+    (strips, below): (&[StripBelow<'_>], &BelowPatches),
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
         let yielded = body.peeq_max > 0.0;
         let mises = |peaks: &BodyPeaks, names| {
-            let below = strips.iter().filter(|strip| strip.body == index);
-            mises(peaks, names, &below.collect::<Vec<_>>())
+            let strips = strips.iter().filter(|strip| strip.body == index);
+            mises((index, peaks), names, (&strips.collect::<Vec<_>>(), below))
         };
         let names = [Quantity::PeakMises, Quantity::MisesAway];
         if !yielded {
@@ -83,7 +91,7 @@ pub(super) fn claims(
             continue;
         }
         // The half space is elastic.
-        let mut peaks = self::mises(body, names, &[]);
+        let mut peaks = self::mises((index, body), names, (&[], &BelowPatches::default()));
         peaks
             .iter_mut()
             .for_each(|claim| claim.note = Some(YIELDED));
@@ -94,7 +102,10 @@ pub(super) fn claims(
                 .map_or_else(Vec::new, |elastic| mises(elastic, names)),
             claims => as_elastic(claims, &body.name),
         };
-        claims.push(plastic_strain(body, elastic.first()));
+        // Where an edge does not decide what this mesh shows, the strain is that away from it.
+        let decides = |claim: &&Figure| claim.is_resolved() || claim.at_edge;
+        let peak = elastic.iter().find(decides).or(elastic.first());
+        claims.push(plastic_strain(body, peak));
         claims.extend(elastic);
     }
     claims
@@ -145,10 +156,15 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
 }
 
 /// The nodal peak of a body, and that away from loaded edges where it lies at one.
-fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_>]) -> Vec<Figure> {
+fn mises(
+    (index, body): (usize, &BodyPeaks),
+    [peak, away]: [Quantity; 2],
+    (strips, below): (&[&StripBelow<'_>], &BelowPatches),
+) -> Vec<Figure> {
     let Some((nodal, centroid)) = body.nodal.zip(body.centroid) else {
         return Vec::new();
     };
+    let is_by_edge = (body.away).is_some_and(|(by, _)| by == ByEdge::Here);
     let claim = |what: Quantity, read: MisesPeaks, at_points: f64| {
         let MisesPeaks {
             nodal,
@@ -169,7 +185,7 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
         let share = strip.map_or(1.0, |strip| strip.share(&nodal.at));
         // Elsewhere away from a loaded edge it matters more how near to it nodes lie.
         let corrected = strip
-            .filter(|_| body.away.is_none() || is_on_border)
+            .filter(|_| !is_by_edge || is_on_border)
             .map_or(0.0, |strip| strip.resolves(share, &around.extent));
         let Curvature { overshoot, vertex } = around.curvature;
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
@@ -187,8 +203,14 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
                 let off = (nodal.value - mises).abs() + BODIES * mises;
                 (Some(left * spread.max(weight * off)), None)
             }
+            None if below.hide(index, &nodal.at) => (None, Some(COARSE)),
             None => {
                 let between = (OF_FALL * around.fall).min(SMOOTH * nodal.value);
+                let spread = if below.press(&nodal) {
+                    AT_SURFACE * spread
+                } else {
+                    spread
+                };
                 (Some(spread + between), None)
             }
         };
@@ -221,10 +243,10 @@ fn mises(body: &BodyPeaks, [peak, away]: [Quantity; 2], strips: &[&StripBelow<'_
     };
     match body.away {
         None => vec![claim(peak, whole, at_points)],
-        Some(regular) => {
+        Some((_, regular)) => {
             let singular = Figure {
-                at_edge: true,
-                note: Some(SINGULAR),
+                at_edge: is_by_edge,
+                note: Some(if is_by_edge { SINGULAR } else { EXCEEDED }),
                 ..figure_of(peak, &body.name, nodal.value)
             };
             vec![singular, claim(away, regular, 0.0)]

@@ -5,6 +5,7 @@
 //! ([`energy`]), from readings that tend to the same value (`mises`), and from how well the nodes
 //! resolve the pressure (`pressure`). A bar is meant to hold in 95 of 100 cases.
 
+mod below_patches;
 mod contact;
 mod descent;
 pub mod energy;
@@ -24,13 +25,14 @@ use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
+use below_patches::BelowPatches;
 use contact::Contact;
 use increments::Memory;
 use strip_below::StripBelow;
 
 pub use descent::{Contacts, Travel};
 pub use figure::{Errors, Figure, Quantity, figure, is_replaced, unresolved};
-pub use increments::DOUBLING;
+pub use increments::{DOUBLING, WITHOUT_INCREMENTS};
 
 /// What is certified.
 #[derive(Debug, Clone, Copy)]
@@ -81,11 +83,6 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let moved = scene.is_moved();
     let too_stiff = (tilted || moved).then(too_stiff).flatten();
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
-    let flowing = mises::claims(
-        peaks,
-        (evidence.elastic, evidence.elastic_claims),
-        &StripBelow::all(scene, evidence.lines),
-    );
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let horizontal = other::horizontal_forces(scene, contacts, missed_travel);
@@ -94,6 +91,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         let contact = Contact {
             scene,
             state,
+            recovered: evidence.recovered,
             pair,
             interface,
             line,
@@ -109,6 +107,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             claims.extend(other::eccentricity(scene, interface, line, too_stiff));
         }
     }
+    let strips = StripBelow::all(scene, evidence.lines);
+    let patches = BelowPatches::new(scene, state, contacts, &claims);
+    let elastic = (evidence.elastic, evidence.elastic_claims);
+    let flowing = mises::claims(peaks, elastic, (&strips, &patches));
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
     let memory = Memory {
@@ -120,7 +122,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     for claim in &mut claims {
         claim.error.increment = memory.error(claim);
         if claim.is_resolved() && claim.error.increment.is_none() {
-            claim.note.get_or_insert(increments::UNKNOWN);
+            claim.note.get_or_insert(WITHOUT_INCREMENTS);
         }
         claim.error.penetration = penetration(claim, scene, interfaces);
     }

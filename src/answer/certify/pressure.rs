@@ -7,9 +7,13 @@
 use super::contact::{COARSE, Contact, FILLET};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
+use crate::answer::results::edges::EVEN;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
+use crate::answer::results::hex::distance;
 use crate::answer::results::strip_row::StripRow;
-use crate::ground::geometry::{add, norm, scale, sub};
+use crate::answer::results::tensor::traction;
+use crate::ground::geometry::{add, dot, norm, scale, sub, unit};
+use crate::model::mesh::{Face, Surface};
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
 use std::collections::BTreeSet;
@@ -28,8 +32,11 @@ const AT_EDGE: f64 = 0.25;
 /// Share of the fall from the largest pressure to its neighbours that is its error: the mean over a hat
 /// function takes a third of it off the peak of a smooth patch, and the mesh as much.
 const FALL: f64 = 0.6;
-/// A pressure that falls by less from an edge is even, as between blocks of one size, and no singularity.
-const EVEN: f64 = 0.02;
+/// Share of the distance between that pressure and the stress across the surface that is its error, at least, where contact
+/// spreads from a point,
+const OF_STRESS: f64 = 0.3;
+/// and where sides are flat: their pressure is even where other bodies spread the load, and falls to no neighbour.
+const OF_FLAT_STRESS: f64 = 0.5;
 /// Sagitta of the facets at the peak over the length by which the pressure there presses a facet's depth
 /// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
 /// the spacing over four half-widths.
@@ -106,7 +113,15 @@ impl Contact<'_> {
         if self.shapelessness(field, top) > SHAPELESS {
             return self.claim(what, value, None, SHAPE);
         }
-        let fall = || FALL * fall(self.scene, field, self.pair, top);
+        let fall = || {
+            let fall = FALL * fall(self.scene, field, self.pair, top);
+            let share = if self.is_round() {
+                OF_STRESS
+            } else {
+                OF_FLAT_STRESS
+            };
+            fall.max(share * self.off_stress(field, top))
+        };
         let error = line
             .filter(|line| line.is_long())
             .map_or_else(fall, |line| match (line.contact, line.departs) {
@@ -127,6 +142,30 @@ impl Contact<'_> {
         let alternates = line.map_or(0.0, |line| line.alternates);
         let error = error + self.rise_to_edge(field, top) + alternates;
         self.claim(what, value, Some(error), COARSE)
+    }
+
+    /// By how much the stress across the surfaces at a node differs from the pressure there, of that: of the carrier, or of the
+    /// node of the other side next to it, whichever is more.
+    fn off_stress(&self, field: &ContactField, node: usize) -> f64 {
+        let mesh = &self.scene.mesh;
+        let at = mesh.points[field.nodes[node] as usize];
+        let off = |surface: &Surface| {
+            let apart = |node: &u32| distance(mesh.points[*node as usize], at);
+            let nodes = surface.faces.iter().flat_map(|face| face.nodes);
+            let next = nodes.min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+            let beside = surface
+                .faces
+                .iter()
+                .filter(|face| face.nodes.contains(&next));
+            let sum = |sum, face: &Face| add(sum, face.area_vector(mesh));
+            let normal = unit(beside.fold([0.0; 3], sum))?;
+            let stress = self.recovered.nodal_stress.get(next as usize)?;
+            let across = dot(normal, traction(stress, normal));
+            Some((across / field.pressure[node] + 1.0).abs())
+        };
+        let sides = self.scene.contacts[self.pair].carrier_first();
+        let surfaces = sides.into_iter().filter_map(|side| side.surface(mesh));
+        surfaces.filter_map(off).fold(0.0, f64::max)
     }
 
     /// See [`SHAPELESS`]; at a node.

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use crate::ground::geometry::{cross, dot, norm, sub, unit};
 use crate::model::mesh::shape::{Shape, fit};
-use crate::model::mesh::{Mesh, Surface};
+use crate::model::mesh::{Face, Mesh, Surface};
 
 /// Curvature on one side of an edge, over that at the edge, up to which it jumps there. Along a fillet that
 /// facets follow it is one, next to its beginning a half.
@@ -34,18 +34,11 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
                 .push((index, side));
         }
     }
-    // Angle of the two facets at an edge, outwards positive, and the distance of their middles.
     let turn = |ends: &[u32; 2]| {
         let [(a, _), (b, _)] = sharing.get(ends)?.as_slice() else {
             return None;
         };
-        let faces = [a, b].map(|face| &surface.faces[*face]);
-        let [m, n] = faces.map(|face| unit(face.area_vector(mesh)));
-        let (m, n) = (m?, n?);
-        let [from, to] = faces.map(|face| face.centre(mesh));
-        let apart = sub(to, from);
-        let angle = norm(cross(m, n)).atan2(dot(m, n));
-        Some((angle.copysign(dot(sub(n, m), apart)), norm(apart)))
+        turn(mesh, [&surface.faces[*a], &surface.faces[*b]])
     };
     let beginning = |(nodes, shared): (&[u32; 2], &Vec<(usize, usize)>)| {
         let (bend, apart) = turn(nodes)?;
@@ -61,6 +54,17 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
         (least < JUMP * curvature).then_some((*nodes, bend))
     };
     sharing.iter().filter_map(beginning).collect()
+}
+
+/// The angle that the second of two neighbouring faces is turned by from the first, in radians, outwards positive, and the
+/// distance of their middles; `None` where one has no area.
+pub fn turn(mesh: &Mesh, faces: [&Face; 2]) -> Option<(f64, f64)> {
+    let [m, n] = faces.map(|face| unit(face.area_vector(mesh)));
+    let (m, n) = (m?, n?);
+    let [from, to] = faces.map(|face| face.centre(mesh));
+    let apart = sub(to, from);
+    let angle = norm(cross(m, n)).atan2(dot(m, n));
+    Some((angle.copysign(dot(sub(n, m), apart)), norm(apart)))
 }
 
 /// The ends of a side of a face, ascending.

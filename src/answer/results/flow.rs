@@ -1,6 +1,6 @@
-//! Plastic strain of a body, beside loaded edges and away from them.
+//! Plastic strain of a body, beside singular edges and away from them.
 
-use super::edges::LoadedEdges;
+use super::edges::SingularEdges;
 use super::hex::centre;
 use super::tensor::mises;
 use crate::model::scene::Scene;
@@ -9,7 +9,7 @@ use crate::model::state::State;
 /// Largest equivalent plastic strain of a body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct BodyFlow {
-    /// Beside loaded edges of contact surfaces, such as square ends of rollers.
+    /// Beside singular edges, such as square ends of rollers.
     pub at_edges: f64,
     /// Away from such edges.
     pub away: f64,
@@ -19,7 +19,7 @@ pub struct BodyFlow {
 }
 
 /// One for each body, in the order of the mesh.
-pub fn flows(scene: &Scene, state: &State, edges: &LoadedEdges) -> Vec<BodyFlow> {
+pub fn flows(scene: &Scene, state: &State, edges: &SingularEdges) -> Vec<BodyFlow> {
     let of_body = |elements: std::ops::Range<usize>| {
         let mut flow = BodyFlow::default();
         for element in elements {

@@ -1,12 +1,13 @@
 //! The axis along which the lines of contact of a pair run.
 
 use super::circle::FittedCircle;
+use super::load::upright;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::{Partner, Scene};
 
 /// The axis (0, 1, 2) of the lines of contact pair `pair`: that about which one of its surfaces is round, a cylinder or
-/// a roller with fillets or a crown; else the longer horizontal side of the more slender of the two. `None` where
+/// a roller with fillets or a crown; else the longer side across the load of the more slender of the two. `None` where
 /// the pair has no carrier surface, or where a cylinder lies across all three axes.
 pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
     let carrier = scene.carrier(pair)?;
@@ -82,7 +83,7 @@ fn is_round_about(mesh: &Mesh, surface: &Surface, axis: usize) -> bool {
     })
 }
 
-/// The longer horizontal side of the more slender surface of a pair; of the carrier, if both are alike.
+/// The longer side across the load of the more slender surface of a pair; of the carrier, if both are alike.
 fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
     // A mirrored side is twice as long as it looks.
     let length = |surface: &Surface, axis: usize| {
@@ -92,8 +93,13 @@ fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
             false => high - low,
         }
     };
+    let across = match upright(scene) {
+        0 => [1, 2],
+        1 => [0, 2],
+        _ => [0, 1],
+    };
     let slenderness = |surface: &Surface| {
-        let [a, b] = [0, 1].map(|axis| length(surface, axis));
+        let [a, b] = across.map(|axis| length(surface, axis));
         a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
     };
     let more = |most: &Surface, other: &Surface| slenderness(other) > 1.001 * slenderness(most);
@@ -103,7 +109,12 @@ fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
             true => other,
             false => most,
         });
-    usize::from(length(slender, 1) > length(slender, 0))
+    let [one, other] = across;
+    if length(slender, other) > length(slender, one) {
+        other
+    } else {
+        one
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
 
 use super::around::{Around, around};
-use super::edges::LoadedEdges;
+use super::edges::{ByEdge, SingularEdges};
 use super::hex::{GaussRule, centre};
 use super::load::{cutting, times};
 use super::recovery::{Recovered, recover};
@@ -46,7 +46,7 @@ pub struct MisesPeaks {
     pub centroid: Peak,
     /// Around the node.
     pub around: Around,
-    /// Does a loaded edge cease to reach just at the node?
+    /// Does a singular edge cease to reach just at the node?
     pub is_on_border: bool,
 }
 
@@ -63,9 +63,9 @@ pub struct BodyPeaks {
     pub nodal: Option<Peak>,
     /// Around the node of that.
     pub around: Around,
-    /// Where the nodal peak lies beside a loaded edge, or a larger one may be hidden there: the peaks of what does
-    /// not.
-    pub away: Option<MisesPeaks>,
+    /// Where the nodal peak lies beside a singular edge, or a finer mesh may show a larger one there: the peaks of what
+    /// does not.
+    pub away: Option<(ByEdge, MisesPeaks)>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
     /// Mean of the equivalent plastic strain in the element that holds the largest.
@@ -78,7 +78,7 @@ pub struct BodyPeaks {
 
 /// The peaks of every body in `state`, where its fields are not at hand.
 pub fn peaks_in(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
-    let edges = LoadedEdges::find(scene, state);
+    let edges = SingularEdges::find(scene, state);
     peaks(scene, state, &recover(scene, state), &edges)
 }
 
@@ -98,30 +98,34 @@ pub fn peaks(
     scene: &Scene,
     state: &State,
     recovered: &Recovered,
-    edges: &LoadedEdges,
+    edges: &SingularEdges,
 ) -> Vec<BodyPeaks> {
     let mesh = &scene.mesh;
     let rule = GaussRule::new();
     let nodal = nodal_peaks(scene, recovered, |_| true);
     let far = |at: &[f64; 3]| !edges.are_near(at);
     // Few scenes have a peak at an edge, and then it is worth a second look.
-    let is_at_edge = |(body, peak): (usize, &Option<Peak>)| {
-        peak.is_some_and(|p| edges.are_near(&p.at) || edges.unseen_mises(scene, body) > p.value)
-    };
-    let at_edge: Vec<bool> = nodal.iter().enumerate().map(is_at_edge).collect();
-    let away = match at_edge.contains(&true) {
-        true => nodal_peaks(scene, recovered, far),
-        false => vec![None; nodal.len()],
+    let by_edge = |(body, peak): (usize, &Option<Peak>)| edges.decide(scene, body, peak.as_ref()?);
+    let by_edge: Vec<Option<ByEdge>> = nodal.iter().enumerate().map(by_edge).collect();
+    let away = if by_edge.iter().any(Option::is_some) {
+        nodal_peaks(scene, recovered, far)
+    } else {
+        vec![None; nodal.len()]
     };
     let centroid_peak = |body: &Body, counts: &dyn Fn(&[f64; 3]) -> bool| {
-        let elements = body.elements.clone();
-        let counted = elements.filter(|e| counts(&centre(&mesh.corners(*e))));
-        let values = counted.map(|e| (e, recovered.mises_mean[e]));
-        first_largest(values).map(|(element, value)| Peak {
-            value,
-            place: Place::Element(element),
-            at: centre(&mesh.corners(element)),
-        })
+        let mut best: Option<Peak> = None;
+        for element in body.elements.clone() {
+            let value = recovered.mises_mean[element];
+            if value.is_nan() || best.is_some_and(|peak| value <= peak.value) {
+                continue;
+            }
+            let at = centre(&mesh.corners(element));
+            if counts(&at) {
+                let place = Place::Element(element);
+                best = Some(Peak { value, place, at });
+            }
+        }
+        best
     };
     let body_peaks = |(index, body): (usize, &Body)| {
         let nodal = nodal[index];
@@ -135,13 +139,14 @@ pub fn peaks(
         let elements = body.elements.clone();
         let over = |field: &[f64]| first_largest(elements.clone().map(|e| (e, field[e])));
         let centroid = centroid_peak(body, &|_| true);
-        let away = away[index].filter(|_| at_edge[index]).and_then(|nodal| {
-            Some(MisesPeaks {
+        let away = away[index].zip(by_edge[index]).and_then(|(nodal, by)| {
+            let away = MisesPeaks {
                 nodal,
                 centroid: centroid_peak(body, &far)?,
                 around: around(&nodal, &|at| edges.are_near(at)),
                 is_on_border: edges.end_at(&nodal.at),
-            })
+            };
+            Some((by, away))
         });
         let integration_point = over(&recovered.mises_max).and_then(|(element, _)| {
             let values = state.stress[element].iter().map(mises).enumerate();

@@ -1,5 +1,6 @@
 //! Symmetric stress tensors in the order xx yy zz xy yz zx.
 
+use crate::ground::geometry::{Vec3, dot};
 pub use crate::model::material::mises;
 
 /// Mean of several stress tensors; zero for none.
@@ -13,6 +14,11 @@ pub fn mean(tensors: &[[f64; 6]]) -> [f64; 6] {
     sum.map(|s| s / tensors.len().max(1) as f64)
 }
 
+/// The traction on a plane with the unit normal `n`.
+pub fn traction([xx, yy, zz, xy, yz, zx]: &[f64; 6], n: Vec3) -> Vec3 {
+    [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| dot(row.map(|s| *s), n))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -22,6 +28,14 @@ mod tests {
         assert_eq!(mises(&[0.0, -7.0, 0.0, 0.0, 0.0, 0.0]), 7.0);
         assert!((mises(&[0.0, 0.0, 0.0, 0.0, 2.0, 0.0]) - 12f64.sqrt()).abs() < 1e-14);
         assert_eq!(mises(&[3.0, 3.0, 3.0, 0.0, 0.0, 0.0]), 0.0);
+    }
+
+    #[test]
+    fn the_traction_on_a_plane_is_a_column_of_the_stress() {
+        let stress = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        assert_eq!(traction(&stress, [1.0, 0.0, 0.0]), [1.0, 4.0, 6.0]);
+        assert_eq!(traction(&stress, [0.0, 1.0, 0.0]), [4.0, 2.0, 5.0]);
+        assert_eq!(traction(&stress, [0.0, 0.0, 1.0]), [6.0, 5.0, 3.0]);
     }
 
     #[test]

@@ -91,7 +91,7 @@ fn one(curve: &Curve, study: &Study) -> String {
         ]);
     }
     if curve.at_singular_edge {
-        table.note("beside a loaded edge, where elastic stress has no limit");
+        table.note("beside a singular edge, where elastic stress has no limit");
     }
     text(&table)
 }

@@ -96,7 +96,7 @@ pub(super) fn singular(levels: &[Level]) -> Option<String> {
         .map(|v| format!("{v:.4}"))
         .collect();
     Some(format!(
-        "no mesh meets it: {} of {} lies at a loaded edge, where the elastic stress is \
+        "no mesh meets it: {} of {} lies at a singular edge, where the elastic stress is \
          singular; it went {}",
         figure.what.name(),
         figure.place,

@@ -18,11 +18,11 @@ pub struct RefinedFigure {
     pub value: f64,
     /// The certificate's error; `None` where none can be given.
     pub estimate: Option<f64>,
-    /// Of a peak next to a loaded edge: what of that the edge does, which elements along the line of contact decide.
+    /// Of a peak next to a singular edge: what of that the edge does, which elements along the line of contact decide.
     pub beside_edge: Option<f64>,
     /// Difference from the mesh before.
     pub change: Option<f64>,
-    /// Does it lie at a loaded edge?
+    /// Does it lie at a singular edge?
     pub at_edge: bool,
     /// The elastic twin that it is of, where steel flows.
     pub of: Option<TwinMesh>,
@@ -45,7 +45,7 @@ pub struct Level {
     pub figures: Vec<RefinedFigure>,
     /// Goals that there is no figure for, such as Hertz's pressure where steel flows.
     pub absent: Vec<Goal>,
-    /// Larger figures beside loaded edges, which are not judged.
+    /// Larger figures beside singular edges, which are not judged.
     pub beside_edges: Vec<RefinedFigure>,
     /// Do its bars alone decide? Else the change from the mesh before must be small, too.
     pub bars_decide: bool,
@@ -202,7 +202,7 @@ fn single(goal: Goal, certificate: &[certify::Figure]) -> Vec<Goal> {
     }
 }
 
-/// The claim that a single goal is about: the largest away from loaded edges, with a bar or without. One at a loaded edge
+/// The claim that a single goal is about: the largest away from singular edges, with a bar or without. One at a singular edge
 /// where there is no other. Of Mises peaks the largest without a bar, where there is one: it may be larger than it reads.
 fn claim(goal: Goal, certificate: &[certify::Figure]) -> Option<&certify::Figure> {
     let among = |names: &[Quantity]| -> Vec<&certify::Figure> {
@@ -275,12 +275,15 @@ pub fn table(levels: &[Level]) -> String {
     let edges = levels.last().map_or(&[][..], |level| &level.beside_edges);
     if !edges.is_empty() {
         let told: Vec<String> = edges.iter().map(RefinedFigure::in_words).collect();
-        out += &format!("Not judged, as beside a loaded edge: {}\n", told.join("; "));
+        out += &format!(
+            "Not judged, as beside a singular edge: {}\n",
+            told.join("; ")
+        );
     }
     out
 }
 
-/// The largest claim; of those beside a loaded edge only where there is no other.
+/// The largest claim; of those beside a singular edge only where there is no other.
 fn largest(claims: Vec<&certify::Figure>) -> Option<&certify::Figure> {
     let (edge, away): (Vec<_>, Vec<_>) = claims.into_iter().partition(|claim| claim.at_edge);
     let of = if away.is_empty() { edge } else { away };

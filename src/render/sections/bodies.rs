@@ -35,7 +35,7 @@ pub fn bodies(summary: &Summary) -> Vec<Table> {
         .flat_map(|(_, body)| body.at_singular_edge.each())
         .any(|at_edge| at_edge)
     {
-        stress.note("* beside a loaded edge: a value of this mesh, see the warnings");
+        stress.note("* beside a singular edge: a value of this mesh, see the warnings");
     }
     vec![stress, places, bores(summary)]
 }

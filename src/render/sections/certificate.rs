@@ -16,7 +16,7 @@ pub fn certificate(summary: &Summary) -> Table {
         .figures(beside_edges.then_some("beside an edge"))
         .figures(["penetration", "increments"])
         .about(
-            "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a loaded edge \
+            "Estimated from the one mesh that was solved; of the right size, and no bounds. A peak at a singular edge \
              gets a remark in place of an error.",
         );
     for figure in certificate {

@@ -62,5 +62,6 @@ pub use rigid::free_motion::{FreeMotion, free_motions};
 pub use spring_back::spring_back;
 pub use start::close_gaps::{Closing, close_gaps};
 pub use start::extent::travel;
+pub use start::overlap::overlap_at_touch;
 pub use ties::error::TieError;
 pub use ties::unknowns::{joints, unknowns};

@@ -1,7 +1,7 @@
 //! What is read from a solution of problem H.
 
 use super::limits::{HALF_WIDTH, LOAD, PRESSURE};
-use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
 use crate::answer::results::recovery::recover;
 use crate::answer::results::strip::{Strip, half_width};
@@ -66,7 +66,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
         |s| Ok::<_, Missing>(hertz(s.at[0])),
     )?;
     let recovered = recover(scene, state);
-    let bodies = peaks(scene, state, &recovered, &LoadedEdges::find(scene, state));
+    let bodies = peaks(scene, state, &recovered, &SingularEdges::find(scene, state));
     let of = |name: &str| {
         bodies
             .iter()

@@ -25,7 +25,7 @@ fn first<'s>(summary: &'s Summary, body: &str, kinds: &[Quantity]) -> Option<&'s
     kinds.iter().find_map(of)
 }
 
-/// The peak of the elastic solution, away from loaded edges where it lies at one.
+/// The peak of the elastic solution, away from singular edges where it lies at one.
 fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitCheck {
     use Quantity::{ElasticMisesAway, ElasticPeakMises, MisesAway, PeakMises};
     let yielded = flow != BodyFlow::default();
@@ -51,14 +51,14 @@ fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitChec
         return check;
     }
     if judged.what == away {
-        let edge = summary
-            .answer
-            .figure(peak, body)
-            .map(|claim| significant(claim.value, 2));
-        check.remark = Some(format!(
-            "away from loaded edges; on this mesh it is {} at all, which grows with every refinement",
-            edge.unwrap_or_default()
-        ));
+        let all = summary.answer.figure(peak, body).filter(|all| all.at_edge);
+        check.remark = Some(match all {
+            Some(all) => format!(
+                "away from singular edges; on this mesh it is {} at all, which grows with every refinement",
+                significant(all.value, 2)
+            ),
+            None => "away from singular edges, where a finer mesh may show more".to_string(),
+        });
     }
     check.error = error;
     check.utilisation = Some(judged.value / limit);
@@ -70,7 +70,7 @@ fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitChec
 /// to yield: the elements of bearings that do yield have 0.97 and more, those that overshoot 0.7 to 0.8.
 const FLOWING_MEAN_STRESS: f64 = 0.9;
 
-/// Plastic strain away from loaded edges, and what there is beside them.
+/// Plastic strain away from singular edges, and what there is beside them.
 fn strains(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> Vec<LimitCheck> {
     let resolved = flow.mean_mises >= FLOWING_MEAN_STRESS * limit;
     let certified = summary.answer.figure(Quantity::PeakPlasticStrain, body);
@@ -99,7 +99,7 @@ fn strains(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> Vec<Lim
             value: Some(flow.at_edges),
             at_edge: true,
             remark: Some(
-                "beside a loaded edge, such as a square end of a roller: elastic stress has no bound \
+                "beside a singular edge, such as a square end of a roller: elastic stress has no bound \
                  there, so a little flow and a dent are found on any mesh that is fine enough"
                     .to_string(),
             ),

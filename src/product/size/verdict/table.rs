@@ -159,7 +159,7 @@ fn position(units: &UnitLabels, placed: &Placed) -> String {
     .figures(["what", "value", "± error", "limit", "of limit", "met"]);
     let mut remarks: Vec<(&str, Vec<&str>)> = Vec::new();
     for check in &placed.checks {
-        // The star is for peaks beside loaded edges alone; remarks go by numbers.
+        // The star is for peaks beside singular edges alone; remarks go by numbers.
         let star = if check.at_edge { "*" } else { "" };
         let remark = check.remark.as_ref().map(|remark| {
             let known = remarks.iter().position(|(known, _)| known == remark);
@@ -186,7 +186,7 @@ fn position(units: &UnitLabels, placed: &Placed) -> String {
         text += &wrapped(&format!("[{number}] {}: {remark}", places.join(", ")), 2);
     }
     if placed.checks.iter().any(|check| check.at_edge) {
-        text += "  * beside a loaded edge: a value of this mesh\n";
+        text += "  * beside a singular edge: a value of this mesh\n";
     }
     text
 }
@@ -253,7 +253,7 @@ fn conclusion(checked: &Checked) -> String {
         ),
         (
             SizeStanding::NotJudged,
-            "beside loaded edges, not judged: what is found there belongs to the mesh",
+            "beside singular edges, not judged: what is found there belongs to the mesh",
         ),
     ];
     for (standing, words) in remarks {

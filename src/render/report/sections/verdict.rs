@@ -174,7 +174,7 @@ fn used(all: &[Utilisation], stress: &str) -> Table {
         .words("limit")
         .about(
             "Errors are the certificate's estimates of this mesh, of the right size and no bounds; a dash where there \
-             is none. Mises stresses are of nodes, elastic where steel has yielded, and away from loaded edges, \
+             is none. Mises stresses are of nodes, elastic where steel has yielded, and away from singular edges, \
              where they have no bound.",
         );
     for u in all {

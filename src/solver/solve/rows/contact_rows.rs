@@ -55,10 +55,15 @@ pub fn pair_rows(
 
 /// Where the sides of each pair face each other, as far apart as `distance`.
 pub fn sights(scene: &Scene, distance: f64) -> Vec<Vec<Sight>> {
+    let of_pair = |pair| sights_of(scene, pair, distance);
+    scene.contacts.iter().map(of_pair).collect()
+}
+
+/// Where the sides of one pair face each other, as far apart as `distance`.
+pub fn sights_of(scene: &Scene, pair: &ContactPair, distance: f64) -> Vec<Sight> {
     let moduli = vec![1.0; scene.materials.len()];
-    let of = |pair| prepared(scene, pair, (0.0, &moduli, &[]), &[]);
-    let see = |pair| of(pair).map_or_else(Vec::new, |pair| facing::sights(&pair, distance));
-    scene.contacts.iter().map(see).collect()
+    let pair = prepared(scene, pair, (0.0, &moduli, &[]), &[]);
+    pair.map_or_else(Vec::new, |pair| facing::sights(&pair, distance))
 }
 
 /// A pair as the integration wants it; `None` where a side is not in the mesh.

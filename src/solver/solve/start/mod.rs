@@ -8,3 +8,4 @@ pub mod held_bodies;
 pub mod load_direction;
 pub mod load_names;
 pub mod nearest_row;
+pub mod overlap;

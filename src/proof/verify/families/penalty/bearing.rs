@@ -1,7 +1,7 @@
 //! The bearing of section 2.6.2: friction and plasticity.
 
 use super::problem::{NamedFigures, Problem};
-use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::interface::interfaces;
 use crate::answer::results::line_load::{Slices, line_load};
 use crate::answer::results::load::descent;
@@ -46,7 +46,7 @@ fn centre_case() -> Result<Scene, JobError> {
 /// The largest over bodies or interfaces, and the line load in its slices.
 fn figures(run: &SolvedScene) -> Result<NamedFigures, VerifyError> {
     let (scene, state) = (&run.scene, run.state());
-    let edges = LoadedEdges::find(scene, state);
+    let edges = SingularEdges::find(scene, state);
     let bodies = peaks(scene, state, &recover(scene, state), &edges);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let mut pressures = interfaces(scene, state).into_iter().map(|i| i.max_pressure);

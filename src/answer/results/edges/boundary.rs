@@ -1,0 +1,100 @@
+//! Where surfaces end, and how large they are.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::fillet::ends;
+use super::super::hex::distance;
+use crate::model::mesh::surface::sorted;
+use crate::model::mesh::{Mesh, Surface};
+use crate::model::scene::Scene;
+
+/// The longest side of the box about some nodes and their images: as long whether mirror planes are made use of or not.
+pub fn longest_side(scene: &Scene, nodes: impl Iterator<Item = u32>) -> f64 {
+    let (mut low, mut high) = bounds(&scene.mesh, nodes);
+    let size = distance(low, high);
+    for axis in scene.mirrors.iter().copied().filter(|axis| *axis < 3) {
+        // A surface apart from the plane is not the half of one.
+        if low[axis].abs().min(high[axis].abs()) <= 1e-6 * size {
+            let half = low[axis].abs().max(high[axis].abs());
+            (low[axis], high[axis]) = (-half, half);
+        }
+    }
+    (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max)
+}
+
+/// Diagonal of the box about a surface.
+fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
+    let (low, high) = bounds(mesh, surface.faces.iter().flat_map(|face| face.nodes));
+    distance(low, high)
+}
+
+/// The corners of the box about some nodes.
+pub fn bounds(mesh: &Mesh, nodes: impl Iterator<Item = u32>) -> ([f64; 3], [f64; 3]) {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for node in nodes {
+        for (axis, x) in mesh.points[node as usize].iter().enumerate() {
+            low[axis] = low[axis].min(*x);
+            high[axis] = high[axis].max(*x);
+        }
+    }
+    (low, high)
+}
+
+/// Edges where a surface ends, the nodes of each ascending.
+pub type Boundary = BTreeSet<[u32; 2]>;
+
+/// Edges that only one face of the surface has, the nodes of each ascending; without mirror planes.
+pub fn boundary(scene: &Scene, surface: &Surface) -> Boundary {
+    let mut uses: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+    for face in &surface.faces {
+        for side in 0..4 {
+            *uses.entry(ends(face.nodes, side)).or_default() += 1;
+        }
+    }
+    // Where nodes hang a face ends at two smaller ones.
+    for hanging in &scene.mesh.hanging {
+        if let [a, b] = *hanging.corners.as_slice() {
+            let m = hanging.node;
+            let sides = [[a, b], sorted([a, m]), sorted([b, m])];
+            if sides.iter().all(|side| uses.contains_key(side)) {
+                sides.iter().for_each(|side| {
+                    uses.remove(side);
+                });
+            }
+        }
+    }
+    let once = uses.iter().filter(|(_, n)| **n == 1).map(|(edge, _)| *edge);
+    let mirrors = mirror_planes(scene);
+    let mirrored = |edge: &[u32; 2]| {
+        let [a, b] = edge.map(|n| scene.mesh.points[n as usize]);
+        let tolerance = 1e-6 * distance(a, b);
+        let on = |(axis, at): &(usize, f64)| {
+            (a[*axis] - at).abs() <= tolerance && (b[*axis] - at).abs() <= tolerance
+        };
+        mirrors.iter().any(on)
+    };
+    once.filter(|edge| !mirrored(edge)).collect()
+}
+
+/// Axis and place of the mirror planes, and of flat surfaces across an axis that a support holds
+/// along it.
+fn mirror_planes(scene: &Scene) -> Vec<(usize, f64)> {
+    let axes = scene.mirrors.iter().filter(|axis| **axis < 3);
+    let mut planes: Vec<(usize, f64)> = axes.map(|axis| (*axis, 0.0)).collect();
+    for support in &scene.supports {
+        let Some(surface) = scene.mesh.surface(&support.surface) else {
+            continue;
+        };
+        for axis in (0..3).filter(|axis| support.components[*axis] == Some(0.0)) {
+            let nodes = surface.nodes();
+            let mut at = nodes.iter().map(|n| scene.mesh.points[*n as usize][axis]);
+            let Some(first) = at.next() else { continue };
+            // Bodies are moved into touch along directions with rounding in them.
+            let size = extent(&scene.mesh, surface);
+            if support.gradient[axis] == [0.0; 3] && at.all(|x| (x - first).abs() <= 1e-9 * size) {
+                planes.push((axis, first));
+            }
+        }
+    }
+    planes
+}

@@ -1,0 +1,271 @@
+//! Edges of bodies at which elastic stresses are singular whatever presses: inner corners, edges of what is held, rims of
+//! what is joined.
+//!
+//! At an edge two outer faces of a body enclose a wedge. Stresses near its tip go with a power of the distance, which is
+//! negative from a certain angle on, by what the two faces may do (Williams, Stress singularities resulting from various
+//! boundary conditions in angular corners of plates in extension, J. Appl. Mech. 19, 1952): 180 degrees where both are
+//! free or both are held, 63 where one is held and the other free, 90 where one is held as by a mirror, as the image
+//! doubles the wedge. Next to these angles the power is so small that no mesh shows it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::PI;
+
+use super::super::fillet::{ends, turn};
+use super::super::hex::distance;
+use super::boundary::longest_side;
+use super::reach::EdgeNodes;
+use crate::ground::geometry::{Vec3, add, dot, scale, sub, unit};
+use crate::model::mesh::surface::sorted;
+use crate::model::mesh::{Face, Mesh};
+use crate::model::scene::{EDGE_REACH, PlaneMotion, Scene};
+
+/// What a face of a body may do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Bound {
+    Free,
+    /// Along itself it does not move, or as a rigid plane does.
+    Held,
+    /// It slides along itself, as on a mirror plane.
+    Slides,
+    /// The material of another body goes on behind it.
+    Joined,
+    /// On the cut of a half turn: the body goes on, turned.
+    Cut,
+}
+
+/// Angle of a wedge of one held and one free face from which on it is singular, of π. (Williams: 63 degrees for ν = 0.3.)
+const HELD: f64 = 70.0 / 180.0;
+/// Angle of a wedge that a mirror doubles, of π.
+const SLIDING: f64 = 105.0 / 180.0;
+/// Angle of a wedge of two faces of one kind, of π.
+const ALIKE: f64 = 210.0 / 180.0;
+/// Where a round surface is meshed by facets each turns as much as the next; an edge turns more than twice as much.
+const SHARP: f64 = 2.0;
+
+/// An edge of a body.
+struct Wedge {
+    body: usize,
+    /// Inside of the body, in radians.
+    angle: f64,
+    bounds: [Bound; 2],
+    nodes: [u32; 2],
+    /// One of its faces, and which of its sides the edge is.
+    face: Face,
+    side: usize,
+}
+
+/// Nodes on the singular edges of all bodies.
+pub(super) fn singular(scene: &Scene) -> EdgeNodes {
+    let wedges = wedges(scene);
+    let joined: Vec<&Wedge> = (wedges.iter())
+        .filter(|wedge| wedge.bounds.contains(&Bound::Joined))
+        .collect();
+    let mut nodes = EdgeNodes::default();
+    let mut reaches: BTreeMap<usize, f64> = BTreeMap::new();
+    for wedge in &wedges {
+        let is_singular = match wedge.bounds {
+            [Bound::Joined, Bound::Joined] => false,
+            [Bound::Joined, other] | [other, Bound::Joined] => {
+                is_singular_rim(scene, wedge, other, &joined)
+            }
+            bounds => is_singular(bounds, wedge.angle),
+        };
+        if is_singular {
+            let whole = *reaches.entry(wedge.body).or_insert_with(|| {
+                let elements = scene.mesh.bodies[wedge.body].elements.clone();
+                let nodes = scene.mesh.hexes[elements].iter().flatten().copied();
+                EDGE_REACH * longest_side(scene, nodes)
+            });
+            nodes.add(&scene.mesh, &wedge.face, wedge.side, whole);
+        }
+    }
+    nodes
+}
+
+/// Is a wedge singular whose faces may do this?
+fn is_singular(bounds: [Bound; 2], angle: f64) -> bool {
+    let from = match bounds {
+        [Bound::Cut | Bound::Joined, _] | [_, Bound::Cut | Bound::Joined] => return false,
+        // Along a plane, and where two planes meet squarely, as of a plate between rollers.
+        [Bound::Slides, Bound::Slides] => return false,
+        [Bound::Slides, _] | [_, Bound::Slides] => SLIDING,
+        [Bound::Held, Bound::Free] | [Bound::Free, Bound::Held] => HELD,
+        [Bound::Free, Bound::Free] | [Bound::Held, Bound::Held] => ALIKE,
+    };
+    angle > from * PI
+}
+
+/// Is the rim of what is joined singular? The wedges of the bodies that meet there make one, of one steel or of two.
+fn is_singular_rim(scene: &Scene, wedge: &Wedge, other: Bound, joined: &[&Wedge]) -> bool {
+    let mesh = &scene.mesh;
+    let [a, b] = wedge.nodes.map(|node| mesh.points[node as usize]);
+    let (middle, near) = (scale(add(a, b), 0.5), 0.1 * distance(a, b));
+    let mut beyond: BTreeMap<usize, &Wedge> = BTreeMap::new();
+    for found in joined.iter().filter(|found| found.body != wedge.body) {
+        let [a, b] = found.nodes.map(|node| mesh.points[node as usize]);
+        if off_segment(middle, a, b) <= near {
+            beyond.entry(found.body).or_insert(found);
+        }
+    }
+    // Where no edge of the other body is, its surface goes on to both sides.
+    let angles = beyond.values().map(|found| found.angle);
+    let angle = wedge.angle + if beyond.is_empty() { PI } else { angles.sum() };
+    let free = |wedge: &&Wedge| {
+        let mut bounds = wedge.bounds.into_iter();
+        bounds.find(|bound| *bound != Bound::Joined)
+    };
+    let opposite = beyond.values().find_map(free).unwrap_or(Bound::Free);
+    let bounds = [other, opposite];
+    if bounds.contains(&Bound::Slides) {
+        // A plane interface that meets a mirror squarely is whole.
+        return angle > SLIDING * PI * 2.0;
+    }
+    !is_of_one_steel(scene, wedge.body, beyond.keys().copied()) && !bounds.contains(&Bound::Cut)
+        || is_singular(bounds, angle)
+}
+
+/// Are the bodies of one elastic steel? Those that `wedge` is tied to without an edge of theirs are not known here: then all
+/// of the scene are asked.
+fn is_of_one_steel(scene: &Scene, body: usize, beyond: impl Iterator<Item = usize>) -> bool {
+    let steel =
+        |body: usize| (scene.materials.get(body)).map(|s| [s.youngs_modulus, s.poissons_ratio]);
+    let mut others: Vec<usize> = beyond.collect();
+    if others.is_empty() {
+        others.extend(0..scene.mesh.bodies.len());
+    }
+    others.into_iter().all(|other| steel(other) == steel(body))
+}
+
+/// Distance of a point from the straight line between two others.
+fn off_segment(at: Vec3, a: Vec3, b: Vec3) -> f64 {
+    let along = sub(b, a);
+    let share = dot(sub(at, a), along) / dot(along, along).max(f64::MIN_POSITIVE);
+    distance(at, add(a, scale(along, share.clamp(0.0, 1.0))))
+}
+
+/// The edges of all bodies at which two outer faces meet that are not parts of one smooth surface doing one thing.
+fn wedges(scene: &Scene) -> Vec<Wedge> {
+    let mesh = &scene.mesh;
+    let outer: Vec<Vec<Face>> = (0..mesh.bodies.len())
+        .map(|body| mesh.outer_faces(body))
+        .collect();
+    let bounds = Bounds::new(scene, &outer);
+    let mut found = Vec::new();
+    for (body, faces) in outer.iter().enumerate() {
+        let mut sharing: BTreeMap<[u32; 2], Vec<(usize, usize)>> = BTreeMap::new();
+        for (index, face) in faces.iter().enumerate() {
+            for side in 0..4 {
+                let at = sharing.entry(ends(face.nodes, side)).or_default();
+                at.push((index, side));
+            }
+        }
+        let bend = |nodes: [u32; 2]| match sharing.get(&nodes)?.as_slice() {
+            [(a, _), (b, _)] => Some(turn(mesh, [&faces[*a], &faces[*b]])?.0),
+            _ => None,
+        };
+        let kinds: Vec<Bound> = faces.iter().map(|face| bounds.of(mesh, face)).collect();
+        for (nodes, shared) in &sharing {
+            let [(a, side), (b, other_side)] = *shared.as_slice() else {
+                continue;
+            };
+            let Some(own) = bend(*nodes) else { continue };
+            let pair = [kinds[a], kinds[b]];
+            if pair[0] == pair[1] {
+                // Along a round surface the next facets turn as much.
+                let opposite = [(a, side), (b, other_side)]
+                    .map(|(face, side)| bend(ends(faces[face].nodes, side + 2)).unwrap_or(0.0));
+                let next = opposite
+                    .into_iter()
+                    .fold(0.0, |least: f64, turn| least.min(turn));
+                if own >= SHARP * next {
+                    continue;
+                }
+            }
+            found.push(Wedge {
+                body,
+                angle: PI - own,
+                bounds: pair,
+                nodes: *nodes,
+                face: faces[a],
+                side,
+            });
+        }
+    }
+    found
+}
+
+/// What the outer faces of bodies may do.
+struct Bounds<'s> {
+    scene: &'s Scene,
+    /// Axes along which faces are held, by their nodes, ascending.
+    held: BTreeMap<[u32; 4], [bool; 3]>,
+    joined: BTreeSet<[u32; 4]>,
+    cut: BTreeSet<u32>,
+}
+
+impl<'s> Bounds<'s> {
+    fn new(scene: &'s Scene, outer: &[Vec<Face>]) -> Self {
+        let mesh = &scene.mesh;
+        let mut held: BTreeMap<[u32; 4], [bool; 3]> = BTreeMap::new();
+        let mut hold = |surface: &str, axes: [bool; 3]| {
+            for face in mesh.surface(surface).iter().flat_map(|s| &s.faces) {
+                let known = held.entry(sorted(face.nodes)).or_default();
+                (0..3).for_each(|k| known[k] |= axes[k]);
+            }
+        };
+        for support in &scene.supports {
+            hold(&support.surface, support.components.map(|c| c.is_some()));
+        }
+        for plane in &scene.rigid_planes {
+            hold(&plane.surface, plane.motion.map(|m| m != PlaneMotion::Free));
+        }
+        let mut joined = BTreeSet::new();
+        for surface in scene.ties.iter().filter_map(|tie| tie.of(mesh)).flatten() {
+            joined.extend(surface.faces.iter().map(|face| sorted(face.nodes)));
+        }
+        // Faces of two bodies that share their nodes.
+        let mut seen = BTreeSet::new();
+        for face in outer.iter().flatten() {
+            let nodes = sorted(face.nodes);
+            if !seen.insert(nodes) {
+                joined.insert(nodes);
+            }
+        }
+        Self {
+            scene,
+            held,
+            joined,
+            cut: scene.half_turn.iter().map(|[node, _]| *node).collect(),
+        }
+    }
+
+    fn of(&self, mesh: &Mesh, face: &Face) -> Bound {
+        /// Sine of the angle by which a held direction may be off the normal of a face that slides.
+        const OFF: f64 = 0.05;
+        let nodes = sorted(face.nodes);
+        if self.joined.contains(&nodes) {
+            return Bound::Joined;
+        }
+        if nodes.iter().all(|node| self.cut.contains(node)) {
+            return Bound::Cut;
+        }
+        let mut axes = self.held.get(&nodes).copied().unwrap_or_default();
+        for axis in self.scene.mirrors.iter().copied().filter(|axis| *axis < 3) {
+            let on = |at: &Vec3| self.scene.mirrors_through(at).any(|found| found == axis);
+            axes[axis] |= face.corners(mesh).iter().all(on);
+        }
+        let Some(normal) = unit(face.area_vector(mesh)) else {
+            return Bound::Free;
+        };
+        let along = |axis: usize| (1.0 - normal[axis] * normal[axis]).max(0.0).sqrt();
+        match (0..3)
+            .filter(|axis| axes[*axis])
+            .map(along)
+            .reduce(f64::max)
+        {
+            None => Bound::Free,
+            Some(off) if off <= OFF => Bound::Slides,
+            Some(_) => Bound::Held,
+        }
+    }
+}

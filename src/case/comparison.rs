@@ -48,7 +48,7 @@ pub struct Printed {
 
 /// The printed values of a case.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Comparison {
+pub struct PrintedValues {
     /// Where they were printed.
     pub source: Option<String>,
     /// Where Mises stresses are read.
@@ -60,7 +60,7 @@ pub struct Comparison {
     places: Vec<(ComparedMeasure, Located<String>)>,
 }
 
-impl Comparison {
+impl PrintedValues {
     pub(super) fn read(
         root: &Table,
         assumptions: &mut Vec<Assumption>,

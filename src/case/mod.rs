@@ -1,7 +1,7 @@
 //! The case file: TOML in, a validated [`Case`] out, and from it a scene.
 //!
 //! A case is either a *bearing*, described by its dimensions and meshed by the template, or a
-//! *general scene* on a mesh file. Both come down to one [`Model`]; the solver sees scenes only.
+//! *general scene* on a mesh file. Both come down to one [`MeshlessScene`]; the solver sees scenes only.
 //! Quantities are turned into the unit system that the file declares (`units = "in-kip-ksi"`),
 //! angles into radians. Every mistake is a [`CaseError`] that marks the culprit in the file.
 
@@ -44,13 +44,13 @@ use std::path::{Path, PathBuf};
 
 pub use assumption::Assumption;
 pub use bearing::BearingCase;
-pub use comparison::{ComparedMeasure, Comparison, MisesRead, Printed};
+pub use comparison::{ComparedMeasure, MisesRead, Printed, PrintedValues};
 pub use contact::Contact;
 pub use error::{CaseError, ErrorKind};
 pub use general::GeneralCase;
 pub use load::Loads;
 pub use mesh_choice::{Family, MeshOrigin, SceneMesh};
-pub use model::Model;
+pub use model::MeshlessScene;
 pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
 pub use source::Source;
@@ -85,7 +85,7 @@ pub struct Case {
     /// Numerical controls.
     pub controls: Controls,
     /// Printed values to set beside the results.
-    pub comparison: Option<Comparison>,
+    pub comparison: Option<PrintedValues>,
     /// What is taken for granted, echoed with the results.
     pub assumptions: Vec<Assumption>,
     /// Discrepancies of the published study that touch the result.
@@ -172,7 +172,7 @@ impl Case {
                 Kind::General(case)
             }
         };
-        let comparison = Comparison::read(root, &mut assumptions)?;
+        let comparison = PrintedValues::read(root, &mut assumptions)?;
         let displaced = matches!(&kind, Kind::Bearing(bearing) if bearing.geometry.offset() != 0.0);
         let study = reference.as_deref().unwrap_or_default();
         let case = Self {
@@ -221,7 +221,7 @@ impl Case {
     }
 
     /// Everything of the scene but its mesh.
-    pub fn model(&self) -> Model {
+    pub fn model(&self) -> MeshlessScene {
         match &self.kind {
             Kind::Bearing(bearing) => bearing.model(&self.title, &self.source, self.controls),
             Kind::General(general) => general.model.clone(),

@@ -12,7 +12,7 @@ use crate::model::scene::{self, ContactPair, Controls, Partner, Scene, Tie};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Model {
+pub struct MeshlessScene {
     /// Name of the scene.
     pub name: String,
     /// Steels by body.
@@ -29,7 +29,7 @@ pub struct Model {
     pub controls: Controls,
 }
 
-impl Model {
+impl MeshlessScene {
     /// The scene on `mesh`, whose coordinates are in the units of the case.
     pub fn scene(&self, mesh: Mesh) -> Result<Scene, CaseError> {
         let bodies: Vec<&str> = mesh.bodies.iter().map(|body| body.name.as_str()).collect();

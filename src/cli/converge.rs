@@ -8,7 +8,7 @@ use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
 use crate::product::converge::problem_h::{self, is_problem_h};
 use crate::product::converge::{
-    self, ConvergeError, Series, Study, json, page, peers, plot, table,
+    self, ConvergeError, MeshSeries, Study, json, page, peers, plot, table,
 };
 use crate::render::plot::write;
 use clap::{Args, ValueEnum};
@@ -92,7 +92,7 @@ pub fn run(args: &ConvergeArgs) -> CommandResult {
 /// What is to be solved.
 struct Job {
     case: Case,
-    series: Series,
+    series: MeshSeries,
     levels: usize,
     elements: Vec<ElementKind>,
     out: PathBuf,
@@ -119,12 +119,12 @@ impl Job {
         let series = match (&case.kind, &args.mesh[..]) {
             (Kind::Bearing(_), [preset]) => {
                 case.set_preset(&preset.to_string_lossy())?;
-                Series::of(&case, &[], args.factor)?
+                MeshSeries::of(&case, &[], args.factor)?
             }
-            _ => Series::of(&case, &args.mesh, args.factor)?,
+            _ => MeshSeries::of(&case, &args.mesh, args.factor)?,
         };
         let most = match &series {
-            Series::Files(files) => files.len(),
+            MeshSeries::Files(files) => files.len(),
             _ => usize::MAX,
         };
         let mut elements: Vec<ElementKind> = Vec::new();

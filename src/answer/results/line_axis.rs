@@ -97,12 +97,10 @@ fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
         a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
     };
     let more = |most: &Surface, other: &Surface| slenderness(other) > 1.001 * slenderness(most);
-    let slender = sides
-        .iter()
-        .fold(carrier, |most, other| match more(most, other) {
-            true => other,
-            false => most,
-        });
+    let slender = sides.iter().fold(
+        carrier,
+        |most, other| if more(most, other) { other } else { most },
+    );
     usize::from(length(slender, 1) > length(slender, 0))
 }
 

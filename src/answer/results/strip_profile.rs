@@ -112,10 +112,7 @@ fn centroid(points: &[(f64, f64)]) -> f64 {
         force += 0.5 * (b - a) * (p + q);
         moment += (b - a) / 6.0 * (p * (2.0 * a + b) + q * (a + 2.0 * b));
     }
-    match force > 0.0 {
-        true => moment / force,
-        false => 0.0,
-    }
+    if force > 0.0 { moment / force } else { 0.0 }
 }
 
 /// The place at distance `s` along the nodes of a row.

@@ -8,7 +8,7 @@ use crate::cli::status::{CommandResult, ExitStatus};
 use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
 use crate::product::size::{
-    DesignVerdict, Proposal, Request, Setting, SizeError, SizingRule, render_verdict, table,
+    DesignVerdict, LengthRule, Proposal, Request, Setting, SizeError, render_verdict, table,
     verify, write,
 };
 use std::path::{Path, PathBuf};
@@ -98,8 +98,8 @@ impl SizeArgs {
         let lever = maybe("--rolling-lever", &self.rolling_lever, Dimension::LENGTH)?;
         let rule = Setting::or(self.rule.map(RuleName::rule), own.rule.value);
         let margin = match rule.value {
-            SizingRule::Eccentric => own.margin.value,
-            SizingRule::Printed | SizingRule::Exact => 1.0,
+            LengthRule::Eccentric => own.margin.value,
+            LengthRule::Printed | LengthRule::Exact => 1.0,
         };
         let request = Request {
             modulus,
@@ -125,11 +125,11 @@ impl SizeArgs {
 }
 
 impl RuleName {
-    fn rule(self) -> SizingRule {
+    fn rule(self) -> LengthRule {
         match self {
-            Self::Printed => SizingRule::Printed,
-            Self::Exact => SizingRule::Exact,
-            Self::Eccentric => SizingRule::Eccentric,
+            Self::Printed => LengthRule::Printed,
+            Self::Exact => LengthRule::Exact,
+            Self::Eccentric => LengthRule::Eccentric,
         }
     }
 }

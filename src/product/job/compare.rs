@@ -1,7 +1,7 @@
 //! Printed values and Hertz's figures beside those of a run. They decide nothing.
 
 use super::error::JobError;
-use super::even_load::EvenLoad;
+use super::even_load::EvenlyLoaded;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, Three};
 use crate::case::{Case, ComparedMeasure, Kind, MisesRead, Printed};
@@ -12,7 +12,7 @@ use crate::render::summary::{Comparison, Reported};
 /// One row a printed value, then Hertz's figures of a bearing under an even line load.
 pub fn rows(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<Comparison>, JobError> {
     let hertz = match &case.kind {
-        Kind::Bearing(bearing) => Some(EvenLoad::of(bearing, scene)?),
+        Kind::Bearing(bearing) => Some(EvenlyLoaded::of(bearing, scene)?),
         Kind::General(_) => None,
     };
     let units = UnitLabels::of(case.units);
@@ -37,7 +37,7 @@ fn printed_row(
     printed: &Printed,
     read: MisesRead,
     (answer, units): (&Answer, &UnitLabels),
-    hertz: Option<&EvenLoad>,
+    hertz: Option<&EvenlyLoaded>,
 ) -> Comparison {
     let place = printed.place.as_str();
     let (what, value, hertz) = match printed.what {
@@ -125,7 +125,7 @@ fn mises(
         .reduce(f64::max)
 }
 
-fn hertz_rows(hertz: &EvenLoad, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
+fn hertz_rows(hertz: &EvenlyLoaded, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
     let stress = &units.stress;
     let row = |what: &str, place: &str, value: Option<f64>, hertz: f64| Comparison {
         what: format!("{what}, {stress}"),

@@ -1,7 +1,7 @@
 //! What is taken for granted where the request leaves something open.
 
 use super::candidate::PLATE_TO_WALL;
-use super::request::{Request, SizingRule};
+use super::request::{LengthRule, Request};
 use crate::case::bearing::RollerEnd;
 use crate::ground::units::Dimension;
 use serde::Serialize;
@@ -128,9 +128,9 @@ fn end(r: &Request) -> String {
 fn rule(r: &Request) -> SizingAssumption {
     let margin = r.margin.value;
     let (value, why) = match r.rule.value {
-        SizingRule::Printed => ("printed", "(2-50) with the constant 8, (2-51)".to_string()),
-        SizingRule::Exact => ("exact", "(2-50) with the constant 7.783, (2-51)".to_string()),
-        SizingRule::Eccentric => (
+        LengthRule::Printed => ("printed", "(2-50) with the constant 8, (2-51)".to_string()),
+        LengthRule::Exact => ("exact", "(2-50) with the constant 7.783, (2-51)".to_string()),
+        LengthRule::Eccentric => (
             "eccentric",
             "the longer of (2-50) and (2-51) with the exact constant, and what statics ask of a \
              displaced roller. (2-51) takes its load as even over L; statics let it rise to the end \

@@ -11,7 +11,7 @@
 
 use super::SizeError;
 use super::practical::rounded_up;
-use super::request::{Request, SizingRule};
+use super::request::{LengthRule, Request};
 use crate::analytic::displaced::DisplacedRoller;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::rolling::{largest_slope, restoring_force, rolling_friction};
@@ -131,9 +131,9 @@ impl Candidate {
         let load = request.load * request.margin.value;
         let eccentric_length = DisplacedRoller::length_for(load, eccentricity, contact.largest)?;
         let required_length = match request.rule.value {
-            SizingRule::Printed => printed.final_length,
-            SizingRule::Exact => exact.final_length,
-            SizingRule::Eccentric => eccentric_length.max(exact.final_length),
+            LengthRule::Printed => printed.final_length,
+            LengthRule::Exact => exact.final_length,
+            LengthRule::Eccentric => eccentric_length.max(exact.final_length),
         };
         let rounded = || rounded_up(units, required_length);
         let length = request.length.unwrap_or_else(rounded);
@@ -226,8 +226,8 @@ impl<'r> RollerContact<'r> {
         };
         let margin = match request.rule.value {
             // The margin is for what statics do not see; the study's rules are asked as they are.
-            SizingRule::Eccentric => 1.0,
-            SizingRule::Printed | SizingRule::Exact => request.margin.value,
+            LengthRule::Eccentric => 1.0,
+            LengthRule::Printed | LengthRule::Exact => request.margin.value,
         };
         let product = own.required_diameter_times_length(
             request.load * margin,

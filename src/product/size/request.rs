@@ -27,7 +27,7 @@ impl<T> Setting<T> {
 /// What determines the length of the rollers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum SizingRule {
+pub enum LengthRule {
     /// (2-50) with the constant as printed, 8, and (2-51).
     Printed,
     /// (2-50) with the exact constant, 7.783, and (2-51).
@@ -67,7 +67,7 @@ pub struct Request {
     pub end: Setting<RollerEnd>,
     /// Allowed contact pressure over the yield stress.
     pub limit: Setting<f64>,
-    pub rule: Setting<SizingRule>,
+    pub rule: Setting<LengthRule>,
     /// The rule is asked of the load times this.
     pub margin: Setting<f64>,
     pub preset: Setting<Preset>,
@@ -109,7 +109,7 @@ impl Request {
             plate: None,
             end: Setting::or(None, RollerEnd::Square),
             limit: open(PRESSURE_LIMIT),
-            rule: Setting::or(None, SizingRule::Eccentric),
+            rule: Setting::or(None, LengthRule::Eccentric),
             margin: open(ECCENTRIC_MARGIN),
             preset: Setting::or(None, Preset::H0125),
         }

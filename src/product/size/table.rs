@@ -2,7 +2,7 @@
 
 use super::assumption::SizingAssumption;
 use super::proposal::Proposal;
-use super::request::SizingRule;
+use super::request::LengthRule;
 use crate::ground::units::Dimension;
 use crate::render::table::text::text;
 use crate::render::table::{Cell, Table};
@@ -137,7 +137,7 @@ fn choice(proposal: &Proposal) -> String {
         show(c.plate),
         wrapped(&proposal.why, 2)
     );
-    if proposal.request.rule.value != SizingRule::Eccentric
+    if proposal.request.rule.value != LengthRule::Eccentric
         && c.linear.is_none_or(|p| p.utilisation > 1.0)
     {
         let pressed = c.linear.map_or("the load passes its end".to_string(), |p| {

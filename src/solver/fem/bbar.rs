@@ -8,7 +8,7 @@
 //! Tensors are stored xx yy zz xy yz zx; strains carry engineering shears.
 
 use super::hex8::Geometry;
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 
 /// An element's forces or displacements: node by node, x y z.
 pub type ElementVector = [[f64; 3]; 8];
@@ -61,7 +61,7 @@ pub(super) fn add_stress_force(
 }
 
 /// Elastic stiffness of the element.
-pub fn stiffness(g: &Geometry, elastic: &Elastic) -> ElementMatrix {
+pub fn stiffness(g: &Geometry, elastic: &Moduli) -> ElementMatrix {
     let mut matrix = [[0.0; 24]; 24];
     for k in 0..8 {
         add_deviatoric(g, k, elastic.shear * g.volumes[k], &mut matrix);

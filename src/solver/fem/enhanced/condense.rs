@@ -1,7 +1,7 @@
 //! Stiffness of corners and bubbles, and the bubbles' elimination: K_uu − K_ua K_aa⁻¹ K_au.
 
 use super::{BUBBLES, Enhanced, NODES};
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 use crate::model::material::j2::Flow;
 use crate::solver::fem::bbar::ElementMatrix;
 use crate::solver::linear::small::SmallCholesky;
@@ -20,14 +20,14 @@ pub(super) const SHIFT: f64 = 1e-9;
 
 impl Enhanced {
     /// Elastic stiffness of the corners.
-    pub fn stiffness(&self, elastic: &Elastic) -> ElementMatrix {
+    pub fn stiffness(&self, elastic: &Moduli) -> ElementMatrix {
         let mut whole = [[0.0; SIZE]; SIZE];
         self.add_elastic(elastic, &[1.0; 8], &mut whole);
         condense(&whole)
     }
 
     /// Consistent tangent minus the elastic stiffness, both of the corners.
-    pub fn tangent_change(&self, elastic: &Elastic, flows: &[Option<Flow>; 8]) -> ElementMatrix {
+    pub fn tangent_change(&self, elastic: &Moduli, flows: &[Option<Flow>; 8]) -> ElementMatrix {
         let mut whole = [[0.0; SIZE]; SIZE];
         let betas = flows.map(|f| f.map_or(1.0, |f| f.beta));
         self.add_elastic(elastic, &betas, &mut whole);
@@ -59,16 +59,12 @@ impl Enhanced {
     }
 
     /// K_aa of the bubbles: elastic.
-    pub(super) fn inner_stiffness(&self, elastic: &Elastic) -> InnerMatrix {
+    pub(super) fn inner_stiffness(&self, elastic: &Moduli) -> InnerMatrix {
         self.inner_tangent(elastic, &[None; 8])
     }
 
     /// K_aa of the bubbles: consistent with `flows`.
-    pub(super) fn inner_tangent(
-        &self,
-        elastic: &Elastic,
-        flows: &[Option<Flow>; 8],
-    ) -> InnerMatrix {
+    pub(super) fn inner_tangent(&self, elastic: &Moduli, flows: &[Option<Flow>; 8]) -> InnerMatrix {
         let mut inner = [[0.0; INNER]; INNER];
         for (k, flow) in flows.iter().enumerate() {
             let beta = flow.map_or(1.0, |f| f.beta);
@@ -97,7 +93,7 @@ impl Enhanced {
     }
 
     /// Adds the stiffness with the shear modulus times `betas` at each point.
-    fn add_elastic(&self, elastic: &Elastic, betas: &[f64; 8], whole: &mut Whole) {
+    fn add_elastic(&self, elastic: &Moduli, betas: &[f64; 8], whole: &mut Whole) {
         for (k, beta) in betas.iter().enumerate() {
             for a in 0..NODES {
                 for b in 0..=a {

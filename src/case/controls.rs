@@ -14,43 +14,30 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     };
     let table = field.table()?.only(&keys::CONTROLS)?;
     let share = |key: &str| -> Result<Option<Located<f64>>, CaseError> {
-        let within = |v: Located<f64>| {
-            v.require(
-                |v| *v > 0.0 && *v <= 1.0,
-                "must be more than 0 and at most 1",
-            )
-        };
-        table
-            .get(key)
-            .map(|field| within(field.ratio()?))
-            .transpose()
+        let within = |v: &f64| *v > 0.0 && *v <= 1.0;
+        let why = "must be more than 0 and at most 1";
+        table.maybe(key, |field| field.ratio()?.require(within, why))
     };
     let value = |share: Option<Located<f64>>, default| share.map_or(default, |s| s.value);
     controls.residual = value(share("residual")?, controls.residual);
     controls.penetration = value(share("penetration")?, controls.penetration);
     controls.first_increment = value(share("first_increment")?, controls.first_increment);
     let first = controls.first_increment;
-    let smallest = share("smallest_increment")?;
-    let smallest = smallest
-        .map(|s| {
-            s.require(
-                |s| *s <= first,
-                format!("is more than first_increment, {first}"),
-            )
-        })
-        .transpose()?;
+    let why = format!("is more than first_increment, {first}");
+    let smallest = share("smallest_increment")?.map(|s| s.require(|s| *s <= first, why));
+    let smallest = smallest.transpose()?;
     controls.smallest_increment = value(smallest, controls.smallest_increment.min(first));
     if let Some(field) = table.get("iterations") {
         controls.iterations = field.count()?.value;
     }
-    if let Some(field) = table.get("increment_error") {
-        controls.increment_error = field.boolean()?.value;
-    }
-    if let Some(field) = table.get("plasticity") {
-        controls.plasticity = field.boolean()?.value;
-    }
-    if let Some(field) = table.get("half_turn") {
-        controls.half_turn = field.boolean()?.value;
+    for (key, flag) in [
+        ("increment_error", &mut controls.increment_error),
+        ("plasticity", &mut controls.plasticity),
+        ("half_turn", &mut controls.half_turn),
+    ] {
+        if let Some(field) = table.get(key) {
+            *flag = field.boolean()?.value;
+        }
     }
     if let Some(field) = table.get("element") {
         let name = field.string()?;

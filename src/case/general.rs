@@ -73,8 +73,7 @@ impl GeneralCase {
             Some(body) => {
                 let why = format!("the mesh {} has no such body", mesh.source);
                 let names = mesh.bodies.iter().map(|b| b.name.as_str());
-                let help = super::nearest::advice(&body.value, names);
-                Err(body.place.error(ErrorKind::UnknownName, why).help(help))
+                Err(body.place.unknown(why, &body.value, names))
             }
         }
     }

@@ -62,7 +62,7 @@ use crate::ground::units::UnitSystem;
 use crate::model::mesh::Mesh;
 use crate::model::scene::{Controls, Scene};
 use document::{Context, document};
-use parse::Table;
+use parse::{Field, Table};
 
 /// The tables of the file that describe a bearing by its dimensions; a case has one of them, or none.
 const TEMPLATE_TABLES: [&str; 2] = ["bearing", "line_bearing"];
@@ -108,11 +108,14 @@ pub enum Kind {
 /// # Errors
 /// Where the file cannot be read, is not TOML, or says something impossible.
 pub fn read(path: &Path) -> Result<Case, CaseError> {
-    let text = crate::ground::input::text(path).map_err(|error| {
+    parse(&path.display().to_string(), &text_of_file(path)?)
+}
+
+fn text_of_file(path: &Path) -> Result<String, CaseError> {
+    crate::ground::input::text(path).map_err(|error| {
         let message = format!("the case file {} cannot be read: {error}", path.display());
         CaseError::new(ErrorKind::Read, message)
-    })?;
-    parse(&path.display().to_string(), &text)
+    })
 }
 
 /// Validates the text of a case file; `name` is its path, for messages and to find its mesh.
@@ -141,14 +144,11 @@ fn read_units(root: &Table) -> Result<UnitSystem, CaseError> {
 impl Case {
     fn from_table(root: &Table) -> Result<Self, CaseError> {
         let mut assumptions = Vec::new();
-        let text = |key: &str| root.get(key).map(|field| field.string()).transpose();
+        let text = |key| root.maybe(key, Field::string);
         let title = text("title")?.map_or_else(|| stem(root.source().name()), |t| t.value);
         let description = text("description")?.map(|d| d.value);
         let studies = reference::STUDIES.map(|name| (name, name));
-        let reference = root
-            .get("reference")
-            .map(|f| f.choice(&studies))
-            .transpose()?;
+        let reference = root.maybe("reference", |field| field.choice(&studies))?;
         let reference = reference.map(|r| r.value.to_string());
         let controls = controls::read(root)?;
         refuse_combinations(root)?;

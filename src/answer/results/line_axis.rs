@@ -1,6 +1,7 @@
 //! The axis along which the lines of contact of a pair run.
 
 use super::circle::FittedCircle;
+use crate::ground::geometry::range;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::{Partner, Scene};
@@ -28,11 +29,7 @@ pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
 /// Least and largest coordinate of a surface along an axis.
 pub(super) fn extent(mesh: &Mesh, surface: &Surface, axis: usize) -> [f64; 2] {
     let nodes = surface.faces.iter().flat_map(|f| f.nodes);
-    let at = nodes.map(|n| mesh.points[n as usize][axis]);
-    let ends = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-        (low.min(p), high.max(p))
-    });
-    [ends.0, ends.1]
+    range(nodes.map(|n| mesh.points[n as usize][axis]))
 }
 
 /// From this cosine on a cylinder counts as along an axis: rollers may be a tenth of a radian askew.

@@ -1,7 +1,6 @@
 //! The pressure across a strip of contact, at one place along it.
 
 use super::contact_lines::{ContactLine, across};
-use super::quad::area_vector;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -136,7 +135,7 @@ fn normal(scene: &Scene, pair: usize, node: u32, axis: usize) -> Option<[f64; 3]
     let mut sum = [0.0; 3];
     let faces = scene.carrier(pair)?.faces.iter();
     for face in faces.filter(|face| face.nodes.contains(&node)) {
-        let vector = area_vector(&face.corners(&scene.mesh));
+        let vector = face.area_vector(&scene.mesh);
         for (s, v) in sum.iter_mut().zip(vector) {
             *s += v;
         }

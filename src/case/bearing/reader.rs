@@ -87,7 +87,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
     }
 
     pub(super) fn flag(&self, key: &str) -> Result<Option<Located<bool>>, CaseError> {
-        self.table.get(key).map(|field| field.boolean()).transpose()
+        self.table.maybe(key, Field::boolean)
     }
 
     pub(super) fn show(&self, value: f64) -> String {
@@ -172,11 +172,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
     fn offset(&mut self) -> Result<f64, CaseError> {
         let given = self.length("offset")?;
         let choices = [("roller", 1.0), ("bearing", 0.5)];
-        let is = self
-            .table
-            .get("offset_is")
-            .map(|field| field.choice(&choices))
-            .transpose()?;
+        let is = (self.table).maybe("offset_is", |field| field.choice(&choices))?;
         let share = is.map_or(1.0, |is| is.value);
         let offset = given * share;
         if offset != 0.0 {
@@ -240,8 +236,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
 
     /// How often a point of the surfaces is rolled over.
     pub fn rollings(&self) -> Result<Option<f64>, CaseError> {
-        let given = self.table.get("rollings");
-        let given = given.map(|field| field.ratio()?.positive()).transpose()?;
+        let given = (self.table).maybe("rollings", |field| field.ratio()?.positive())?;
         Ok(given.map(|rollings| rollings.value))
     }
 
@@ -280,11 +275,7 @@ fn roller_end(field: &Field) -> Result<RollerEnd, CaseError> {
         return word.map(|end| end.value).map_err(|error| error.help(help));
     }
     let table = field.table()?.only(&keys::ROLLER_END)?;
-    let length = |key: &str| -> Result<Option<f64>, CaseError> {
-        let field = table.get(key);
-        let length = field.map(|field| field.quantity(Dimension::LENGTH));
-        Ok(length.transpose()?.map(|length| length.value))
-    };
+    let length = |key| table.maybe(key, |field| Ok(field.quantity(Dimension::LENGTH)?.value));
     match (length("radius")?, length("crown")?) {
         (Some(radius), None) => Ok(RollerEnd::Radius(radius)),
         (None, Some(crown)) => Ok(RollerEnd::Crown(crown)),

@@ -158,20 +158,11 @@ fn unknown<'n>(
 pub(super) fn mirror_plane(mesh: &mut Mesh, axis: Axis, scene: &str) -> Result<String, BuildError> {
     let name = format!("{}_mirror", axis.letter());
     let along = |p: &[f64; 3]| p[axis.index()];
-    let low = mesh.points.iter().map(along).fold(f64::INFINITY, f64::min);
-    let high = mesh
-        .points
-        .iter()
-        .map(along)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = mesh.range_along(axis.index());
     // Files have rounded coordinates.
     let near = 1e-6 * (high - low);
-    for body in mesh
-        .bodies
-        .iter()
-        .map(|b| b.name.clone())
-        .collect::<Vec<_>>()
-    {
+    let bodies: Vec<String> = mesh.bodies.iter().map(|b| b.name.clone()).collect();
+    for body in bodies {
         mesh.mark(&name, &body, |p| along(&p).abs() <= near);
     }
     let faces = mesh.surface(&name).map_or(0, |surface| surface.faces.len());

@@ -227,8 +227,7 @@ impl SceneBuilder {
 fn ends(mesh: &mut Mesh, axis: Axis) -> [String; 2] {
     let names = ["low", "high"].map(|end| format!("{}_{end}_end", axis.letter()));
     let along = |p: &[f64; 3]| p[axis.index()];
-    let low = mesh.points.iter().map(along).fold(f64::INFINITY, f64::min);
-    let high = (mesh.points.iter().map(along)).fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = mesh.range_along(axis.index());
     let near = 1e-6 * (high - low);
     let bodies: Vec<String> = mesh.bodies.iter().map(|b| b.name.clone()).collect();
     for body in bodies {

@@ -22,6 +22,8 @@ pub mod surface;
 #[doc(hidden)]
 pub mod unfold;
 
+use crate::ground::geometry::range;
+use crate::ground::order::ascending;
 use serde::Serialize;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.
@@ -114,6 +116,23 @@ impl Mesh {
         self.bodies.partition_point(|b| b.elements.end <= element)
     }
 
+    /// The nodes of the body with the index `body`, ascending, each once.
+    pub fn nodes_of_body(&self, body: usize) -> Vec<u32> {
+        let hexes = &self.hexes[self.bodies[body].elements.clone()];
+        ascending(hexes.iter().flatten().copied())
+    }
+
+    /// Least and largest coordinate of its nodes along an axis.
+    pub fn range_along(&self, axis: usize) -> [f64; 2] {
+        range(self.points.iter().map(|p| p[axis]))
+    }
+
+    /// Length of the box around it along an axis.
+    pub fn extent(&self, axis: usize) -> f64 {
+        let [low, high] = self.range_along(axis);
+        high - low
+    }
+
     /// Corner coordinates of element `element`.
     pub fn corners(&self, element: usize) -> [[f64; 3]; 8] {
         self.hexes[element].map(|n| self.points[n as usize])
@@ -123,9 +142,6 @@ impl Mesh {
 impl Surface {
     /// The nodes of the surface, ascending, each once.
     pub fn nodes(&self) -> Vec<u32> {
-        let mut nodes: Vec<u32> = self.faces.iter().flat_map(|f| f.nodes).collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        nodes
+        ascending(self.faces.iter().flat_map(|f| f.nodes))
     }
 }

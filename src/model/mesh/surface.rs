@@ -1,8 +1,8 @@
 //! Faces of hexahedra: which are outer, which element a quadrilateral belongs to, which way is out.
 
 pub use super::hexahedron::{FACES, faces_of};
+use super::quadrilateral::area_vector;
 use super::{Face, Mesh};
-use crate::ground::geometry::{cross, scale, sub};
 use std::collections::{BTreeMap, HashMap};
 
 /// What a quadrilateral is to the hexahedra.
@@ -156,8 +156,7 @@ impl Face {
 
     /// Outward normal times area, exact for the bilinear face.
     pub fn area_vector(&self, mesh: &Mesh) -> [f64; 3] {
-        let [a, b, c, d] = self.corners(mesh);
-        scale(cross(sub(c, a), sub(d, b)), 0.5)
+        area_vector(&self.corners(mesh))
     }
 
     /// Mean of its nodes.

@@ -1,5 +1,6 @@
 //! Contact pairs: two partners that may touch.
 
+use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Mesh, Surface};
 use serde::Serialize;
 
@@ -56,6 +57,17 @@ impl Partner {
         match self {
             Self::Surface(name) => mesh.surface(name),
             Self::Plane { .. } => None,
+        }
+    }
+
+    /// Its true shape; facets where `mesh` has no such surface.
+    pub fn shape(&self, mesh: &Mesh) -> Shape {
+        match self {
+            Self::Surface(name) => (mesh.surface(name)).map_or(Shape::Facets, |s| fit(mesh, s)),
+            Self::Plane { point, normal } => Shape::Plane {
+                point: *point,
+                normal: *normal,
+            },
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::error::Missing;
 use crate::answer::results::quad::integrate;
-use crate::model::mesh::{Mesh, Surface};
+use crate::model::mesh::Surface;
 use crate::model::scene::{Partner, Scene};
 use crate::model::state::{ContactField, State};
 
@@ -85,10 +85,4 @@ pub fn misfit<E>(
         norm += spot.area * exact * exact;
     }
     Ok((miss / norm).sqrt())
-}
-
-/// Largest coordinate along `axis` less the smallest.
-pub fn extent(mesh: &Mesh, axis: usize) -> f64 {
-    let along = || mesh.points.iter().map(|p| p[axis]);
-    along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
 }

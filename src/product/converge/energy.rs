@@ -1,8 +1,9 @@
 //! Potential energy of an elastic state.
 
-use crate::answer::results::quad::{area_vector, integrate};
-use crate::model::material::Elastic;
+use crate::answer::results::quad::integrate;
+use crate::model::material::Moduli;
 use crate::model::mesh::hexahedron::gauss_volumes;
+use crate::model::mesh::quadrilateral::area_vector;
 use crate::model::scene::{Scene, TractionValue};
 use crate::model::state::State;
 
@@ -16,7 +17,7 @@ pub fn strain_energy(scene: &Scene, state: &State) -> f64 {
     let mesh = &scene.mesh;
     let mut sum = 0.0;
     for (body, steel) in mesh.bodies.iter().zip(&scene.materials) {
-        let Elastic { shear, bulk } = steel.moduli();
+        let Moduli { shear, bulk } = steel.moduli();
         for e in body.elements.clone() {
             let volumes = gauss_volumes(&mesh.corners(e));
             for (s, v) in state.stress[e].iter().zip(volumes) {

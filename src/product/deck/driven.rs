@@ -1,6 +1,5 @@
 //! Rigid planes that are driven by force.
 
-use super::bounds::span;
 use super::error::InpError;
 use crate::ground::geometry::AXES;
 use crate::model::mesh::Surface;
@@ -88,5 +87,5 @@ pub fn closing(
         .first()
         .map_or(0, |f| scene.mesh.body_of(f.element as usize));
     let young = scene.materials.get(body).map_or(1.0, |s| s.youngs_modulus);
-    (force * factor).abs() * span(scene, axis) / (young * area)
+    (force * factor).abs() * scene.mesh.extent(axis) / (young * area)
 }

@@ -90,6 +90,7 @@ pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ground::order::ascending;
 
     /// The page counts its claims itself, in its head.
     #[test]
@@ -101,10 +102,7 @@ mod tests {
             let verdict = cells.next()?;
             (!verdict.is_empty() && !verdict.starts_with('-')).then(|| cells.next())?
         });
-        let mut families: Vec<&str> = judged.collect();
-        families.sort_unstable();
-        families.dedup();
-        let [all, outside] = families
+        let [all, outside] = ascending(judged)
             .iter()
             .map(|family| claims(family))
             .fold([0, 0], |sum, (all, outside)| {

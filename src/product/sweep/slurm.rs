@@ -8,6 +8,7 @@ use super::prepare::{Need, prepare};
 use super::record::RowRecord;
 use super::rows::{Sweep, SweepRow};
 use crate::ground::file::write_atomically;
+use crate::ground::order::ascending;
 use std::path::{Path, PathBuf};
 
 /// Its name in the folder of the sweep.
@@ -134,9 +135,7 @@ fn megabytes(memory: f64) -> u64 {
 /// Which rows could do with less, where sizes differ: classes by powers of two.
 fn by_size(needs: &[(usize, Need)]) -> String {
     let class = |need: &Need| megabytes(need.memory).next_power_of_two();
-    let mut classes: Vec<u64> = needs.iter().map(|(_, need)| class(need)).collect();
-    classes.sort_unstable();
-    classes.dedup();
+    let classes = ascending(needs.iter().map(|(_, need)| class(need)));
     // Neighbours may differ by next to nothing.
     if classes.len() < 2 || classes.last() == classes.first().map(|size| 2 * size).as_ref() {
         return String::new();

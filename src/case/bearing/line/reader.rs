@@ -6,6 +6,7 @@ use crate::case::bearing::reader::{BearingReader, plan};
 use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
+use crate::case::parse::Field;
 use crate::ground::units::Dimension;
 
 impl BearingReader<'_, '_> {
@@ -56,8 +57,7 @@ impl BearingReader<'_, '_> {
     }
 
     fn rollers(&self) -> Result<usize, CaseError> {
-        let given = self.table.get("rollers");
-        let given = given.map(|field| field.count()).transpose()?;
+        let given = self.table.maybe("rollers", Field::count)?;
         Ok(given.map_or(1, |count| count.value))
     }
 

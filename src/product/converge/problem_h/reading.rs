@@ -7,7 +7,7 @@ use crate::answer::results::recovery::recover;
 use crate::answer::results::strip::{Strip, half_width};
 use crate::model::scene::Scene;
 use crate::model::state::State;
-use crate::product::converge::contact_profile::{extent, misfit, spots};
+use crate::product::converge::contact_profile::{misfit, spots};
 use crate::product::converge::energy;
 use crate::product::converge::error::Missing;
 
@@ -44,7 +44,7 @@ pub struct ProblemHReading {
 /// # Errors
 /// [`Missing`] where there is no contact pressure.
 pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
-    let thickness = extent(&scene.mesh, 2);
+    let thickness = scene.mesh.extent(2);
     let field = &state.contacts[0];
     let surface = scene
         .mesh

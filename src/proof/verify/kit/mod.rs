@@ -7,7 +7,7 @@ mod scene;
 mod split;
 
 pub use element::{ELEMENTS, NamedElement};
-pub use measure::{displacement_at, extent, mean_displacement, stress_integral, surface};
+pub use measure::{displacement_at, mean_displacement, stress_integral, surface};
 pub use run::{SolvedScene, run};
 pub use scene::{
     driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, stack_supports, support,

@@ -32,7 +32,7 @@ pub fn hertz() -> Result<LineContact, VerifyError> {
 /// First all of the load, then all of the push while the load stays.
 pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyError> {
     let mesh = full_twins(sizes)?;
-    let thickness = kit::extent(&mesh, 2);
+    let thickness = mesh.extent(2);
     let mut scene = Scene::bare("rubbing", mesh, Steel::elastic(YOUNG, POISSON));
     let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
     pair.friction = friction;

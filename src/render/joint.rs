@@ -1,6 +1,6 @@
 //! One page for several runs that belong together: the combinations of a case, the positions of a bearing.
 
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, write_text};
 use crate::render::figures::{share, with_error};
 use crate::render::report::STYLE;
 use crate::render::sections;
@@ -226,5 +226,5 @@ pub fn write(
     path: &Path,
 ) -> Result<(), FileError> {
     let text = page(title, about, parts).into_string();
-    write_atomically(path, |out| out.write_all(text.as_bytes()))
+    write_text(path, &text)
 }

@@ -1,9 +1,8 @@
 //! `brinell init`: a commented case file to begin with.
 
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
-use crate::ground::file::FileError;
-use crate::ground::file::write_atomically;
+use super::status::{CommandResult, ExitStatus, bad_input};
+use crate::ground::file::{FileError, write_text};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -70,7 +69,7 @@ impl Starter {
 /// Carries out the command.
 pub fn run(args: &InitArgs) -> CommandResult {
     let path = args.path.clone().unwrap_or_else(|| args.kind.file().into());
-    write(args, &path).map_err(|error| (ExitStatus::BadInput, error.into()))?;
+    write(args, &path).map_err(bad_input)?;
     let path = path.display();
     say(&format!("written: {path}"));
     say(&match args.kind {
@@ -87,9 +86,7 @@ fn write(args: &InitArgs, path: &Path) -> Result<(), InitError> {
         return Err(InitError::Exists(path.to_owned()));
     }
     let text = args.kind.text(path);
-    Ok(write_atomically(path, |out| {
-        out.write_all(text.as_bytes())
-    })?)
+    Ok(write_text(path, &text)?)
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! `brinell size` of two crossed rollers.
 
-use super::args::{RuleName, SizeArgs, names, read, read_one};
+use super::args::{RuleName, SizeArgs, read, read_one};
 use super::verdict::verdict;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::output::say;
-use crate::cli::status::{CommandResult, ExitStatus};
+use crate::cli::output::{say, say_written};
+use crate::cli::status::{CommandResult, ExitStatus, bad_input};
 use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
 use crate::product::size::{
@@ -15,19 +15,19 @@ use std::path::{Path, PathBuf};
 
 /// Carries out the command.
 pub fn run(args: &SizeArgs) -> CommandResult {
-    let bad = |error: SizeError| (ExitStatus::BadInput, error.into());
-    let mut request = args.crossed().map_err(bad)?;
+    let mut request = args.crossed().map_err(bad_input)?;
     set_threads(args.threads);
     let mut console = Console::new(args.quiet);
     for design in 1.. {
-        let proposal = Proposal::new(&request).map_err(bad)?;
+        let proposal = Proposal::new(&request).map_err(bad_input)?;
         say(&table::render(&proposal));
         let Some(choice) = proposal.choice() else {
             return Ok(ExitStatus::Failed);
         };
         let folder = args.folder(design);
-        let written = write(&proposal, choice, &folder).map_err(|error| bad(error.into()))?;
-        say(&format!("written: {}", names(&written)));
+        let written =
+            write(&proposal, choice, &folder).map_err(|error| bad_input(SizeError::from(error)))?;
+        say_written(&written);
         if !args.verify {
             return Ok(ExitStatus::Done);
         }
@@ -58,7 +58,7 @@ fn told(verdict: &DesignVerdict, folder: &Path) {
     let fields = verdict.positions.iter();
     let fields = fields.map(|p| folder.join(p.position).join(format!("{}.pvd", p.position)));
     let all: Vec<PathBuf> = names.into_iter().chain(fields).collect();
-    say(&format!("written: {}", super::args::names(&all)));
+    say_written(&all);
 }
 
 impl SizeArgs {

@@ -8,7 +8,7 @@ use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::load::{applied, full};
 use crate::case::bearing::{FoundLine, Preset, Strips};
 use crate::case::{BearingCase, Case, Kind};
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::ground::geometry::norm;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -164,8 +164,7 @@ impl Observer for Watch<'_> {
 /// Keeps what the second mesh is made for in the folder of a run, which may go on from there.
 pub fn keep(strips: &Strips, out: &Path) -> Result<(), JobError> {
     let text = format!("{:e} {:e}\n", strips.narrowest, strips.widest);
-    write_atomically(&strips_file(out), |file| file.write_all(text.as_bytes()))?;
-    Ok(())
+    Ok(write_text(&strips_file(out), &text)?)
 }
 
 /// What an earlier run into `out` has kept.

@@ -205,8 +205,7 @@ struct RollerContact<'r> {
 
 impl<'r> RollerContact<'r> {
     fn new(request: &'r Request, diameter: f64) -> Result<Self, DomainError> {
-        let steel = Elastic::new(request.modulus.value, request.poissons_ratio.value)?;
-        let compliance = contact_compliance(steel, steel)?;
+        let compliance = compliance(request.modulus.value, request.poissons_ratio.value)?;
         let limit = request.limit.value * request.yield_stress;
         let at_limit = LineContact::at_peak_pressure(limit, 0.5 * diameter, compliance)?;
         Ok(Self {
@@ -252,6 +251,12 @@ impl<'r> RollerContact<'r> {
             utilisation: contact.peak_pressure / limit,
         })
     }
+}
+
+/// C_E of rollers and plates of the same steel.
+pub fn compliance(modulus: f64, poissons_ratio: f64) -> Result<f64, DomainError> {
+    let steel = Elastic::new(modulus, poissons_ratio)?;
+    contact_compliance(steel, steel)
 }
 
 /// Where the load passes the outer end of a displaced roller, from its mid-length.

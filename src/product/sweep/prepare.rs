@@ -3,7 +3,7 @@
 use super::place::SweepFolder;
 use super::rows::{Sweep, SweepRow};
 use crate::case::Kind;
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::product::job::{self, JobError, MESH_FILE};
 use std::path::Path;
 
@@ -46,7 +46,7 @@ pub fn prepare(sweep: &Sweep, row: &SweepRow, place: &SweepFolder) -> Result<Nee
         Kind::General(_) => job::find_mesh(&case, None, &mut |_| {})?,
     };
     let forecast = job::forecast(&case, mesh)?;
-    write_atomically(&folder.join(CASE), |out| out.write_all(row.text.as_bytes()))?;
+    write_text(&folder.join(CASE), &row.text)?;
     Ok(Need {
         unknowns: forecast.unknowns,
         memory: MEMORY_GROWTH * forecast.memory + MEMORY_BESIDE_MODEL,

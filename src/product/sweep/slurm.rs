@@ -7,7 +7,7 @@ use super::place::SweepFolder;
 use super::prepare::{Need, prepare};
 use super::record::RowRecord;
 use super::rows::{Sweep, SweepRow};
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::ground::order::ascending;
 use std::path::{Path, PathBuf};
 
@@ -53,7 +53,7 @@ pub fn emit(
     }
     let path = place.0.join(SCRIPT);
     let text = script(sweep, place, &needs)?;
-    write_atomically(&path, |out| out.write_all(text.as_bytes()))?;
+    write_text(&path, &text)?;
     Ok((path, needs.into_iter().map(|(row, _)| row).collect()))
 }
 

@@ -40,37 +40,15 @@ pub fn half_cylinder(
     Ok(unit * (2.0 * (4.0 * r / a).ln() - 1.0))
 }
 
-/// Motion of the surface centre of a block towards a point at the depth d on the axis.
-///
-/// ```text
-/// δ = w(1 - ν²)/πE [2 ln(2d/a) - ν/(1 - ν)]
-/// ```
-/// Johnson (5.58), for d ≫ a: 0.003 % off at d = 50 a. A half plane in plane strain; in a finite
-/// block the difference near the contact only, never the motion against a clamped base.
-///
-/// # Errors
-/// [`DomainError::OutOfRange`] for d not positive or less than two half widths.
-pub fn block_far(contact: &LineContact, depth: f64, body: Elastic) -> Result<f64, DomainError> {
-    let d = error::positive("depth of the datum", depth)?;
-    let a = contact.half_width;
-    error::require(
-        "depth of the datum",
-        d,
-        d >= 2.0 * a,
-        "at least two half widths",
-    )?;
-    let nu = body.poissons_ratio();
-    let unit = contact.line_load * body.plane_strain_compliance() / PI;
-    Ok(unit * (2.0 * (2.0 * d / a).ln() - nu / (1.0 - nu)))
-}
-
-/// The same at any depth d ≥ 0: the integral of the exact strain along the axis.
+/// Motion of the surface centre of a block towards a point at the depth d ≥ 0 on the axis, in plane strain, by the
+/// integral of the exact strain along the axis. In a finite block the difference near the contact only, never the motion
+/// against a clamped base.
 ///
 /// ```text
 /// δ = (a p0/E) [(1 - ν²) t - ½ ν(1 + ν)(1 - e^(-2t))],   sinh t = d/a
 /// ```
-/// From ε_z = [(1 - ν²) σ_z - ν(1 + ν) σ_x]/E with the stresses on the axis, Johnson 4.2(c); d ≫ a gives
-/// [`block_far`].
+/// From ε_z = [(1 - ν²) σ_z - ν(1 + ν) σ_x]/E with the stresses on the axis, Johnson 4.2(c). For d ≫ a it is
+/// w(1 - ν²)/πE [2 ln(2d/a) - ν/(1 - ν)], Johnson (5.58): at d = 50 a but for 0.003 %.
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for d negative or not finite.

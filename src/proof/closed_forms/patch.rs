@@ -76,9 +76,6 @@ pub const CANTILEVER: Cantilever = Cantilever {
 /// elements.
 pub const COOK_MIDDLE: f64 = 23.967;
 
-/// The same at the upper right corner, (48, 60).
-pub const COOK_CORNER: f64 = 25.19;
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,7 +2,7 @@
 
 use crate::ground::file::{FileError, write_text};
 use crate::render::figures::{share, with_error};
-use crate::render::report::STYLE;
+use crate::render::report::html_head;
 use crate::render::sections;
 use crate::render::summary::Summary;
 use crate::render::table::html::{table, tables};
@@ -10,7 +10,7 @@ use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
 use crate::render::verdict::{Grade, Verdict, verdict};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 use std::error::Error;
 use std::path::Path;
 
@@ -131,14 +131,7 @@ pub fn page(title: &str, about: &[String], parts: &[JointPart]) -> Markup {
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
-                title { (title) " – Brinell" }
-                link rel="icon" href="data:,";
-                style { (PreEscaped(STYLE)) }
-            }
+            (html_head(title, "default-src 'none'; style-src 'unsafe-inline'"))
             body {
                 h1 { (title) }
                 p class="sub" { "Brinell " (env!("CARGO_PKG_VERSION")) }

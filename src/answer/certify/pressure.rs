@@ -9,7 +9,7 @@ use super::figure::{Figure, Quantity};
 use super::line::coarseness;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::strip_row::StripRow;
-use crate::ground::geometry::{add, norm, scale, sub};
+use crate::ground::geometry::{add, scale, sub};
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
 use std::collections::BTreeSet;
@@ -140,10 +140,7 @@ impl Contact<'_> {
             .faces
             .iter()
             .filter(|face| face.nodes.contains(&field.nodes[node]));
-        let sides = faces.flat_map(|face| {
-            let corners = face.corners(&scene.mesh);
-            [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
-        });
+        let sides = faces.flat_map(|face| face.sides(&scene.mesh));
         let side = sides.fold(f64::INFINITY, f64::min);
         field.sagitta[node] / (compliance * field.pressure[node] * side)
     }

@@ -59,7 +59,8 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         let length = self.length("roller_length")?;
         let slope = self.quantity("slope", Dimension::ANGLE)?.value;
         let skew = self.skew(2)?;
-        let [upper_thickness, intermediate_thickness, lower_thickness] = self.thicknesses()?;
+        let [upper_thickness, intermediate_thickness, lower_thickness] =
+            self.thicknesses(["upper", "intermediate", "lower"], &keys::PLATE_THICKNESS)?;
         Ok(BearingGeometry {
             roller: RollerShape {
                 diameter,
@@ -121,15 +122,19 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         }
     }
 
-    /// Upper, intermediate, lower.
-    fn thicknesses(&self) -> Result<[f64; 3], CaseError> {
+    /// Of these plates: one for all, or those of a table that has `known` keys.
+    pub(super) fn thicknesses<const N: usize>(
+        &self,
+        plates: [&str; N],
+        known: &keys::Keys,
+    ) -> Result<[f64; N], CaseError> {
         let field = self.table.need("plate_thickness")?;
         if !field.is_table() {
-            return Ok([field.quantity(Dimension::LENGTH)?.value; 3]);
+            return Ok([field.quantity(Dimension::LENGTH)?.value; N]);
         }
-        let table = field.table()?.only(&keys::PLATE_THICKNESS)?;
-        let mut thickness = [0.0; 3];
-        for (value, key) in thickness.iter_mut().zip(["upper", "intermediate", "lower"]) {
+        let table = field.table()?.only(known)?;
+        let mut thickness = [0.0; N];
+        for (value, key) in thickness.iter_mut().zip(plates) {
             *value = table.need(key)?.quantity(Dimension::LENGTH)?.value;
         }
         Ok(thickness)

@@ -137,9 +137,7 @@ impl Images {
 }
 
 fn in_order(faces: impl Iterator<Item = Face>) -> Vec<(u32, [u32; 4])> {
-    let mut faces: Vec<_> = faces
-        .map(|face| (face.element, sorted(face.nodes)))
-        .collect();
+    let mut faces: Vec<_> = faces.map(|face| face.key()).collect();
     faces.sort_unstable();
     faces
 }

@@ -1,7 +1,6 @@
 //! Rigid planes that are driven by force.
 
 use super::error::InpError;
-use crate::ground::geometry::AXES;
 use crate::model::mesh::Surface;
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
 use crate::render::inp::Driven;
@@ -44,12 +43,7 @@ pub fn driven<'a>(scene: &'a Scene, held: &mut Held<'a>) -> Result<Vec<Driven>, 
             };
             for node in &nodes {
                 if let Some(other) = held.insert((*node, axis), &plane.name) {
-                    return Err(InpError::HeldTwice {
-                        node: *node as usize + 1,
-                        plane: plane.name.clone(),
-                        axis: AXES[axis],
-                        other: other.to_string(),
-                    });
+                    return Err(InpError::held_twice(*node, plane, axis, other));
                 }
             }
             let [reference, others @ ..] = &nodes[..] else {

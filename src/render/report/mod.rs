@@ -14,7 +14,7 @@ mod page;
 mod sections;
 
 pub use inputs::{FILE, Inputs};
-pub(super) use page::STYLE;
+pub(super) use page::html_head;
 
 use crate::ground::file::write_text;
 use crate::render::OutputError;

@@ -7,7 +7,7 @@
 use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins};
 use crate::analytic::hertz::LineContact;
 use crate::model::material::Steel;
-use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Step, Traction, TractionValue};
+use crate::model::scene::{PlaneMotion, Scene, Step};
 use crate::proof::verify::VerifyError;
 use crate::proof::verify::kit;
 
@@ -44,11 +44,8 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
     ];
     let sideways = match push {
         Push::Force(force) => {
-            scene.tractions = vec![Traction {
-                name: "push".into(),
-                surface: "top".into(),
-                value: TractionValue::Vector([force / (2.0 * RADIUS), 0.0, 0.0]),
-            }];
+            let per_area = [force / (2.0 * RADIUS), 0.0, 0.0];
+            scene.tractions = vec![kit::traction("push", "top", per_area)];
             // All nodes alike; the force itself is that of the traction.
             PlaneMotion::Driven(0.0)
         }
@@ -60,12 +57,8 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
         }
     };
     let load = PlaneMotion::Driven(-NORMAL * thickness);
-    scene.rigid_planes = vec![RigidPlane {
-        name: "press".into(),
-        surface: "top".into(),
-        motion: [sideways, load, PlaneMotion::Free],
-        ..RigidPlane::default()
-    }];
+    let motion = [sideways, load, PlaneMotion::Free];
+    scene.rigid_planes = vec![kit::plane("press", "top", motion)];
     let mut press = Step::to("press", 1.0);
     press.factors = vec![("push".into(), 0.0)];
     scene.steps = vec![press, Step::to("push", 1.0)];

@@ -6,8 +6,8 @@ use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
 use brinell::analytic::{Elastic, contact_compliance};
 use brinell::proof::closed_forms::approach;
 use brinell::proof::closed_forms::flattening::{exact_critical, jackson_green, kogut_etsion};
-use brinell::proof::closed_forms::friction::{CattaneoMindlin, MindlinSpheres};
-use brinell::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
+use brinell::proof::closed_forms::friction::CattaneoMindlin;
+use brinell::proof::closed_forms::limit::punch_pressure;
 use brinell::proof::closed_forms::rounded_punch::RoundedPunch;
 use proptest::prelude::*;
 
@@ -107,39 +107,16 @@ fn study_roller_between_flats() {
 }
 
 #[test]
-fn block_compression() {
-    let compliance = contact_compliance(steel(), steel()).unwrap();
-    let contact = LineContact::new(8.125, 1.5, compliance).unwrap();
-    let a = contact.half_width;
-    let exact = |depth| approach::block(&contact, depth, steel()).unwrap();
-    // Johnson (5.58).
-    let unit = 8.125 * (1.0 - 0.3 * 0.3) / 29500.0 / std::f64::consts::PI;
-    let far = unit * (2.0 * 100f64.ln() - 0.3 / 0.7);
-    close("d = 50 a", far, exact(50.0 * a), 3e-5);
-    assert_eq!(exact(0.0), 0.0);
-    // Its slope is the strain on the axis: at the surface p0 (1 + ν)(1 - 2ν)/E.
-    let strain = contact.peak_pressure * 1.3 * 0.4 / 29500.0;
-    close(
-        "strain at the surface",
-        exact(1e-6 * a) / (1e-6 * a),
-        strain,
-        1e-5,
-    );
-    assert!(approach::block(&contact, -1.0, steel()).is_err());
-}
-
-#[test]
-fn stick_of_cylinders_and_spheres() {
-    // Q/μP, c/a of cylinders, c/a of spheres.
+fn stick_of_cylinders() {
+    // Q/μP, c/a.
     let table = [
-        [0.25, 0.8660254037844386, 0.9085602964160698],
-        [0.5, 0.7071067811865476, 0.7937005259840998],
-        [0.75, 0.5, 0.6299605249474366],
-        [0.9, 0.3162277660168379, 0.46415888336127786],
+        [0.25, 0.8660254037844386],
+        [0.5, 0.7071067811865476],
+        [0.75, 0.5],
+        [0.9, 0.3162277660168379],
     ];
     let line = LineContact::new(2.0, 1.0, 0.01).unwrap();
-    let point = PointContact::new(2.0, 1.0, 0.01).unwrap();
-    for [share, cylinder, sphere] in table {
+    for [share, cylinder] in table {
         let stick = CattaneoMindlin::new(line, share * 0.2 * 2.0, 0.2).unwrap();
         close(
             "cylinder",
@@ -147,16 +124,9 @@ fn stick_of_cylinders_and_spheres() {
             cylinder,
             1e-12,
         );
-        let stick = MindlinSpheres::new(point, share * 0.2 * 2.0, 0.2).unwrap();
-        close(
-            "sphere",
-            stick.stick_radius / point.contact_radius,
-            sphere,
-            1e-12,
-        );
     }
     assert!(CattaneoMindlin::new(line, 0.5, 0.2).is_err());
-    assert!(MindlinSpheres::new(point, 0.1, 0.0).is_err());
+    assert!(CattaneoMindlin::new(line, 0.1, 0.0).is_err());
 }
 
 #[test]
@@ -200,37 +170,14 @@ fn traction_of_cylinders() {
 }
 
 #[test]
-fn shift_of_spheres_starts_elastic() {
-    // For a small Q the shift is Q/8a [(2-ν)/G + (2-ν)/G], Mindlin's stiffness without slip.
-    let point = PointContact::new(2.0, 1.0, 6e-5).unwrap();
-    let q = 1e-6;
-    let shift = MindlinSpheres::new(point, q, 0.2)
-        .unwrap()
-        .shift(steel(), steel());
-    let soft = 2.0 * 1.7 / steel().shear_modulus();
-    close(
-        "shift",
-        shift,
-        q / (8.0 * point.contact_radius) * soft,
-        1e-5,
-    );
-}
-
-#[test]
 fn prandtls_punch() {
     close(
         "Mises",
-        punch_pressure(1.0, YieldCriterion::Mises).unwrap(),
+        punch_pressure(1.0).unwrap(),
         2.9684999026134693,
         1e-12,
     );
-    close(
-        "Tresca",
-        punch_pressure(1.0, YieldCriterion::Tresca).unwrap(),
-        2.5708,
-        1e-5,
-    );
-    assert!(punch_pressure(0.0, YieldCriterion::Mises).is_err());
+    assert!(punch_pressure(0.0).is_err());
 }
 
 /// ω/ω_c; P and A of Kogut and Etsion, of Jackson and Green (steel of the study on a rigid flat).

@@ -43,7 +43,6 @@ proptest! {
         if let Ok(line) = LineContact::new(p, r, c) {
             finite(line.pressure(x))?;
             let body = Elastic::new(s, 0.3);
-            finite(body.clone().and_then(|b| approach::block(&line, x, b)))?;
             finite(body.and_then(|b| approach::half_cylinder(&line, r, b)))?;
         }
     }

@@ -4,7 +4,7 @@ use super::circle::FittedCircle;
 use crate::ground::geometry::range;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::{Partner, Scene};
+use crate::model::scene::Scene;
 
 /// The axis (0, 1, 2) of the lines of contact pair `pair`: that about which one of its surfaces is round, a cylinder or
 /// a roller with fillets or a crown; else the longer horizontal side of the more slender of the two. `None` where
@@ -13,12 +13,7 @@ pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
     let carrier = scene.carrier(pair)?;
     let contact = &scene.contacts[pair];
     let sides = [&contact.upper, &contact.lower].into_iter();
-    let sides: Vec<&Surface> = sides
-        .filter_map(|side| match side {
-            Partner::Surface(name) => scene.mesh.surface(name),
-            Partner::Plane { .. } => None,
-        })
-        .collect();
+    let sides: Vec<&Surface> = sides.filter_map(|side| side.surface(&scene.mesh)).collect();
     let axes: Result<Vec<_>, Oblique> = (sides.iter())
         .map(|surface| axis_of_rotation(&scene.mesh, surface))
         .collect();

@@ -24,7 +24,7 @@ pub struct Images {
 }
 
 /// The height about which the nodes of `mesh` could be turned: the middle of their extent along z.
-pub fn plane_of_the_turn(mesh: &Mesh) -> f64 {
+fn plane_of_the_turn(mesh: &Mesh) -> f64 {
     let [low, high] = mesh.range_along(2);
     0.5 * (low + high)
 }

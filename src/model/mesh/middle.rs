@@ -7,8 +7,7 @@ impl Mesh {
     /// Middle of the box around a surface, with its image across each coordinate plane of `mirrors` that it reaches; the
     /// origin where there is no such surface.
     pub fn middle_of(&self, surface: &str, mirrors: &[usize]) -> Vec3 {
-        let nodes = self.surface(surface).map(|s| s.nodes()).unwrap_or_default();
-        self.middle(nodes.into_iter(), mirrors)
+        self.middle(self.nodes_of_surface(surface).into_iter(), mirrors)
     }
 
     /// The same of the body with the index `body`.

@@ -116,6 +116,11 @@ impl Mesh {
         self.bodies.partition_point(|b| b.elements.end <= element)
     }
 
+    /// The nodes of the surface called `name`, ascending, each once; none where there is no such surface.
+    pub fn nodes_of_surface(&self, name: &str) -> Vec<u32> {
+        self.surface(name).map(Surface::nodes).unwrap_or_default()
+    }
+
     /// The nodes of the body with the index `body`, ascending, each once.
     pub fn nodes_of_body(&self, body: usize) -> Vec<u32> {
         let hexes = &self.hexes[self.bodies[body].elements.clone()];
@@ -140,6 +145,17 @@ impl Mesh {
 }
 
 impl Surface {
+    /// The body of each of its faces.
+    pub fn bodies(&self, mesh: &Mesh) -> impl Iterator<Item = usize> {
+        let faces = self.faces.iter();
+        faces.map(|face| mesh.body_of(face.element as usize))
+    }
+
+    /// The body that it bounds; `None` for a surface without faces.
+    pub fn body(&self, mesh: &Mesh) -> Option<usize> {
+        self.bodies(mesh).next()
+    }
+
     /// The nodes of the surface, ascending, each once.
     pub fn nodes(&self) -> Vec<u32> {
         ascending(self.faces.iter().flat_map(|f| f.nodes))

@@ -73,8 +73,7 @@ impl Partner {
 
     /// The body of `mesh` that it bounds.
     pub fn body(&self, mesh: &Mesh) -> Option<usize> {
-        let face = self.surface(mesh)?.faces.first()?;
-        Some(mesh.body_of(face.element as usize))
+        self.surface(mesh)?.body(mesh)
     }
 }
 

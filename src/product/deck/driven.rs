@@ -76,10 +76,7 @@ pub fn closing(
         .first()
         .map_or(1.0, |s| s.factor_of(&plane.name));
     let area = area(&scene.mesh, surface);
-    let body = surface
-        .faces
-        .first()
-        .map_or(0, |f| scene.mesh.body_of(f.element as usize));
+    let body = surface.body(&scene.mesh).unwrap_or(0);
     let young = scene.materials.get(body).map_or(1.0, |s| s.youngs_modulus);
     (force * factor).abs() * scene.mesh.extent(axis) / (young * area)
 }

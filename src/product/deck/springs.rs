@@ -47,7 +47,7 @@ pub fn springs(scene: &Scene, names: &mut Names) -> Vec<Springs> {
         .flat_map(|pair| [&pair.upper, &pair.lower])
     {
         if let Partner::Surface(name) = partner {
-            taken.extend(mesh.surface(name).iter().flat_map(|s| s.nodes()));
+            taken.extend(mesh.nodes_of_surface(name));
         }
     }
     for surfaces in scene.ties.iter().filter_map(|tie| tie.of(mesh)) {

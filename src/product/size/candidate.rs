@@ -174,14 +174,6 @@ impl Candidate {
     pub fn rolls(&self) -> bool {
         self.geometry.slope <= self.largest_slope
     }
-
-    /// The bearing with its rollers `offset` from the centre.
-    pub fn at(&self, offset: f64) -> BearingGeometry {
-        BearingGeometry {
-            offset,
-            ..self.geometry.clone()
-        }
-    }
 }
 
 /// The diameter of a roller that is as long as it is thick and meets (2-50) with the exact constant.

@@ -74,7 +74,7 @@ pub struct Request {
 }
 
 /// Wall over diameter: section 2.6.2, which asks for a finite-element analysis below it.
-pub const WALL: f64 = 0.25;
+const WALL: f64 = 0.25;
 
 /// For what statics do not see: the ring and the plates bend, and ends press harder. With it, seven
 /// bearings (20 to 1485 kip, 50 to 240 ksi, 2 to 8 in of capacity), solved by this program on `h0125`,

@@ -12,7 +12,7 @@ use crate::ground::order::ascending;
 use std::path::{Path, PathBuf};
 
 /// Its name in the folder of the sweep.
-pub const SCRIPT: &str = "sweep.sbatch";
+const SCRIPT: &str = "sweep.sbatch";
 
 /// Memory asked for over memory estimated: Slurm kills what takes more than it asked for, and estimates are
 /// within a quarter.

@@ -39,23 +39,3 @@ pub fn half_cylinder(
     let unit = contact.line_load * body.plane_strain_compliance() / PI;
     Ok(unit * (2.0 * (4.0 * r / a).ln() - 1.0))
 }
-
-/// Motion of the surface centre of a block towards a point at the depth d ≥ 0 on the axis, in plane strain, by the
-/// integral of the exact strain along the axis. In a finite block the difference near the contact only, never the motion
-/// against a clamped base.
-///
-/// ```text
-/// δ = (a p0/E) [(1 - ν²) t - ½ ν(1 + ν)(1 - e^(-2t))],   sinh t = d/a
-/// ```
-/// From ε_z = [(1 - ν²) σ_z - ν(1 + ν) σ_x]/E with the stresses on the axis, Johnson 4.2(c). For d ≫ a it is
-/// w(1 - ν²)/πE [2 ln(2d/a) - ν/(1 - ν)], Johnson (5.58): at d = 50 a but for 0.003 %.
-///
-/// # Errors
-/// [`DomainError::OutOfRange`] for d negative or not finite.
-pub fn block(contact: &LineContact, depth: f64, body: Elastic) -> Result<f64, DomainError> {
-    let d = error::non_negative("depth of the datum", depth)?;
-    let t = (d / contact.half_width).asinh();
-    let nu = body.poissons_ratio();
-    let soft = contact.half_width * contact.peak_pressure / body.youngs_modulus();
-    Ok(soft * ((1.0 - nu * nu) * t + 0.5 * nu * (1.0 + nu) * (-2.0 * t).exp_m1()))
-}

@@ -14,7 +14,7 @@ pub struct DrawnUnits {
     pub forces: f64,
 }
 
-pub const INCH: DrawnUnits = DrawnUnits {
+const INCH: DrawnUnits = DrawnUnits {
     system: "in-kip-ksi",
     length: "in",
     force: "kip",
@@ -22,7 +22,7 @@ pub const INCH: DrawnUnits = DrawnUnits {
     forces: 1.0,
 };
 
-pub const METRIC: DrawnUnits = DrawnUnits {
+const METRIC: DrawnUnits = DrawnUnits {
     system: "mm-N-MPa",
     length: "mm",
     force: "kN",

@@ -56,9 +56,9 @@ impl Resistance {
     /// Supports: the displacement of each of their nodes along each axis that they hold.
     pub fn supports(&mut self, scene: &Scene, frames: &RigidBodies) {
         for support in &scene.supports {
-            let nodes = (scene.mesh.surface(&support.surface)).map(|s| s.nodes());
+            let nodes = scene.mesh.nodes_of_surface(&support.surface);
             for axis in (0..3).filter(|axis| support.components[*axis].is_some()) {
-                let nodes = nodes.iter().flatten();
+                let nodes = nodes.iter();
                 let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
                 self.add(&rows);
             }
@@ -72,9 +72,9 @@ impl Resistance {
                 self.add(&beside_turns(scene, plane, frames));
                 continue;
             }
-            let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
+            let nodes = scene.mesh.nodes_of_surface(&plane.surface);
             for axis in 0..3 {
-                let nodes = nodes.iter().flatten();
+                let nodes = nodes.iter();
                 let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
                 match plane.motion[axis] {
                     PlaneMotion::Free => {}
@@ -167,9 +167,8 @@ impl Resistance {
 /// translation and its turns explain.
 fn beside_turns(scene: &Scene, plane: &RigidPlane, frames: &RigidBodies) -> Vec<ModeRow> {
     let about = plane.point(&scene.mesh, &scene.mirrors);
-    let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
     let (mut rows, mut ways) = (Vec::new(), Vec::new());
-    for node in nodes.into_iter().flatten() {
+    for node in scene.mesh.nodes_of_surface(&plane.surface) {
         let arm = scale(sub(frames.points[node as usize], about), 1.0 / frames.size);
         for axis in (0..3).filter(|axis| plane.motion[*axis] != PlaneMotion::Free) {
             let Some(row) = frames.of_node(node, axis) else {

@@ -2,7 +2,7 @@
 
 use super::error::{CaseError, ErrorKind};
 use super::keys;
-use super::parse::Table;
+use super::parse::{Field, Table};
 use super::place::Located;
 use crate::model::scene::{Controls, ElementKind, SolverKind};
 
@@ -40,28 +40,30 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
         }
     }
     if let Some(field) = table.get("element") {
-        let name = field.string()?;
-        controls.element = match name.value.as_str() {
-            "bbar" => ElementKind::Bbar,
-            "full" => ElementKind::Full,
-            "enhanced" => ElementKind::Enhanced,
-            _ => {
-                let why = "must be \"bbar\", \"full\" or \"enhanced\"";
-                return Err(name.place.error(ErrorKind::Value, why));
-            }
-        };
+        let kinds = [
+            ("bbar", ElementKind::Bbar),
+            ("full", ElementKind::Full),
+            ("enhanced", ElementKind::Enhanced),
+        ];
+        controls.element = word(&field, kinds)?;
     }
     if let Some(field) = table.get("solver") {
-        let name = field.string()?;
-        controls.solver = match name.value.as_str() {
-            "auto" => SolverKind::Auto,
-            "direct" => SolverKind::Direct,
-            "divided" => SolverKind::Divided,
-            _ => {
-                let why = "must be \"auto\", \"direct\" or \"divided\"";
-                return Err(name.place.error(ErrorKind::Value, why));
-            }
-        };
+        let kinds = [
+            ("auto", SolverKind::Auto),
+            ("direct", SolverKind::Direct),
+            ("divided", SolverKind::Divided),
+        ];
+        controls.solver = word(&field, kinds)?;
     }
     Ok(controls)
+}
+
+/// What one of three words stands for.
+fn word<T: Copy>(field: &Field, words: [(&str, T); 3]) -> Result<T, CaseError> {
+    let given = field.string()?;
+    let found = words.iter().find(|(word, _)| *word == given.value);
+    let [a, b, c] = words.map(|(word, _)| word);
+    let why = format!("must be \"{a}\", \"{b}\" or \"{c}\"");
+    let wrong = || given.place.error(ErrorKind::Value, why);
+    found.map(|(_, value)| *value).ok_or_else(wrong)
 }

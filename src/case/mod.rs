@@ -228,6 +228,14 @@ impl Case {
         }
     }
 
+    /// The bearing that it is of; `None` for a general scene.
+    pub fn bearing(&self) -> Option<&BearingCase> {
+        match &self.kind {
+            Kind::Bearing(bearing) => Some(bearing),
+            Kind::General(_) => None,
+        }
+    }
+
     /// The steels of its bodies.
     pub fn steels(&self) -> &Steels {
         match &self.kind {

@@ -4,17 +4,15 @@ use super::error::JobError;
 use super::even_load::EvenlyLoaded;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, Three};
-use crate::case::{Case, ComparedMeasure, Kind, MisesRead, Printed};
+use crate::case::{Case, ComparedMeasure, MisesRead, Printed};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::render::summary::{Comparison, Reported};
 
 /// One row a printed value, then Hertz's figures of a bearing under an even line load.
 pub fn rows(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<Comparison>, JobError> {
-    let hertz = match &case.kind {
-        Kind::Bearing(bearing) => Some(EvenlyLoaded::of(bearing, scene)?),
-        Kind::General(_) => None,
-    };
+    let hertz = (case.bearing()).map(|bearing| EvenlyLoaded::of(bearing, scene));
+    let hertz = hertz.transpose()?;
     let units = UnitLabels::of(case.units);
     let mut rows = Vec::new();
     if let Some(comparison) = &case.comparison {

@@ -9,7 +9,7 @@ use super::folder;
 use super::mesh::STRIPS;
 use crate::answer::results::load::upward;
 use crate::answer::results::recovery::recover;
-use crate::case::{Case, Kind};
+use crate::case::Case;
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -86,10 +86,8 @@ impl<'o> Recorder<'o> {
             Some(restart) => VtkSeries::resume(out, &stem, restart.after()),
             None => Ok(VtkSeries::new(out, &stem)),
         };
-        let strips = match &case.kind {
-            Kind::Bearing(bearing) => bearing.mesh.strips.is_some_and(|strips| strips.found),
-            Kind::General(_) => false,
-        };
+        let strips = case.bearing().and_then(|bearing| bearing.mesh.strips);
+        let strips = strips.is_some_and(|strips| strips.found);
         let files = files.map(|(out, checkpoint)| {
             Ok::<_, JobError>(Files {
                 folder: out.to_owned(),

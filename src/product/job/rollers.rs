@@ -143,10 +143,7 @@ impl Span {
 
 /// Is this both lines of a V, which the mesh does not tell apart?
 pub fn is_merged(case: &Case, interface: &str, line: &LineFigures) -> bool {
-    let Kind::Bearing(bearing) = &case.kind else {
-        return false;
-    };
-    let seat = bearing.seat(interface);
+    let seat = case.bearing().and_then(|bearing| bearing.seat(interface));
     seat.is_some_and(|seat| rests_on_one(&seat, line))
 }
 

@@ -159,7 +159,7 @@ fn steel(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<SteelAfter>,
 
 /// Diameter of the roller that presses on a surface, or of one on a flat with the same relative radius.
 fn diameter(case: &Case, scene: &Scene, answer: &Answer, surface: &str) -> Option<f64> {
-    if let Kind::Bearing(bearing) = &case.kind {
+    if let Some(bearing) = case.bearing() {
         return Some(bearing.geometry.diameter());
     }
     let is_side = |side: &Partner| matches!(side, Partner::Surface(name) if name == surface);

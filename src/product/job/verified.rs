@@ -1,6 +1,6 @@
 //! The families of claims that cover what a run used, as the verification last measured them.
 
-use crate::case::{Case, Kind};
+use crate::case::Case;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::scene::{Partner, Scene};
 use crate::render::report::calculation::VerifiedBy;
@@ -22,7 +22,7 @@ fn claims(family: &str) -> (usize, usize) {
 
 /// The families that are about what `scene` uses.
 pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
-    let yields = scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic());
+    let yields = scene.may_yield();
     let friction = scene.rubs();
     let is_round = |side: &Partner, sphere: bool| {
         let surface = side.surface(&scene.mesh);
@@ -36,10 +36,7 @@ pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
         let mut pairs = scene.contacts.iter();
         pairs.any(|pair| is_round(&pair.upper, sphere) || is_round(&pair.lower, sphere))
     };
-    let bearing = match &case.kind {
-        Kind::Bearing(bearing) => Some(bearing),
-        _ => None,
-    };
+    let bearing = case.bearing();
     let lines = bearing.is_some() || any_round(false);
     let hollow = bearing.is_some_and(|bearing| bearing.geometry.wall().is_some());
     let ends = bearing.is_some();

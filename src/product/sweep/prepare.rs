@@ -2,7 +2,6 @@
 
 use super::place::SweepFolder;
 use super::rows::{Sweep, SweepRow};
-use crate::case::Kind;
 use crate::ground::file::write_text;
 use crate::product::job::{self, JobError, MESH_FILE};
 use std::path::Path;
@@ -32,8 +31,8 @@ const MEMORY_GROWTH: f64 = 1.5;
 pub fn prepare(sweep: &Sweep, row: &SweepRow, place: &SweepFolder) -> Result<Need, JobError> {
     let case = sweep.case_of(row)?;
     let folder = place.row(row);
-    let mesh = match &case.kind {
-        Kind::Bearing(bearing) => {
+    let mesh = match case.bearing() {
+        Some(bearing) => {
             let kept = place.mesh(&bearing.fingerprint());
             let parent = kept.parent().unwrap_or(&place.0);
             for needed in [parent, &folder] {
@@ -43,7 +42,7 @@ pub fn prepare(sweep: &Sweep, row: &SweepRow, place: &SweepFolder) -> Result<Nee
             share(&kept, &folder.join(MESH_FILE))?;
             mesh
         }
-        Kind::General(_) => job::find_mesh(&case, None, &mut |_| {})?,
+        None => job::find_mesh(&case, None, &mut |_| {})?,
     };
     let forecast = job::forecast(&case, mesh)?;
     write_text(&folder.join(CASE), &row.text)?;

@@ -3,7 +3,7 @@
 use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
 use crate::answer::results::load::full;
-use crate::case::{Case, Kind};
+use crate::case::Case;
 use crate::ground::geometry::{Vec3, dot, norm, range, scale, sub};
 use crate::model::mesh::shape::Shape;
 use crate::model::scene::{ContactPair, Partner, Scene};
@@ -70,7 +70,7 @@ fn strip(
 
 fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Line> {
     let [carrier, other] = pair.carrier_first();
-    if let Kind::Bearing(bearing) = &case.kind {
+    if let Some(bearing) = case.bearing() {
         let seat = bearing.seat(&pair.name)?;
         let mut axis = [0.0; 3];
         axis[seat.axis] = 1.0;

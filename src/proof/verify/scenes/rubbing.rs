@@ -4,7 +4,7 @@
 //! and shear do not touch each other (Dundurs' β = 0, here exactly). The half discs of problem H
 //! carry twice its load, so that the half-width is the same, a = R/48. Their cut faces do not turn.
 
-use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins};
+use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins, twin_contact};
 use crate::analytic::hertz::LineContact;
 use crate::model::material::Steel;
 use crate::model::scene::{PlaneMotion, Scene, Step};
@@ -34,9 +34,7 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
     let mesh = full_twins(sizes)?;
     let thickness = mesh.extent(2);
     let mut scene = Scene::bare("rubbing", mesh, Steel::elastic(YOUNG, POISSON));
-    let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
-    pair.friction = friction;
-    scene.contacts = vec![pair];
+    scene.contacts = vec![twin_contact(friction)];
     scene.supports = vec![
         kit::support("bottom", [Some(0.0); 3]),
         kit::held("back", 2),

@@ -3,7 +3,7 @@
 use super::{BUBBLES, Enhanced, NODES};
 use crate::model::material::Moduli;
 use crate::model::material::j2::Flow;
-use crate::solver::fem::bbar::ElementMatrix;
+use crate::solver::fem::bbar::{ElementMatrix, add_outer};
 use crate::solver::linear::small::SmallCholesky;
 
 const SIZE: usize = 3 * NODES;
@@ -36,12 +36,7 @@ impl Enhanced {
             let factor = flow.softening * self.volumes[k];
             let b: [[f64; 3]; NODES] =
                 std::array::from_fn(|a| self.stress_force(k, a, &flow.direction));
-            let b = b.as_flattened();
-            for (row, bi) in whole.iter_mut().zip(b) {
-                for (value, bj) in row.iter_mut().zip(b) {
-                    *value -= factor * bi * bj;
-                }
-            }
+            add_outer(b.as_flattened(), -factor, &mut whole);
         }
         let elastic_inner = self.inner_stiffness(elastic);
         for (i, shift) in elastic_inner.iter().enumerate() {
@@ -71,23 +66,14 @@ impl Enhanced {
             for a in BUBBLES {
                 for b in BUBBLES.start..=a {
                     let block = self.couple(k, a, b, beta * elastic.shear, elastic.bulk);
-                    for (i, row) in block.iter().enumerate() {
-                        for (j, value) in row.iter().enumerate() {
-                            inner[3 * (a - 8) + i][3 * (b - 8) + j] += value;
-                        }
-                    }
+                    add_block(&block, [a - 8, b - 8], &mut inner);
                 }
             }
             let Some(flow) = flow else { continue };
             let factor = flow.softening * self.volumes[k];
             let b: [[f64; 3]; 3] =
                 std::array::from_fn(|m| self.stress_force(k, 8 + m, &flow.direction));
-            let b = b.as_flattened();
-            for (row, bi) in inner.iter_mut().zip(b) {
-                for (value, bj) in row.iter_mut().zip(b) {
-                    *value -= factor * bi * bj;
-                }
-            }
+            add_outer(b.as_flattened(), -factor, &mut inner);
         }
         inner
     }
@@ -98,11 +84,7 @@ impl Enhanced {
             for a in 0..NODES {
                 for b in 0..=a {
                     let block = self.couple(k, a, b, beta * elastic.shear, elastic.bulk);
-                    for (i, row) in block.iter().enumerate() {
-                        for (j, value) in row.iter().enumerate() {
-                            whole[3 * a + i][3 * b + j] += value;
-                        }
-                    }
+                    add_block(&block, [a, b], whole);
                 }
             }
         }
@@ -121,6 +103,15 @@ impl Enhanced {
                 shear * deviatoric + bulk * va[i] * vb[j]
             })
         })
+    }
+}
+
+/// Adds what couples two nodes.
+fn add_block<const N: usize>(block: &[[f64; 3]; 3], [a, b]: [usize; 2], to: &mut [[f64; N]; N]) {
+    for (i, row) in block.iter().enumerate() {
+        for (j, value) in row.iter().enumerate() {
+            to[3 * a + i][3 * b + j] += value;
+        }
     }
 }
 

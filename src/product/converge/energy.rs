@@ -1,6 +1,7 @@
 //! Potential energy of an elastic state.
 
 use crate::answer::results::quad::integrate;
+use crate::ground::geometry::norm;
 use crate::model::material::Moduli;
 use crate::model::mesh::hexahedron::gauss_volumes;
 use crate::model::mesh::quadrilateral::area_vector;
@@ -47,7 +48,7 @@ fn work(scene: &Scene, state: &State) -> f64 {
         for face in &surface.faces {
             let corners = face.corners(&scene.mesh);
             let whole = area_vector(&corners);
-            let size = whole.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let size = norm(whole);
             let force = match traction.value {
                 TractionValue::Pressure(p) => whole.map(|c| -p * c / size),
                 TractionValue::Vector(t) => t,

@@ -5,6 +5,7 @@ use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
 use crate::answer::results::recovery::recover;
 use crate::answer::results::strip::{Strip, half_width};
+use crate::ground::geometry::norm;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::product::converge::contact_profile::{misfit, spots};
@@ -73,10 +74,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
             .find(|b| b.name == name)
             .map_or(Mises::default(), mises)
     };
-    let shears = field
-        .traction
-        .iter()
-        .map(|t| t.iter().map(|c| c * c).sum::<f64>().sqrt());
+    let shears = field.traction.iter().map(|t| norm(*t));
     Ok(ProblemHReading {
         pressure,
         pressure_at: scene.mesh.points[field.nodes[top] as usize][0].abs(),

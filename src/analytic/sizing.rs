@@ -83,9 +83,7 @@ impl Constants {
         radius: f64,
         compliance: f64,
     ) -> Result<f64, DomainError> {
-        let p = error::positive("load per length", line_load)?;
-        let r = error::positive("radius", radius)?;
-        let c = error::positive("compliance of the contact", compliance)?;
+        let [p, r, c] = pressed(line_load, radius, compliance)?;
         error::representable("peak pressure", self.pressure * (p / r / c).sqrt())
     }
 
@@ -99,9 +97,7 @@ impl Constants {
         radius: f64,
         compliance: f64,
     ) -> Result<f64, DomainError> {
-        let p = error::positive("load per length", line_load)?;
-        let r = error::positive("radius", radius)?;
-        let c = error::positive("compliance of the contact", compliance)?;
+        let [p, r, c] = pressed(line_load, radius, compliance)?;
         error::representable("contact width", self.width * (p * r * c).sqrt())
     }
 
@@ -154,6 +150,14 @@ impl Constants {
         let y = error::positive("yield stress", yield_stress)?;
         error::representable("load capacity", self.sizing * d * l * (y / e) * y)
     }
+}
+
+fn pressed(line_load: f64, radius: f64, compliance: f64) -> Result<[f64; 3], DomainError> {
+    Ok([
+        error::positive("load per length", line_load)?,
+        error::positive("radius", radius)?,
+        error::positive("compliance of the contact", compliance)?,
+    ])
 }
 
 /// Final length of a roller, L' = L + 2 D_r, (2-51).

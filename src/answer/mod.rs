@@ -164,8 +164,7 @@ impl Answer {
             step_done: state.time,
             load_line: load_line::points(&steps),
             steps,
-            plasticity: scene.controls.plasticity
-                && scene.materials.iter().any(|m| !m.is_elastic()),
+            plasticity: scene.may_yield(),
             elements: scene.mesh.hexes.len(),
             applied_force: load::resultant(scene, state),
             applied_load: load,

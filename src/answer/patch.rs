@@ -6,8 +6,8 @@ use crate::answer::results::hertz::flows_below;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
 use crate::ground::geometry::dot;
-use crate::model::mesh::shape::{Shape, fit};
-use crate::model::scene::{Partner, Scene};
+use crate::model::mesh::shape::Shape;
+use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 use nalgebra::{Matrix2, Vector3};
 use serde::Serialize;
@@ -52,7 +52,10 @@ impl PatchFigures {
     /// curve apart in both directions, and where nothing presses.
     pub fn find(scene: &Scene, state: &State, pair: usize, measured: &Interface) -> Option<Self> {
         let (contact, field) = (scene.contacts.get(pair)?, state.contacts.get(pair)?);
-        let sides = [shape(scene, &contact.upper)?, shape(scene, &contact.lower)?];
+        let sides = [&contact.upper, &contact.lower].map(|side| side.shape(&scene.mesh));
+        if sides.contains(&Shape::Facets) {
+            return None;
+        }
         let at = centre(scene, field)?;
         let curvatures = relative_curvatures(&sides, at)?;
         if curvatures[0] <= FLAT * curvatures[1] {
@@ -93,19 +96,6 @@ impl PatchFigures {
             mises_over_p0: bodies.map(mises),
             departs,
         })
-    }
-}
-
-fn shape(scene: &Scene, side: &Partner) -> Option<Shape> {
-    match side {
-        Partner::Plane { point, normal } => Some(Shape::Plane {
-            point: *point,
-            normal: *normal,
-        }),
-        Partner::Surface(name) => match fit(&scene.mesh, scene.mesh.surface(name)?) {
-            Shape::Facets => None,
-            shape => Some(shape),
-        },
     }
 }
 

@@ -9,7 +9,7 @@ use super::results::ending::ending;
 use super::results::peaks::peaks_in;
 use super::results::recovery::{Recovered, recover};
 use super::results::strip::{Strip, half_width};
-use crate::model::scene::{Partner, Scene};
+use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 use crate::solver::solve::{Observer, Silent, Solution, SolveError, solve};
 
@@ -109,8 +109,7 @@ impl Solved {
 
     /// Mean displacement in `state` of the nodes of the surface called `name`; zero where there is none.
     pub fn travel_of(&self, name: &str, state: &State) -> [f64; 3] {
-        let nodes = self.scene.mesh.surface(name).map(|s| s.nodes());
-        let nodes = nodes.unwrap_or_default();
+        let nodes = self.scene.mesh.nodes_of_surface(name);
         let moved = nodes.iter().map(|node| state.displacement[*node as usize]);
         let mut mean = [0.0; 3];
         for u in moved {
@@ -127,14 +126,11 @@ impl Solved {
     pub fn spread(&self, name: &str, axis: usize, middle: f64) -> Option<f64> {
         let field = self.contact(name)?;
         let pair = self.scene.contacts.iter().find(|c| c.name == name)?;
-        let Partner::Surface(surface) = pair.carrier_first()[0] else {
-            return None;
-        };
+        let surface = pair.carrier_first()[0].surface(&self.scene.mesh)?;
         let strip = Strip {
             middle: Some(middle),
             ..Strip::across(axis)
         };
-        let mesh = &self.scene.mesh;
-        half_width(mesh, mesh.surface(surface)?, field, &strip)
+        half_width(&self.scene.mesh, surface, field, &strip)
     }
 }

@@ -52,8 +52,7 @@ fn figures(scene: &Scene, tie: &Tie, field: &TieField) -> TieFigures {
     let modelled = field.force.iter().fold([0.0; 3], |sum, f| add(sum, *f));
     // A tie beside a mirror plane has an image that is another tie.
     let surfaces = tie.surfaces.iter();
-    let faces = surfaces.filter_map(|name| scene.mesh.surface(name)?.faces.first());
-    let bodies = faces.map(|face| scene.mesh.body_of(face.element as usize));
+    let bodies = surfaces.filter_map(|name| scene.mesh.surface(name)?.body(&scene.mesh));
     let mirrors = cutting_all(scene, bodies);
     let times = times(&mirrors);
     let carried = field.pressure.iter().zip(&field.area);

@@ -47,7 +47,7 @@ impl Unloaded {
         let displacement = stays.unwrap_or(&state.displacement);
         let dents = names.into_iter().filter_map(|name| {
             let surface = scene.mesh.surface(name)?;
-            let body = scene.mesh.body_of(surface.faces.first()?.element as usize);
+            let body = surface.body(&scene.mesh)?;
             let dent = dent(scene, displacement, body, surface)?;
             let summary = DentFigures {
                 body: scene.mesh.bodies[body].name.clone(),

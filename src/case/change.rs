@@ -5,7 +5,7 @@ use super::bearing::{MeshRequest, Preset, Scales, Strips, UnknownPreset};
 use super::error::{CaseError, ErrorKind};
 use super::nearest::{advice, list};
 use super::{BearingCase, Case, Kind, MeshOrigin};
-use crate::model::scene::{ElementKind, SolverKind};
+use crate::model::scene::{Controls, ElementKind, SolverKind};
 
 impl Case {
     /// Meshes the bearing by another preset than the file says. Numbers that the file sets in
@@ -32,10 +32,7 @@ impl Case {
             full: bearing.mesh.full,
             ..MeshRequest::default()
         };
-        request
-            .check(bearing.layout())
-            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
-        bearing.mesh = request;
+        set_mesh(bearing, request)?;
         self.note("mesh.preset", preset.name());
         Ok(())
     }
@@ -64,26 +61,24 @@ impl Case {
 
     /// Keeps every body elastic, whatever its steel.
     pub fn set_elastic(&mut self) {
-        self.controls.plasticity = false;
-        if let Kind::General(general) = &mut self.kind {
-            general.model.controls.plasticity = false;
-        }
+        self.control(|controls| controls.plasticity = false);
         self.note("controls.plasticity", "false");
     }
 
     /// Makes every body of this hexahedron.
     pub fn set_element(&mut self, element: ElementKind) {
-        self.controls.element = element;
-        if let Kind::General(general) = &mut self.kind {
-            general.model.controls.element = element;
-        }
+        self.control(|controls| controls.element = element);
     }
 
     /// Solves linear systems this way.
     pub fn set_solver(&mut self, solver: SolverKind) {
-        self.controls.solver = solver;
+        self.control(|controls| controls.solver = solver);
+    }
+
+    fn control(&mut self, set: impl Fn(&mut Controls)) {
+        set(&mut self.controls);
         if let Kind::General(general) = &mut self.kind {
-            general.model.controls.solver = solver;
+            set(&mut general.model.controls);
         }
     }
 
@@ -95,12 +90,7 @@ impl Case {
     /// Where the sizes come out of their range, or the case is a general scene.
     pub fn scale_mesh(&mut self, scale: f64, contact: f64) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a scaled template")?;
-        let request = bearing.mesh.scaled(scale).sharpened(contact);
-        request
-            .check(bearing.layout())
-            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
-        bearing.mesh = request;
-        Ok(())
+        set_mesh(bearing, bearing.mesh.scaled(scale).sharpened(contact))
     }
 
     /// Multiplies groups of element sizes of a bearing's mesh.
@@ -109,12 +99,7 @@ impl Case {
     /// As [`scale_mesh`](Self::scale_mesh).
     pub fn refine_mesh(&mut self, scales: &Scales) -> Result<(), CaseError> {
         let bearing = self.bearing_mut("a refined template")?;
-        let request = bearing.mesh.refined(scales);
-        request
-            .check(&*bearing.geometry)
-            .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
-        bearing.mesh = request;
-        Ok(())
+        set_mesh(bearing, bearing.mesh.refined(scales))
     }
 
     /// Leaves out what does not say how good a mesh is: plastic flow, and the unloading of a bearing.
@@ -171,4 +156,12 @@ impl Case {
             assumption.given = true;
         }
     }
+}
+
+/// Meshes the bearing as `request` says, where it fits.
+fn set_mesh(bearing: &mut BearingCase, request: MeshRequest) -> Result<(), CaseError> {
+    (request.check(bearing.layout()))
+        .map_err(|error| CaseError::new(ErrorKind::Value, error.to_string()))?;
+    bearing.mesh = request;
+    Ok(())
 }

@@ -4,7 +4,6 @@
 use super::document::{Context, document};
 use super::error::{CaseError, ErrorKind};
 use super::named_files::NamedFiles;
-use super::nearest::advice;
 use super::parse::Table;
 use super::source::Source;
 use super::{Case, TEMPLATE_TABLES, keys};
@@ -48,11 +47,7 @@ struct Action {
 /// # Errors
 /// As [`read`](super::read), and for what the combinations say wrong.
 pub fn combinations(path: &Path) -> Result<Option<Vec<Combination>>, CaseError> {
-    let text = crate::ground::input::text(path).map_err(|error| {
-        let message = format!("the case file {} cannot be read: {error}", path.display());
-        CaseError::new(ErrorKind::Read, message)
-    })?;
-    combinations_of(&path.display().to_string(), &text)
+    combinations_of(&path.display().to_string(), &super::text_of_file(path)?)
 }
 
 /// The same of a text; `name` is its path, for messages and to find its mesh.
@@ -155,10 +150,8 @@ fn factors<'a>(table: &Table, actions: &'a [Action]) -> Result<Vec<(&'a Action, 
     for name in factors.keys() {
         let Some(action) = actions.iter().find(|action| action.name == name) else {
             let place = factors.place_of_key(name);
-            let help = advice(name, actions.iter().map(|action| action.name.as_str()));
-            return Err(place
-                .error(ErrorKind::UnknownName, "is not an action")
-                .help(help));
+            let known = actions.iter().map(|action| action.name.as_str());
+            return Err(place.unknown("is not an action", name, known));
         };
         all.push((action, factors.need(name)?.ratio()?.value));
     }

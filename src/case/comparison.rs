@@ -3,10 +3,9 @@
 use serde::Serialize;
 
 use super::assumption::Assumption;
-use super::error::{CaseError, ErrorKind};
+use super::error::CaseError;
 use super::keys;
-use super::nearest::advice;
-use super::parse::Table;
+use super::parse::{Field, Table};
 use super::place::Located;
 use crate::ground::units::Dimension;
 
@@ -48,7 +47,7 @@ pub struct Printed {
 
 /// The printed values of a case.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Comparison {
+pub struct PrintedValues {
     /// Where they were printed.
     pub source: Option<String>,
     /// Where Mises stresses are read.
@@ -60,7 +59,7 @@ pub struct Comparison {
     places: Vec<(ComparedMeasure, Located<String>)>,
 }
 
-impl Comparison {
+impl PrintedValues {
     pub(super) fn read(
         root: &Table,
         assumptions: &mut Vec<Assumption>,
@@ -74,10 +73,7 @@ impl Comparison {
             ("integration_point", MisesRead::IntegrationPoint),
             ("nodal", MisesRead::Nodal),
         ];
-        let read = table
-            .get("mises_read")
-            .map(|field| field.choice(&choices))
-            .transpose()?;
+        let read = table.maybe("mises_read", |field| field.choice(&choices))?;
         let mises_read = read.as_ref().map(|r| r.value).unwrap_or_default();
         let word = choices
             .iter()
@@ -127,10 +123,7 @@ impl Comparison {
                 value,
             });
         }
-        let source = table
-            .get("source")
-            .map(|field| field.string())
-            .transpose()?;
+        let source = table.maybe("source", Field::string)?;
         Ok(Some(Self {
             source: source.map(|s| s.value),
             mises_read,
@@ -150,8 +143,8 @@ impl Comparison {
             };
             if !known.contains(&place.value.as_str()) {
                 let why = format!("is not {kind} of the case");
-                let help = advice(&place.value, known.iter().copied());
-                return Err(place.place.error(ErrorKind::UnknownName, why).help(help));
+                let known = known.iter().copied();
+                return Err(place.place.unknown(why, &place.value, known));
             }
         }
         Ok(())

@@ -75,15 +75,9 @@ impl Contact {
                 }
             }
         };
-        let number = |key: &str| table.get(key).map(|field| field.ratio()).transpose();
-        let friction = number("friction")?.map(Located::not_negative).transpose()?;
-        let penalty_factor = number("penalty_factor")?
-            .map(Located::positive)
-            .transpose()?;
-        let true_geometry = table
-            .get("true_geometry")
-            .map(|f| f.boolean())
-            .transpose()?;
+        let friction = table.maybe("friction", |field| field.ratio()?.not_negative())?;
+        let penalty_factor = table.maybe("penalty_factor", |field| field.ratio()?.positive())?;
+        let true_geometry = table.maybe("true_geometry", Field::boolean)?;
         Ok(Self {
             carrier: carrier(table, &upper, &lower)?,
             preferred: Side::Upper,

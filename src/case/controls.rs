@@ -2,7 +2,7 @@
 
 use super::error::{CaseError, ErrorKind};
 use super::keys;
-use super::parse::Table;
+use super::parse::{Field, Table};
 use super::place::Located;
 use crate::model::scene::{Controls, ElementKind, SolverKind};
 
@@ -14,67 +14,56 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     };
     let table = field.table()?.only(&keys::CONTROLS)?;
     let share = |key: &str| -> Result<Option<Located<f64>>, CaseError> {
-        let within = |v: Located<f64>| {
-            v.require(
-                |v| *v > 0.0 && *v <= 1.0,
-                "must be more than 0 and at most 1",
-            )
-        };
-        table
-            .get(key)
-            .map(|field| within(field.ratio()?))
-            .transpose()
+        let within = |v: &f64| *v > 0.0 && *v <= 1.0;
+        let why = "must be more than 0 and at most 1";
+        table.maybe(key, |field| field.ratio()?.require(within, why))
     };
     let value = |share: Option<Located<f64>>, default| share.map_or(default, |s| s.value);
     controls.residual = value(share("residual")?, controls.residual);
     controls.penetration = value(share("penetration")?, controls.penetration);
     controls.first_increment = value(share("first_increment")?, controls.first_increment);
     let first = controls.first_increment;
-    let smallest = share("smallest_increment")?;
-    let smallest = smallest
-        .map(|s| {
-            s.require(
-                |s| *s <= first,
-                format!("is more than first_increment, {first}"),
-            )
-        })
-        .transpose()?;
+    let why = format!("is more than first_increment, {first}");
+    let smallest = share("smallest_increment")?.map(|s| s.require(|s| *s <= first, why));
+    let smallest = smallest.transpose()?;
     controls.smallest_increment = value(smallest, controls.smallest_increment.min(first));
     if let Some(field) = table.get("iterations") {
         controls.iterations = field.count()?.value;
     }
-    if let Some(field) = table.get("increment_error") {
-        controls.increment_error = field.boolean()?.value;
-    }
-    if let Some(field) = table.get("plasticity") {
-        controls.plasticity = field.boolean()?.value;
-    }
-    if let Some(field) = table.get("half_turn") {
-        controls.half_turn = field.boolean()?.value;
+    for (key, flag) in [
+        ("increment_error", &mut controls.increment_error),
+        ("plasticity", &mut controls.plasticity),
+        ("half_turn", &mut controls.half_turn),
+    ] {
+        if let Some(field) = table.get(key) {
+            *flag = field.boolean()?.value;
+        }
     }
     if let Some(field) = table.get("element") {
-        let name = field.string()?;
-        controls.element = match name.value.as_str() {
-            "bbar" => ElementKind::Bbar,
-            "full" => ElementKind::Full,
-            "enhanced" => ElementKind::Enhanced,
-            _ => {
-                let why = "must be \"bbar\", \"full\" or \"enhanced\"";
-                return Err(name.place.error(ErrorKind::Value, why));
-            }
-        };
+        let kinds = [
+            ("bbar", ElementKind::Bbar),
+            ("full", ElementKind::Full),
+            ("enhanced", ElementKind::Enhanced),
+        ];
+        controls.element = word(&field, kinds)?;
     }
     if let Some(field) = table.get("solver") {
-        let name = field.string()?;
-        controls.solver = match name.value.as_str() {
-            "auto" => SolverKind::Auto,
-            "direct" => SolverKind::Direct,
-            "divided" => SolverKind::Divided,
-            _ => {
-                let why = "must be \"auto\", \"direct\" or \"divided\"";
-                return Err(name.place.error(ErrorKind::Value, why));
-            }
-        };
+        let kinds = [
+            ("auto", SolverKind::Auto),
+            ("direct", SolverKind::Direct),
+            ("divided", SolverKind::Divided),
+        ];
+        controls.solver = word(&field, kinds)?;
     }
     Ok(controls)
+}
+
+/// What one of three words stands for.
+fn word<T: Copy>(field: &Field, words: [(&str, T); 3]) -> Result<T, CaseError> {
+    let given = field.string()?;
+    let found = words.iter().find(|(word, _)| *word == given.value);
+    let [a, b, c] = words.map(|(word, _)| word);
+    let why = format!("must be \"{a}\", \"{b}\" or \"{c}\"");
+    let wrong = || given.place.error(ErrorKind::Value, why);
+    found.map(|(_, value)| *value).ok_or_else(wrong)
 }

@@ -6,7 +6,7 @@ use super::error::{CaseError, ErrorKind};
 use super::keys;
 use super::load::Loads;
 use super::mesh_choice::SceneMesh;
-use super::model::Model;
+use super::model::MeshlessScene;
 use super::parse::Table;
 use super::place::Located;
 use super::steel::Steels;
@@ -20,7 +20,7 @@ pub struct GeneralCase {
     /// Where its mesh comes from.
     pub mesh: SceneMesh,
     /// Everything but the mesh.
-    pub model: Model,
+    pub model: MeshlessScene,
     /// The bodies of `[[body]]`.
     pub bodies: Vec<Located<String>>,
 }
@@ -46,7 +46,7 @@ impl GeneralCase {
         let ties = tie::read(root)?;
         let loads = Loads::read(root, &mirrors, (&steels, assumptions))?;
         let name = name.to_string();
-        let model = Model {
+        let model = MeshlessScene {
             name,
             steels,
             contacts,
@@ -73,8 +73,7 @@ impl GeneralCase {
             Some(body) => {
                 let why = format!("the mesh {} has no such body", mesh.source);
                 let names = mesh.bodies.iter().map(|b| b.name.as_str());
-                let help = super::nearest::advice(&body.value, names);
-                Err(body.place.error(ErrorKind::UnknownName, why).help(help))
+                Err(body.place.unknown(why, &body.value, names))
             }
         }
     }

@@ -4,12 +4,11 @@ use super::assumption::Assumption;
 use super::axes::displacements;
 use super::error::{CaseError, ErrorKind};
 use super::keys;
-use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::place::Located;
 use super::rigid_plane;
 use super::steel::Steels;
-use super::temperature;
+use super::temperature::{self, name_of_its_own};
 use crate::ground::units::Dimension;
 use crate::model::scene::{
     PlaneMotion, PlaneTurn, RigidPlane, Step, Support, Temperature, Traction, TractionValue,
@@ -127,19 +126,10 @@ impl Loads {
     }
 }
 
-/// The name of an entry, by default that of its surface, and the surface. Names are what steps
-/// speak of, so each is given once.
+/// The name of an entry, and its surface.
 fn named(table: &Table, names: &mut Vec<String>) -> Result<(String, Located<String>), CaseError> {
     let surface = table.need("surface")?.string()?;
-    let name = table.get("name").map(|field| field.string()).transpose()?;
-    let name = name.unwrap_or_else(|| surface.clone());
-    if names.contains(&name.value) {
-        let why = format!("there is already a support or load called `{}`", name.value);
-        let help = "give each a `name` of its own: steps speak of them by name";
-        return Err(name.place.error(ErrorKind::Duplicate, why).help(help));
-    }
-    names.push(name.value.clone());
-    Ok((name.value, surface))
+    Ok((name_of_its_own(table, &surface, names)?, surface))
 }
 
 /// The steps; by default one, to the full load.
@@ -152,11 +142,8 @@ fn steps(root: &Table, names: &[String]) -> Result<Vec<Step>, CaseError> {
             let why = format!("there are two steps called `{}`", name.value);
             return Err(name.place.error(ErrorKind::Duplicate, why));
         }
-        let factor = table.get("factor").map(|field| field.ratio()).transpose()?;
-        let factors = table
-            .get("factors")
-            .map(|field| factors(&field, names))
-            .transpose()?;
+        let factor = table.maybe("factor", Field::ratio)?;
+        let factors = table.maybe("factors", |field| factors(field, names))?;
         steps.push(Step {
             name: name.value,
             factor: factor.map_or(1.0, |f| f.value),
@@ -174,9 +161,8 @@ fn factors(field: &Field, names: &[String]) -> Result<Vec<(String, f64)>, CaseEr
     let factor = |name: &str| {
         if !names.iter().any(|known| known == name) {
             let why = "is neither a support nor a rigid plane nor a load nor a temperature";
-            let help = advice(name, names.iter().map(String::as_str));
-            let place = table.place_of_key(name);
-            return Err(place.error(ErrorKind::UnknownName, why).help(help));
+            let known = names.iter().map(String::as_str);
+            return Err(table.place_of_key(name).unknown(why, name, known));
         }
         Ok((name.to_string(), table.need(name)?.ratio()?.value))
     };

@@ -1,7 +1,7 @@
 //! The case file: TOML in, a validated [`Case`] out, and from it a scene.
 //!
 //! A case is either a *bearing*, described by its dimensions and meshed by the template, or a
-//! *general scene* on a mesh file. Both come down to one [`Model`]; the solver sees scenes only.
+//! *general scene* on a mesh file. Both come down to one [`MeshlessScene`]; the solver sees scenes only.
 //! Quantities are turned into the unit system that the file declares (`units = "in-kip-ksi"`),
 //! angles into radians. Every mistake is a [`CaseError`] that marks the culprit in the file.
 
@@ -44,13 +44,13 @@ use std::path::{Path, PathBuf};
 
 pub use assumption::Assumption;
 pub use bearing::BearingCase;
-pub use comparison::{ComparedMeasure, Comparison, MisesRead, Printed};
+pub use comparison::{ComparedMeasure, MisesRead, Printed, PrintedValues};
 pub use contact::Contact;
 pub use error::{CaseError, ErrorKind};
 pub use general::GeneralCase;
 pub use load::Loads;
 pub use mesh_choice::{Family, MeshOrigin, SceneMesh};
-pub use model::Model;
+pub use model::MeshlessScene;
 pub use place::{KeyPlace, Located};
 pub use reference::Discrepancy;
 pub use source::Source;
@@ -62,7 +62,7 @@ use crate::ground::units::UnitSystem;
 use crate::model::mesh::Mesh;
 use crate::model::scene::{Controls, Scene};
 use document::{Context, document};
-use parse::Table;
+use parse::{Field, Table};
 
 /// The tables of the file that describe a bearing by its dimensions; a case has one of them, or none.
 const TEMPLATE_TABLES: [&str; 2] = ["bearing", "line_bearing"];
@@ -85,7 +85,7 @@ pub struct Case {
     /// Numerical controls.
     pub controls: Controls,
     /// Printed values to set beside the results.
-    pub comparison: Option<Comparison>,
+    pub comparison: Option<PrintedValues>,
     /// What is taken for granted, echoed with the results.
     pub assumptions: Vec<Assumption>,
     /// Discrepancies of the published study that touch the result.
@@ -108,11 +108,14 @@ pub enum Kind {
 /// # Errors
 /// Where the file cannot be read, is not TOML, or says something impossible.
 pub fn read(path: &Path) -> Result<Case, CaseError> {
-    let text = crate::ground::input::text(path).map_err(|error| {
+    parse(&path.display().to_string(), &text_of_file(path)?)
+}
+
+fn text_of_file(path: &Path) -> Result<String, CaseError> {
+    crate::ground::input::text(path).map_err(|error| {
         let message = format!("the case file {} cannot be read: {error}", path.display());
         CaseError::new(ErrorKind::Read, message)
-    })?;
-    parse(&path.display().to_string(), &text)
+    })
 }
 
 /// Validates the text of a case file; `name` is its path, for messages and to find its mesh.
@@ -141,14 +144,11 @@ fn read_units(root: &Table) -> Result<UnitSystem, CaseError> {
 impl Case {
     fn from_table(root: &Table) -> Result<Self, CaseError> {
         let mut assumptions = Vec::new();
-        let text = |key: &str| root.get(key).map(|field| field.string()).transpose();
+        let text = |key| root.maybe(key, Field::string);
         let title = text("title")?.map_or_else(|| stem(root.source().name()), |t| t.value);
         let description = text("description")?.map(|d| d.value);
         let studies = reference::STUDIES.map(|name| (name, name));
-        let reference = root
-            .get("reference")
-            .map(|f| f.choice(&studies))
-            .transpose()?;
+        let reference = root.maybe("reference", |field| field.choice(&studies))?;
         let reference = reference.map(|r| r.value.to_string());
         let controls = controls::read(root)?;
         refuse_combinations(root)?;
@@ -172,7 +172,7 @@ impl Case {
                 Kind::General(case)
             }
         };
-        let comparison = Comparison::read(root, &mut assumptions)?;
+        let comparison = PrintedValues::read(root, &mut assumptions)?;
         let displaced = matches!(&kind, Kind::Bearing(bearing) if bearing.geometry.offset() != 0.0);
         let study = reference.as_deref().unwrap_or_default();
         let case = Self {
@@ -221,10 +221,18 @@ impl Case {
     }
 
     /// Everything of the scene but its mesh.
-    pub fn model(&self) -> Model {
+    pub fn model(&self) -> MeshlessScene {
         match &self.kind {
             Kind::Bearing(bearing) => bearing.model(&self.title, &self.source, self.controls),
             Kind::General(general) => general.model.clone(),
+        }
+    }
+
+    /// The bearing that it is of; `None` for a general scene.
+    pub fn bearing(&self) -> Option<&BearingCase> {
+        match &self.kind {
+            Kind::Bearing(bearing) => Some(bearing),
+            Kind::General(_) => None,
         }
     }
 

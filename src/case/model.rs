@@ -3,16 +3,16 @@
 use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
-use super::nearest::advice;
 use super::place::{KeyPlace, Located};
 use super::steel::Steels;
+use crate::ground::geometry::AXES;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::scene::{self, ContactPair, Controls, Partner, Scene, Tie};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Model {
+pub struct MeshlessScene {
     /// Name of the scene.
     pub name: String,
     /// Steels by body.
@@ -29,7 +29,7 @@ pub struct Model {
     pub controls: Controls,
 }
 
-impl Model {
+impl MeshlessScene {
     /// The scene on `mesh`, whose coordinates are in the units of the case.
     pub fn scene(&self, mesh: Mesh) -> Result<Scene, CaseError> {
         let bodies: Vec<&str> = mesh.bodies.iter().map(|body| body.name.as_str()).collect();
@@ -63,11 +63,8 @@ impl Model {
             if mesh.body(&temperature.value.body).is_none() {
                 let name = &temperature.value.body;
                 let why = format!("the mesh {} has no body called `{name}`", mesh.source);
-                let help = advice(name, bodies.iter().copied());
-                return Err(temperature
-                    .place
-                    .error(ErrorKind::UnknownName, why)
-                    .help(help));
+                let known = bodies.iter().copied();
+                return Err(temperature.place.unknown(why, name, known));
             }
         }
         Ok(Scene {
@@ -90,13 +87,10 @@ impl Model {
     /// Half of a model lies on the positive side of its symmetry plane.
     fn check_mirrors(&self, mesh: &Mesh) -> Result<(), CaseError> {
         for axis in &self.mirrors {
-            let coordinates = mesh.points.iter().map(|point| point[*axis]);
-            let (low, high) = coordinates.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| {
-                (l.min(c), h.max(c))
-            });
+            let [low, high] = mesh.range_along(*axis);
             let tolerance = 1e-6 * (high - low);
             if low < -tolerance {
-                let axis = ["x", "y", "z"].get(*axis).copied().unwrap_or_default();
+                let axis = AXES.get(*axis).copied().unwrap_or_default();
                 let (where_it_is, help) = if high > tolerance {
                     let help = format!("drop \"{axis}\" from `symmetry`, or mesh one half");
                     ("on both sides", help)
@@ -123,8 +117,8 @@ fn values<T: Clone>(located: &[Located<T>]) -> Vec<T> {
 fn check_surface(mesh: &Mesh, name: &str, place: &KeyPlace) -> Result<(), CaseError> {
     let Some(surface) = mesh.surface(name) else {
         let why = format!("the mesh {} has no surface called `{name}`", mesh.source);
-        let help = advice(name, mesh.surfaces.iter().map(|s| s.name.as_str()));
-        return Err(place.error(ErrorKind::UnknownName, why).help(help));
+        let known = mesh.surfaces.iter().map(|s| s.name.as_str());
+        return Err(place.unknown(why, name, known));
     };
     if surface.faces.is_empty() {
         Err(place.error(

@@ -169,6 +169,15 @@ impl<'a> Table<'a> {
         })
     }
 
+    /// What `read` makes of the value of `key`, where there is one.
+    pub fn maybe<T>(
+        &self,
+        key: &str,
+        read: impl FnOnce(&Field<'a>) -> Result<T, CaseError>,
+    ) -> Result<Option<T>, CaseError> {
+        self.get(key).map(|field| read(&field)).transpose()
+    }
+
     pub fn need(&self, key: &str) -> Result<Field<'a>, CaseError> {
         self.get(key).ok_or_else(|| {
             let path = self.path(key);

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::error::{CaseError, ErrorKind};
+use super::nearest::advice;
 use super::source::Source;
 
 /// A key of the case file and the bytes of its value.
@@ -42,6 +43,17 @@ impl KeyPlace {
         } else {
             error.at(&self.source, self.span.clone(), "here")
         }
+    }
+
+    /// An error about the `name` that stands here and is none of those `known`.
+    pub(super) fn unknown<'a>(
+        &self,
+        why: impl AsRef<str>,
+        name: &str,
+        known: impl IntoIterator<Item = &'a str>,
+    ) -> CaseError {
+        let error = self.error(ErrorKind::UnknownName, why);
+        error.help(advice(name, known))
     }
 }
 

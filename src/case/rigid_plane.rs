@@ -12,11 +12,10 @@ use crate::model::scene::{PlaneMotion, PlaneTurn, RigidPlane};
 /// that is modelled beside the symmetry planes across `mirrors`.
 pub(super) fn read(table: &Table, mirrors: &[usize]) -> Result<RigidPlane, CaseError> {
     let motion = motion(table, mirrors)?;
-    let about = table.get("about");
-    let about = about.map(|field| field.vector(Dimension::LENGTH));
+    let about = table.maybe("about", |field| field.vector(Dimension::LENGTH));
     Ok(RigidPlane {
         turn: turn(table, mirrors, &motion)?,
-        about: about.transpose()?.map(|about| about.value),
+        about: about?.map(|about| about.value),
         motion,
         ..RigidPlane::default()
     })

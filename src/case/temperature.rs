@@ -3,8 +3,7 @@
 use super::assumption::Assumption;
 use super::error::{CaseError, ErrorKind};
 use super::keys;
-use super::nearest::advice;
-use super::parse::Table;
+use super::parse::{Field, Table};
 use super::place::Located;
 use super::steel::Steels;
 use crate::ground::geometry::AXES;
@@ -25,20 +24,13 @@ pub(super) fn read(
     for table in root.tables("temperature")? {
         let table = table.only(&keys::TEMPERATURE)?;
         let body = table.need("body")?.string()?;
-        let name = table.get("name").map(|field| field.string()).transpose()?;
-        let name = name.unwrap_or_else(|| body.clone());
-        if names.contains(&name.value) {
-            let why = format!("there is already a support or load called `{}`", name.value);
-            let help = "give each a `name` of its own: steps speak of them by name";
-            return Err(name.place.error(ErrorKind::Duplicate, why).help(help));
-        }
-        names.push(name.value.clone());
-        let value = table.get("value");
-        let value = value.map(|field| field.quantity(Dimension::TEMPERATURE));
-        let value = value.transpose()?.map_or(0.0, |value| value.value);
-        let gradient = table.get("gradient");
-        let gradient = gradient.map(|field| field.vector(Dimension::TEMPERATURE_GRADIENT));
-        let gradient = (gradient.transpose()?).map_or([0.0; 3], |gradient| gradient.value);
+        let name = name_of_its_own(&table, &body, names)?;
+        let value = table.maybe("value", |field| field.quantity(Dimension::TEMPERATURE))?;
+        let value = value.map_or(0.0, |value| value.value);
+        let gradient = table.maybe("gradient", |field| {
+            field.vector(Dimension::TEMPERATURE_GRADIENT)
+        })?;
+        let gradient = gradient.map_or([0.0; 3], |gradient| gradient.value);
         if value == 0.0 && gradient == [0.0; 3] {
             let why = format!("the temperature of `{}` does not differ", body.value);
             let help = "give a `value`, a `gradient` or both";
@@ -52,7 +44,7 @@ pub(super) fn read(
             EXPANSION
         });
         temperatures.push(body.map(|body| Temperature {
-            name: name.value,
+            name,
             body,
             expansion,
             value,
@@ -60,6 +52,24 @@ pub(super) fn read(
         }));
     }
     Ok(temperatures)
+}
+
+/// The name of an entry, by default that of the surface or body it is `of`. Names are what steps speak of, so each is
+/// given once.
+pub(super) fn name_of_its_own(
+    table: &Table,
+    of: &Located<String>,
+    names: &mut Vec<String>,
+) -> Result<String, CaseError> {
+    let name = table.maybe("name", Field::string)?;
+    let Located { value, place } = name.unwrap_or_else(|| of.clone());
+    if names.contains(&value) {
+        let why = format!("there is already a support or load called `{value}`");
+        let help = "give each a `name` of its own: steps speak of them by name";
+        return Err(place.error(ErrorKind::Duplicate, why).help(help));
+    }
+    names.push(value.clone());
+    Ok(value)
 }
 
 /// Refuses gradients across symmetry planes, whose axes are `mirrors`; `help` says what to do instead.
@@ -88,8 +98,7 @@ pub(super) fn check_bodies(
         let body = &temperature.value.body;
         if !bodies().any(|known| known == body) {
             let why = format!("there is no body called `{body}`");
-            let error = temperature.place.error(ErrorKind::UnknownName, why);
-            return Err(error.help(advice(body, bodies())));
+            return Err(temperature.place.unknown(why, body, bodies()));
         }
     }
     Ok(())

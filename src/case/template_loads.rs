@@ -36,20 +36,15 @@ pub enum Top {
 impl TemplateLoads {
     /// Reads `eccentricity`, `horizontal`, `moment` and `top`, all of which may be left out.
     pub(super) fn read(table: &Table) -> Result<Self, CaseError> {
-        let of = |key: &str, dimension| {
-            let field = table.get(key);
-            let pair = field.map(|field| pair(&field, dimension)).transpose()?;
+        let of = |key, dimension| {
+            let pair = table.maybe(key, |field| pair(field, dimension))?;
             Ok(pair.unwrap_or_default())
         };
         let loads = Self {
             eccentricity: of("eccentricity", Dimension::LENGTH)?,
             horizontal: of("horizontal", Dimension::FORCE)?,
             moment: of("moment", Dimension::MOMENT)?,
-            top: table
-                .get("top")
-                .map(|field| top(&field))
-                .transpose()?
-                .unwrap_or_default(),
+            top: table.maybe("top", top)?.unwrap_or_default(),
         };
         if loads.top != Top::Free {
             let turning = ["eccentricity", "moment"].into_iter();

@@ -2,7 +2,7 @@
 
 use super::error::CaseError;
 use super::keys;
-use super::parse::Table;
+use super::parse::{Field, Table};
 
 /// The entries of a title block in their order; what the case leaves out is to be filled in by hand.
 pub type TitleBlock = Vec<(&'static str, Option<String>)>;
@@ -14,7 +14,7 @@ pub(super) fn read(root: &Table) -> Result<TitleBlock, CaseError> {
     };
     let table = field.table()?.only(&keys::TITLE_BLOCK)?;
     let entry = |key| {
-        let text = table.get(key).map(|field| field.string()).transpose()?;
+        let text = table.maybe(key, Field::string)?;
         Ok((key, text.map(|text| text.value)))
     };
     keys::TITLE_BLOCK.names().into_iter().map(entry).collect()

@@ -2,7 +2,7 @@
 
 use super::case_file::read_case;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::product::job::{self, JobError};
 use crate::render::check::{Check, render};
 use clap::Args;
@@ -32,27 +32,19 @@ pub struct CheckArgs {
 
 /// Carries out the command.
 pub fn run(args: &CheckArgs) -> CommandResult {
-    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
-    let check = checked(args).map_err(|error| bad(error.into()))?;
+    let check = checked(args).map_err(bad_input)?;
     let text = if args.json {
         serde_json::to_string_pretty(&check)
-            .map_err(|error| bad(miette::Report::msg(error.to_string())))?
+            .map_err(|error| bad_input(miette::Report::msg(error.to_string())))?
     } else {
         render(&check)
     };
     say(text.trim_end());
-    Ok(if check.problems.is_empty() {
-        ExitStatus::Done
-    } else {
-        ExitStatus::Failed
-    })
+    Ok(ExitStatus::of(check.problems.is_empty()))
 }
 
 fn checked(args: &CheckArgs) -> Result<Check, JobError> {
-    let mut case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
-    if args.elastic {
-        case.set_elastic();
-    }
+    let case = read_case(&args.case, args.mesh.as_deref(), args.full, args.elastic)?;
     // JSON stands alone on standard output.
     let mut told = |line: &str| {
         if !args.json {

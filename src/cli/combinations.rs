@@ -2,7 +2,7 @@
 
 use super::console::Console;
 use super::failure::failure;
-use super::output::say;
+use super::output::{say, say_written};
 use super::status::{CommandResult, ExitStatus};
 use crate::case::combinations::Combination;
 use crate::product::combinations;
@@ -36,11 +36,7 @@ pub fn run(
     if let Some(out) = &options.out {
         let written = combinations::write(title, &solved, options.report, out)
             .map_err(|error| failure(console, ConvergeError::from(JobError::from(error))))?;
-        let written: Vec<String> = written
-            .iter()
-            .map(|path| path.display().to_string())
-            .collect();
-        say(&format!("written: {}", written.join(", ")));
+        say_written(&written);
     }
     // What was solved before stands, whatever became of the next.
     ended?;
@@ -56,9 +52,8 @@ pub fn run(
     if let Some(error) = solved.into_iter().find_map(|one| one.found.err()) {
         return Err(failure(console, ConvergeError::from(error)));
     }
-    Ok(match (interrupted, failed) {
-        (true, _) => ExitStatus::Interrupted,
-        (false, true) => ExitStatus::Failed,
-        (false, false) => ExitStatus::Done,
+    Ok(match interrupted {
+        true => ExitStatus::Interrupted,
+        false => ExitStatus::of(!failed),
     })
 }

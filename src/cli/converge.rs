@@ -3,12 +3,12 @@
 use super::console::Console;
 use super::failure::failure;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::case::{self, Case, Kind};
 use crate::model::scene::ElementKind;
 use crate::product::converge::problem_h::{self, is_problem_h};
 use crate::product::converge::{
-    self, ConvergeError, Series, Study, json, page, peers, plot, table,
+    self, ConvergeError, MeshSeries, Study, json, page, peers, plot, table,
 };
 use crate::render::plot::write;
 use clap::{Args, ValueEnum};
@@ -60,8 +60,7 @@ const PLOT_FILE: &str = "converge.svg";
 
 /// Carries out the command.
 pub fn run(args: &ConvergeArgs) -> CommandResult {
-    let bad = |error: ConvergeError| (ExitStatus::BadInput, error.into());
-    let job = Job::new(args).map_err(bad)?;
+    let job = Job::new(args).map_err(bad_input)?;
     super::threads::set_threads(args.threads);
     let mut console = Console::new(true);
     let mut study = Study::new(&job.case.title, job.series.words());
@@ -80,7 +79,7 @@ pub fn run(args: &ConvergeArgs) -> CommandResult {
     match stopped {
         Ok(ExitStatus::Done) if args.write => {
             let written = peers::peers().and_then(|peers| page::write_page(&study, &peers));
-            written.map_err(bad)?;
+            written.map_err(bad_input)?;
             say(&format!("written to {} and {}", page::PAGE, page::PICTURE));
             Ok(ExitStatus::Done)
         }
@@ -92,7 +91,7 @@ pub fn run(args: &ConvergeArgs) -> CommandResult {
 /// What is to be solved.
 struct Job {
     case: Case,
-    series: Series,
+    series: MeshSeries,
     levels: usize,
     elements: Vec<ElementKind>,
     out: PathBuf,
@@ -119,12 +118,12 @@ impl Job {
         let series = match (&case.kind, &args.mesh[..]) {
             (Kind::Bearing(_), [preset]) => {
                 case.set_preset(&preset.to_string_lossy())?;
-                Series::of(&case, &[], args.factor)?
+                MeshSeries::of(&case, &[], args.factor)?
             }
-            _ => Series::of(&case, &args.mesh, args.factor)?,
+            _ => MeshSeries::of(&case, &args.mesh, args.factor)?,
         };
         let most = match &series {
-            Series::Files(files) => files.len(),
+            MeshSeries::Files(files) => files.len(),
             _ => usize::MAX,
         };
         let mut elements: Vec<ElementKind> = Vec::new();

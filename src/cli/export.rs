@@ -2,7 +2,7 @@
 
 use super::case_file::read_case;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::product::job::{self, JobError};
 use crate::render::inp::{ContactType, Settings};
 use clap::{Args, ValueEnum};
@@ -94,16 +94,13 @@ pub struct ExportArgs {
 /// Carries out the command.
 pub fn run(args: &ExportArgs) -> CommandResult {
     let Format::Inp = args.format;
-    let exported = export(args).map_err(|error| (ExitStatus::BadInput, error.into()))?;
+    let exported = export(args).map_err(bad_input)?;
     say(&exported);
     Ok(ExitStatus::Done)
 }
 
 fn export(args: &ExportArgs) -> Result<String, JobError> {
-    let mut case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
-    if args.elastic {
-        case.set_elastic();
-    }
+    let case = read_case(&args.case, args.mesh.as_deref(), args.full, args.elastic)?;
     let exported = job::export(&case, settings(args), &args.out, &mut |line| say(line))?;
     Ok(format!(
         "{}: {} nodes, {} elements",

@@ -2,7 +2,7 @@
 
 use super::case_file::read_case;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::product::job::{self, JobError};
 use crate::solver::solve::unknowns;
 use clap::Args;
@@ -26,13 +26,13 @@ pub struct MeshArgs {
 
 /// Carries out the command.
 pub fn run(args: &MeshArgs) -> CommandResult {
-    let text = make(args).map_err(|error| (ExitStatus::BadInput, error.into()))?;
+    let text = make(args).map_err(bad_input)?;
     say(&text);
     Ok(ExitStatus::Done)
 }
 
 fn make(args: &MeshArgs) -> Result<String, JobError> {
-    let case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
+    let case = read_case(&args.case, args.mesh.as_deref(), args.full, false)?;
     let mesh = job::make_mesh(&case, &args.out)?;
     // Ends and curved faces get their shape here, which the file does not have.
     let scene = case.scene(mesh)?;

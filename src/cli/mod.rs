@@ -27,6 +27,7 @@ mod threads;
 pub mod verify;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use status::bad_input;
 pub use status::{CommandResult, ExitStatus};
 use std::io::Write;
 use std::process::ExitCode;
@@ -105,7 +106,7 @@ impl Cli {
             Command::Completions(args) => completions::run(&args, &mut command()),
             Command::Hertz(args) => hertz::run(&args)
                 .map(|()| ExitStatus::Done)
-                .map_err(|error| (ExitStatus::BadInput, error.into())),
+                .map_err(bad_input),
         };
         let status = status.unwrap_or_else(|(status, report)| {
             // Nobody is left to tell where even this cannot be written.

@@ -1,6 +1,7 @@
 //! Standard output.
 
 use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 
 /// Why standard output could not be written, the first time.
@@ -14,6 +15,12 @@ pub fn say(text: &str) {
     {
         WRITE_ERROR.get_or_init(|| error.to_string());
     }
+}
+
+/// Prints the names of files that were written.
+pub fn say_written(paths: &[PathBuf]) {
+    let names: Vec<String> = paths.iter().map(|p| p.display().to_string()).collect();
+    say(&format!("written: {}", names.join(", ")));
 }
 
 /// Why standard output could not be written, where it could not.

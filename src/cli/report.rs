@@ -1,7 +1,7 @@
 //! `brinell report`: the page of a run, on paper.
 
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::product::print::{self, Paper};
 use crate::render::report;
 use clap::{Args, ValueEnum};
@@ -33,7 +33,7 @@ pub fn run(args: &ReportArgs) -> CommandResult {
         let page = args.folder.join(report::FILE);
         if let Err(error) = std::fs::metadata(&page) {
             let error = print::PrintError::Page(page, error);
-            return Err((ExitStatus::BadInput, error.into()));
+            return Err(bad_input(error));
         }
         say(&format!(
             "{}: open it in a browser, or print it with --pdf",
@@ -45,8 +45,7 @@ pub fn run(args: &ReportArgs) -> CommandResult {
         PaperArgument::A4 => Paper::A4,
         PaperArgument::Letter => Paper::Letter,
     };
-    let printed =
-        print::print(&args.folder, paper).map_err(|error| (ExitStatus::BadInput, error.into()))?;
+    let printed = print::print(&args.folder, paper).map_err(bad_input)?;
     say(&format!("written to {}", printed.display()));
     Ok(ExitStatus::Done)
 }

@@ -1,11 +1,11 @@
 //! `brinell run`: one case from its file to tables, `summary.json` and VTK files.
 
-use super::case_file::read_case;
+use super::case_file::{change, read_case, results_folder};
 use super::combinations;
 use super::console::{Console, LEGEND};
 use super::failure::failure;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use super::threads::set_threads;
 use crate::case::Case;
 use crate::case::combinations::{Combination, combinations as combinations_at};
@@ -15,7 +15,7 @@ use crate::product::target::{self, Level, Target, TargetLimits, TargetVerdict};
 use crate::render::{digest, terminal};
 use crate::solver::solve::{Counters, Phase};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
@@ -73,15 +73,10 @@ pub struct RunArgs {
 
 /// Carries out the command.
 pub fn run(args: &RunArgs) -> CommandResult {
-    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
-    let combinations = combinations_of(args).map_err(|error| bad(error.into()))?;
+    let combinations = combinations_of(args).map_err(bad_input)?;
     set_threads(args.threads);
     let options = Options {
-        out: Some(
-            args.out
-                .clone()
-                .unwrap_or_else(|| default_folder(&args.case)),
-        ),
+        out: Some(results_folder(&args.out, &args.case)),
         elastic_peaks: !args.no_elastic_peaks,
         resume: args.resume,
         report: !args.no_report,
@@ -95,9 +90,10 @@ pub fn run(args: &RunArgs) -> CommandResult {
         });
         return combinations::run(title, &all, &options, &mut console);
     }
-    let case = read(args).map_err(|error| bad(error.into()))?;
+    let case = read_case(&args.case, args.mesh.as_deref(), args.full, args.elastic);
+    let case = case.map_err(bad_input)?;
     let target = args.target.as_deref().map(str::parse::<Target>).transpose();
-    let target = target.map_err(|error| bad(error.into()))?;
+    let target = target.map_err(bad_input)?;
     let mut console = Console::new(args.quiet);
     if !args.quiet {
         say(&format!("{LEGEND}\n"));
@@ -128,12 +124,9 @@ pub fn run(args: &RunArgs) -> CommandResult {
             for limit in &missed {
                 say(&format!("FAILED: {limit}"));
             }
-            Ok(if outcome.interrupted {
-                ExitStatus::Interrupted
-            } else if missed.is_empty() {
-                ExitStatus::Done
-            } else {
-                ExitStatus::Failed
+            Ok(match outcome.interrupted {
+                true => ExitStatus::Interrupted,
+                false => ExitStatus::of(missed.is_empty()),
             })
         }
         Err(error) => Err(failure(&console, error)),
@@ -183,14 +176,6 @@ fn timer_table(counters: &Counters) -> String {
     format!("Solution\n{}", lines.join("\n"))
 }
 
-fn read(args: &RunArgs) -> Result<Case, JobError> {
-    let mut case = read_case(&args.case, args.mesh.as_deref(), args.full)?;
-    if args.elastic {
-        case.set_elastic();
-    }
-    Ok(case)
-}
-
 /// The combinations of the case, with what the arguments change; `None` where it is one case.
 fn combinations_of(args: &RunArgs) -> Result<Option<Vec<Combination>>, JobError> {
     let Some(mut all) = combinations_at(&args.case)? else {
@@ -207,20 +192,7 @@ fn combinations_of(args: &RunArgs) -> Result<Option<Vec<Combination>>, JobError>
     }
     for combination in &mut all {
         let case = &mut combination.case;
-        args.mesh
-            .as_deref()
-            .map(|mesh| case.set_preset(mesh))
-            .transpose()?;
-        if args.full {
-            case.set_full()?;
-        }
-        if args.elastic {
-            case.set_elastic();
-        }
+        change(case, args.mesh.as_deref(), args.full, args.elastic)?;
     }
     Ok(Some(all))
-}
-
-fn default_folder(case: &Path) -> PathBuf {
-    Path::new("results").join(case.file_stem().unwrap_or(case.as_os_str()))
 }

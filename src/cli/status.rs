@@ -13,5 +13,17 @@ pub enum ExitStatus {
     Interrupted = 130,
 }
 
+impl ExitStatus {
+    /// Done where all `holds`.
+    pub fn of(holds: bool) -> Self {
+        if holds { Self::Done } else { Self::Failed }
+    }
+}
+
+/// What a command that was given something wrong comes to.
+pub fn bad_input(error: impl Into<miette::Report>) -> (ExitStatus, miette::Report) {
+    (ExitStatus::BadInput, error.into())
+}
+
 /// What a command comes to: a status, or one with the reason.
 pub type CommandResult = Result<ExitStatus, (ExitStatus, miette::Report)>;

@@ -3,8 +3,9 @@
 use super::console::Console;
 use super::failure::failure;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::proof::study::{self, MEMBERS, Meshes, NAME, PAGE};
+use crate::render::page::PageError;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -40,7 +41,7 @@ pub struct StudyArgs {
 pub fn run(args: &StudyArgs) -> CommandResult {
     if args.study != NAME {
         let message = format!("there is no study `{}`; there is: {NAME}", args.study);
-        return Err((ExitStatus::BadInput, miette::Report::msg(message)));
+        return Err(bad_input(miette::Report::msg(message)));
     }
     super::threads::set_threads(args.threads);
     let meshes = Meshes {
@@ -70,9 +71,7 @@ pub fn run(args: &StudyArgs) -> CommandResult {
     }
     say(&format!("\nwritten to {}", out.display()));
     let page = Path::new(PAGE);
-    let bad = |error: crate::render::page::PageError| {
-        (ExitStatus::BadInput, miette::Report::msg(error.to_string()))
-    };
+    let bad = |error: PageError| bad_input(miette::Report::msg(error.to_string()));
     if args.write {
         study::write(page, &parts).map_err(bad)?;
         study::write_pictures(page, &solved, &out).map_err(bad)?;
@@ -88,10 +87,8 @@ pub fn run(args: &StudyArgs) -> CommandResult {
             d.part, d.row, d.page, d.fresh
         ));
     }
-    Ok(if differences.is_empty() {
+    if differences.is_empty() {
         say(&format!("{PAGE} says what this run says"));
-        ExitStatus::Done
-    } else {
-        ExitStatus::Failed
-    })
+    }
+    Ok(ExitStatus::of(differences.is_empty()))
 }

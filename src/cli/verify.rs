@@ -2,10 +2,11 @@
 
 use super::console::Console;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use super::threads::set_threads;
-use crate::ground::file::write_atomically;
+use crate::ground::file::{write_atomically, write_text};
 use crate::proof::verify::coverage::{self, CoverageAnswer, Keep, Set};
+use crate::proof::verify::stability::StabilitySection;
 use crate::proof::verify::{
     Extent, LadderClaim, VerifyError, extreme, families, matrix, random, stability,
 };
@@ -92,9 +93,8 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
     if args.suite.as_deref() == Some("coverage") {
         return run_coverage(args);
     }
-    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let extent = if args.all { Extent::All } else { Extent::Fast };
-    let families = families(args.suite.as_deref()).map_err(|error| bad(error.into()))?;
+    let families = families(args.suite.as_deref()).map_err(bad_input)?;
     say(&matrix::head());
     let mut claims: Vec<LadderClaim> = Vec::new();
     let mut unsolved: Vec<(&str, VerifyError)> = Vec::new();
@@ -123,17 +123,12 @@ pub fn run(args: &VerifyArgs) -> CommandResult {
         say(&format!("written to {VERIFICATION_PAGE}"));
     }
     let sound = claims.iter().all(LadderClaim::holds) && unsolved.is_empty();
-    Ok(if sound {
-        ExitStatus::Done
-    } else {
-        ExitStatus::Failed
-    })
+    Ok(ExitStatus::of(sound))
 }
 
 fn run_extreme(write: bool) -> CommandResult {
-    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     let suite = Path::new(EXTREME_SUITE);
-    let cases = extreme::read(suite).map_err(|error| bad(error.into()))?;
+    let cases = extreme::read(suite).map_err(bad_input)?;
     let folder = suite.parent().unwrap_or(suite);
     say(&extreme::head());
     let outcomes = cases.iter().map(|case| {
@@ -148,20 +143,9 @@ fn run_extreme(write: bool) -> CommandResult {
         outcomes.len()
     ));
     if write {
-        let section = extreme::section(&outcomes);
-        stability::write(
-            Path::new(STABILITY_PAGE),
-            stability::StabilitySection::Extreme,
-            &section,
-        )
-        .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
-        say(&format!("written to {STABILITY_PAGE}"));
+        write_section(StabilitySection::Extreme, &extreme::section(&outcomes))?;
     }
-    Ok(if failed == 0 {
-        ExitStatus::Done
-    } else {
-        ExitStatus::Failed
-    })
+    Ok(ExitStatus::of(failed == 0))
 }
 
 /// Draws and solves random cases.
@@ -184,8 +168,7 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
                 (&args.out, random::case_text(kind, args.seed, *number))
             {
                 let path = out.join(format!("{}.toml", kind.name(args.seed, *number)));
-                let written = write_atomically(&path, |file| file.write_all(text.as_bytes()));
-                written.map_err(|error| cannot(&path, error))?;
+                write_text(&path, &text).map_err(|error| cannot(&path, error))?;
             }
         }
         let outcomes = numbers.into_iter().map(|number| {
@@ -200,23 +183,10 @@ fn run_random(args: &VerifyArgs) -> CommandResult {
     }
     if args.write {
         let section = random::section(&drawn_by(args), &sets);
-        stability::write(
-            Path::new(STABILITY_PAGE),
-            stability::StabilitySection::Random,
-            &section,
-        )
-        .map_err(|error| cannot(Path::new(STABILITY_PAGE), error))?;
-        say(&format!("written to {STABILITY_PAGE}"));
+        write_section(StabilitySection::Random, &section)?;
     }
-    let holds = sets
-        .iter()
-        .flat_map(|(_, o)| o)
-        .all(random::RandomOutcome::holds);
-    Ok(if holds {
-        ExitStatus::Done
-    } else {
-        ExitStatus::Failed
-    })
+    let mut all = sets.iter().flat_map(|(_, outcomes)| outcomes);
+    Ok(ExitStatus::of(all.all(random::RandomOutcome::holds)))
 }
 
 /// The arguments that say which random cases are drawn.
@@ -232,13 +202,24 @@ fn drawn_by(args: &VerifyArgs) -> String {
 }
 
 fn cannot(path: &Path, error: impl std::fmt::Display) -> (ExitStatus, miette::Report) {
-    let report = miette::miette!("{} cannot be written: {error}", path.display());
-    (ExitStatus::BadInput, report)
+    bad_input(miette::miette!(
+        "{} cannot be written: {error}",
+        path.display()
+    ))
+}
+
+fn write_section(
+    section: StabilitySection,
+    text: &str,
+) -> Result<(), (ExitStatus, miette::Report)> {
+    let page = Path::new(STABILITY_PAGE);
+    stability::write(page, section, text).map_err(|error| cannot(page, error))?;
+    say(&format!("written to {STABILITY_PAGE}"));
+    Ok(())
 }
 
 fn run_coverage(all: &VerifyArgs) -> CommandResult {
     let (args, write) = (&all.coverage, all.write);
-    let bad = |report: miette::Report| (ExitStatus::BadInput, report);
     set_threads(all.threads);
     let mut console = Console::new(true);
     let mut suite = coverage::CoverageRun {
@@ -271,7 +252,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
     };
     let sets = suite.sets.clone();
     console.finish();
-    let answer = answer.map_err(|error| bad(error.into()))?;
+    let answer = answer.map_err(bad_input)?;
     if args.remake {
         return Ok(status(&answer, true));
     }
@@ -283,7 +264,7 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
             }
             Ok(())
         });
-        written.map_err(|error| bad(miette::miette!("{error}")))?;
+        written.map_err(|error| bad_input(miette::miette!("{error}")))?;
     }
     let criteria = coverage::criteria(&answer.records);
     say(coverage::demands(&criteria).trim_end());
@@ -300,12 +281,9 @@ fn run_coverage(all: &VerifyArgs) -> CommandResult {
 }
 
 fn status(answer: &CoverageAnswer, sound: bool) -> ExitStatus {
-    if answer.interrupted {
-        ExitStatus::Interrupted
-    } else if sound && answer.unsolved.is_empty() {
-        ExitStatus::Done
-    } else {
-        ExitStatus::Failed
+    match answer.interrupted {
+        true => ExitStatus::Interrupted,
+        false => ExitStatus::of(sound && answer.unsolved.is_empty()),
     }
 }
 

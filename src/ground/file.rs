@@ -4,6 +4,7 @@ use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
 use thiserror::Error;
 
 /// Why a file could not be written or read.
@@ -46,6 +47,25 @@ pub fn write_atomically(
         // The first error is the one to tell.
         let _ = fs::remove_file(&temporary);
         failed(source)
+    })
+}
+
+/// Writes a text as [`write_atomically`] does.
+///
+/// # Errors
+/// As there.
+pub fn write_text(path: &Path, text: &str) -> Result<(), FileError> {
+    write_atomically(path, |out| out.write_all(text.as_bytes()))
+}
+
+/// Writes a value as JSON for readers, as [`write_atomically`] does.
+///
+/// # Errors
+/// As there.
+pub fn write_json(path: &Path, value: &impl Serialize) -> Result<(), FileError> {
+    write_atomically(path, |out| {
+        serde_json::to_writer_pretty(&mut *out, value)?;
+        writeln!(out)
     })
 }
 

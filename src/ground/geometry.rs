@@ -63,6 +63,24 @@ pub fn tangents(n: Vec3) -> [Vec3; 2] {
     [first, cross(n, first)]
 }
 
+/// Least and largest of numbers; ∞ and −∞ where there are none.
+pub fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let numbers = numbers.into_iter();
+    numbers.fold(none, |[low, high], x| [low.min(x), high.max(x)])
+}
+
+/// The two corners of the box around points, the low one first; ∞ and −∞ where there are none.
+pub fn bounds(points: impl IntoIterator<Item = Vec3>) -> [Vec3; 2] {
+    let none = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    points.into_iter().fold(none, |[low, high], p| {
+        [
+            [0, 1, 2].map(|k| low[k].min(p[k])),
+            [0, 1, 2].map(|k| high[k].max(p[k])),
+        ]
+    })
+}
+
 /// Those of `axes` whose coordinate plane the point `at` lies on, but for rounding.
 pub fn planes_through(axes: &[usize], at: &Vec3) -> impl Iterator<Item = usize> {
     let size = at.iter().fold(0.0f64, |size, c| size.max(c.abs()));

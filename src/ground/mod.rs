@@ -6,4 +6,5 @@ pub(crate) mod hash;
 pub(crate) mod input;
 pub mod markdown;
 pub mod memory;
+pub(crate) mod order;
 pub mod units;

@@ -5,7 +5,7 @@
 
 use super::job::{self, JobError, Options, Outcome, SUMMARY_FILE, forget};
 use crate::case::combinations::Combination;
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, write_json, write_text};
 use crate::ground::hash::Fnv;
 use crate::render::joint::{self, JointPart};
 use crate::render::verdict::missed_rules;
@@ -97,7 +97,7 @@ fn run(
     forget_in(options.out.as_deref(), &[SUMMARY_FILE, report::FILE])?;
     if let Some(out) = &options.out {
         let text = combination.case.source.text();
-        write_atomically(&out.join(CASE), |file| file.write_all(text.as_bytes()))?;
+        write_text(&out.join(CASE), text)?;
     }
     job::run(&combination.case, options, observer)
 }
@@ -145,11 +145,7 @@ pub fn write(
 ) -> Result<Vec<PathBuf>, FileError> {
     let parts = parts(solved);
     let path = out.join(FILE);
-    let value = record(title, &parts);
-    write_atomically(&path, |file| {
-        serde_json::to_writer_pretty(&mut *file, &value)?;
-        writeln!(file)
-    })?;
+    write_json(&path, &record(title, &parts))?;
     let mut written = vec![path];
     if page {
         let about = [

@@ -1,16 +1,16 @@
 //! One page for several runs that belong together: the combinations of a case, the positions of a bearing.
 
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, write_text};
 use crate::render::figures::{share, with_error};
-use crate::render::report::STYLE;
+use crate::render::report::html_head;
 use crate::render::sections;
 use crate::render::summary::Summary;
 use crate::render::table::html::{table, tables};
 use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
-use crate::render::verdict::{Grade, Verdict, verdict};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use crate::render::verdict::{News, Verdict, verdict};
+use maud::{DOCTYPE, Markup, html};
 use std::error::Error;
 use std::path::Path;
 
@@ -36,7 +36,7 @@ impl JointPart<'_> {
         match self.summary {
             Ok(summary) => verdict(summary, self.missed),
             Err(why) => Verdict {
-                grade: Grade::Bad,
+                news: News::Bad,
                 head: "No answer.".to_owned(),
                 rest: vec![format!("{why}.")],
             },
@@ -100,8 +100,8 @@ pub fn overview(parts: &[JointPart]) -> Table {
             part.name.into(),
             part.acts.into(),
             Cell::figure(part.summary.ok().map(|summary| summary.answer.applied_load)),
-            match verdict.grade {
-                Grade::Good => head.into(),
+            match verdict.news {
+                News::Good => head.into(),
                 _ => Cell::Care(head),
             },
             match &most {
@@ -131,14 +131,7 @@ pub fn page(title: &str, about: &[String], parts: &[JointPart]) -> Markup {
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
-                title { (title) " – Brinell" }
-                link rel="icon" href="data:,";
-                style { (PreEscaped(STYLE)) }
-            }
+            (html_head(title, "default-src 'none'; style-src 'unsafe-inline'"))
             body {
                 h1 { (title) }
                 p class="sub" { "Brinell " (env!("CARGO_PKG_VERSION")) }
@@ -159,15 +152,15 @@ pub fn page(title: &str, about: &[String], parts: &[JointPart]) -> Markup {
 /// The verdict on all: that of the run with the worst news, and what governs.
 fn head(parts: &[JointPart]) -> Markup {
     let verdicts = parts.iter().map(|part| (part, part.verdict()));
-    let rank = |grade: Grade| match grade {
-        Grade::Good => 0,
-        Grade::Care => 1,
-        Grade::Bad => 2,
+    let rank = |news: News| match news {
+        News::Good => 0,
+        News::Care => 1,
+        News::Bad => 2,
     };
     // Of equally bad news that of the run that governs.
     let first = governs(parts).map(|index| parts[index].name);
     let order =
-        |(part, verdict): &(&JointPart, Verdict)| (rank(verdict.grade), Some(part.name) == first);
+        |(part, verdict): &(&JointPart, Verdict)| (rank(verdict.news), Some(part.name) == first);
     let worst = verdicts.reduce(|worst, other| match order(&other) > order(&worst) {
         true => other,
         false => worst,
@@ -175,7 +168,7 @@ fn head(parts: &[JointPart]) -> Markup {
     let Some((part, verdict)) = worst else {
         return html! {};
     };
-    let class = ["good", "care", "bad"][rank(verdict.grade)];
+    let class = ["good", "care", "bad"][rank(verdict.news)];
     let most = governs(parts).and_then(|index| parts.get(index));
     let most = most.and_then(|part| Some((part, governing(part.summary.ok()?)?)));
     html! {
@@ -226,5 +219,5 @@ pub fn write(
     path: &Path,
 ) -> Result<(), FileError> {
     let text = page(title, about, parts).into_string();
-    write_atomically(path, |out| out.write_all(text.as_bytes()))
+    write_text(path, &text)
 }

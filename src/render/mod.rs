@@ -31,5 +31,5 @@ pub mod verdict;
 pub mod warnings;
 
 pub use error::OutputError;
-pub use series::Series;
+pub use series::VtkSeries;
 pub use summary::Summary;

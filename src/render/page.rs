@@ -1,6 +1,6 @@
 //! Generated parts of pages of the documentation, between markers.
 
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, write_text};
 use std::path::{Path, PathBuf};
 
 /// Why a part of a page could not be put in or read.
@@ -64,9 +64,7 @@ pub fn insert(path: &Path, name: &str, new: &str) -> Result<(), PageError> {
             format!("{}\n\n{begin}\n{new}\n{end}\n", text.trim_end())
         }
     };
-    Ok(write_atomically(path, |out| {
-        out.write_all(whole.as_bytes())
-    })?)
+    Ok(write_text(path, &whole)?)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use crate::render::OutputError;
 /// The collection is rewritten after each increment, so that what an interrupted run leaves can
 /// be opened.
 #[derive(Debug, Clone)]
-pub struct Series {
+pub struct VtkSeries {
     folder: PathBuf,
     name: String,
     written: usize,
@@ -23,7 +23,7 @@ pub struct Series {
     units: Option<UnitLabels>,
 }
 
-impl Series {
+impl VtkSeries {
     /// A new series in `folder`; characters of `name` that file systems dislike become `_`.
     pub fn new(folder: impl Into<PathBuf>, name: &str) -> Self {
         let plain = |c: char| {

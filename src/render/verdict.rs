@@ -8,7 +8,7 @@ use crate::render::utilisation::first_largest;
 
 /// How good the news is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Grade {
+pub enum News {
     /// Nothing to be said against it.
     Good,
     /// To be read with care.
@@ -20,7 +20,7 @@ pub enum Grade {
 /// What a run comes to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verdict {
-    pub grade: Grade,
+    pub news: News,
     /// The first sentence,
     pub head: String,
     /// and the others.
@@ -30,7 +30,7 @@ pub struct Verdict {
 /// The verdict on a run whose checks miss the limits `missed`, in words.
 pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
     let bad = |head: &str, why| Verdict {
-        grade: Grade::Bad,
+        news: News::Bad,
         head: head.to_owned(),
         rest: vec![why],
     };
@@ -79,24 +79,24 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
         ));
     }
     let fails = fails(summary);
-    let (grade, head) = match (fails, flows) {
-        (Some(fails), None) => (Grade::Bad, format!("Solved; it FAILS {fails}.")),
+    let (news, head) = match (fails, flows) {
+        (Some(fails), None) => (News::Bad, format!("Solved; it FAILS {fails}.")),
         (Some(fails), Some(_)) => (
-            Grade::Bad,
+            News::Bad,
             format!("Solved; it FAILS {fails}, and steel yields."),
         ),
-        (None, Some(_)) => (Grade::Care, "Solved; steel yields.".to_owned()),
+        (None, Some(_)) => (News::Care, "Solved; steel yields.".to_owned()),
         (None, None) if open.is_some() => (
-            Grade::Care,
+            News::Care,
             "Solved; the pressure limit (2-49) is open.".to_owned(),
         ),
         (None, None) if unsure > 0 => (
-            Grade::Care,
+            News::Care,
             "Solved; not all figures are resolved.".to_owned(),
         ),
-        (None, None) => (Grade::Good, "Solved.".to_owned()),
+        (None, None) => (News::Good, "Solved.".to_owned()),
     };
-    Verdict { grade, head, rest }
+    Verdict { news, head, rest }
 }
 
 /// The sizing rules that are missed, each with how much of it is used; `None` where there are none.

@@ -1,14 +1,13 @@
-//! Approach, crown, stick and slip, punches and sphere beyond yield.
+//! Approach, stick and slip, punches and sphere beyond yield.
 
 use brinell::analytic::hertz::LineContact;
 use brinell::analytic::hertz::PointContact;
 use brinell::analytic::ring::{PlaneState, Ring, RingLoad};
 use brinell::analytic::{Elastic, contact_compliance};
 use brinell::proof::closed_forms::approach;
-use brinell::proof::closed_forms::crown::lundberg_drop;
-use brinell::proof::closed_forms::flattening::{self, exact_critical, jackson_green, kogut_etsion};
-use brinell::proof::closed_forms::friction::{CattaneoMindlin, MindlinSpheres};
-use brinell::proof::closed_forms::limit::{YieldCriterion, punch_pressure};
+use brinell::proof::closed_forms::flattening::{exact_critical, jackson_green, kogut_etsion};
+use brinell::proof::closed_forms::friction::CattaneoMindlin;
+use brinell::proof::closed_forms::limit::punch_pressure;
 use brinell::proof::closed_forms::rounded_punch::RoundedPunch;
 use proptest::prelude::*;
 
@@ -108,72 +107,16 @@ fn study_roller_between_flats() {
 }
 
 #[test]
-fn block_compression() {
-    let compliance = contact_compliance(steel(), steel()).unwrap();
-    let contact = LineContact::new(8.125, 1.5, compliance).unwrap();
-    let a = contact.half_width;
-    let exact = |depth| approach::block(&contact, depth, steel()).unwrap();
-    let far = approach::block_far(&contact, 50.0 * a, steel()).unwrap();
-    close("d = 50 a", far, exact(50.0 * a), 3e-5);
-    assert_eq!(exact(0.0), 0.0);
-    // Its slope is the strain on the axis: at the surface p0 (1 + ν)(1 - 2ν)/E.
-    let strain = contact.peak_pressure * 1.3 * 0.4 / 29500.0;
-    close(
-        "strain at the surface",
-        exact(1e-6 * a) / (1e-6 * a),
-        strain,
-        1e-5,
-    );
-    assert!(approach::block_far(&contact, a, steel()).is_err());
-    assert!(approach::block(&contact, -1.0, steel()).is_err());
-}
-
-/// 2y/L and the crown's drop for the steel of the study, w = 8.125 kip/in; Lundberg 1939.
-const CROWN: [(f64, f64); 6] = [
-    (0.0, 0.0),
-    (0.5, 4.590242901505e-05),
-    (0.8, 0.0001630142381425),
-    (0.9, 0.0002649855643924),
-    (0.95, 0.0003714391958992),
-    (0.99, 0.0006250005244498),
-];
-
-#[test]
-fn crown_of_a_roller() {
-    let compliance = contact_compliance(steel(), steel()).unwrap();
-    for (share, drop) in CROWN {
-        let value = lundberg_drop(share * 4.0, 8.125, 8.0, compliance).unwrap();
-        close("drop", value, drop, 1e-12);
-        assert_eq!(
-            value,
-            lundberg_drop(-share * 4.0, 8.125, 8.0, compliance).unwrap()
-        );
-    }
-    assert!(lundberg_drop(4.0, 8.125, 8.0, compliance).is_err());
-    // The literature's number for steel of 206 GPa, mm per N/mm.
-    let body = Elastic::new(206_000.0, 0.3).unwrap();
-    let compliance = contact_compliance(body, body).unwrap();
-    let e_fold = (1.0 - (-1f64).exp()).sqrt();
-    close(
-        "206 GPa",
-        lundberg_drop(0.5 * e_fold, 1.0, 1.0, compliance).unwrap(),
-        2.812e-6,
-        2e-4,
-    );
-}
-
-#[test]
-fn stick_of_cylinders_and_spheres() {
-    // Q/μP, c/a of cylinders, c/a of spheres.
+fn stick_of_cylinders() {
+    // Q/μP, c/a.
     let table = [
-        [0.25, 0.8660254037844386, 0.9085602964160698],
-        [0.5, 0.7071067811865476, 0.7937005259840998],
-        [0.75, 0.5, 0.6299605249474366],
-        [0.9, 0.3162277660168379, 0.46415888336127786],
+        [0.25, 0.8660254037844386],
+        [0.5, 0.7071067811865476],
+        [0.75, 0.5],
+        [0.9, 0.3162277660168379],
     ];
     let line = LineContact::new(2.0, 1.0, 0.01).unwrap();
-    let point = PointContact::new(2.0, 1.0, 0.01).unwrap();
-    for [share, cylinder, sphere] in table {
+    for [share, cylinder] in table {
         let stick = CattaneoMindlin::new(line, share * 0.2 * 2.0, 0.2).unwrap();
         close(
             "cylinder",
@@ -181,16 +124,9 @@ fn stick_of_cylinders_and_spheres() {
             cylinder,
             1e-12,
         );
-        let stick = MindlinSpheres::new(point, share * 0.2 * 2.0, 0.2).unwrap();
-        close(
-            "sphere",
-            stick.stick_radius / point.contact_radius,
-            sphere,
-            1e-12,
-        );
     }
     assert!(CattaneoMindlin::new(line, 0.5, 0.2).is_err());
-    assert!(MindlinSpheres::new(point, 0.1, 0.0).is_err());
+    assert!(CattaneoMindlin::new(line, 0.1, 0.0).is_err());
 }
 
 #[test]
@@ -234,43 +170,19 @@ fn traction_of_cylinders() {
 }
 
 #[test]
-fn shift_of_spheres_starts_elastic() {
-    // For a small Q the shift is Q/8a [(2-ν)/G + (2-ν)/G], Mindlin's stiffness without slip.
-    let point = PointContact::new(2.0, 1.0, 6e-5).unwrap();
-    let q = 1e-6;
-    let shift = MindlinSpheres::new(point, q, 0.2)
-        .unwrap()
-        .shift(steel(), steel());
-    let soft = 2.0 * 1.7 / steel().shear_modulus();
-    close(
-        "shift",
-        shift,
-        q / (8.0 * point.contact_radius) * soft,
-        1e-5,
-    );
-}
-
-#[test]
 fn prandtls_punch() {
     close(
         "Mises",
-        punch_pressure(1.0, YieldCriterion::Mises).unwrap(),
+        punch_pressure(1.0).unwrap(),
         2.9684999026134693,
         1e-12,
     );
-    close(
-        "Tresca",
-        punch_pressure(1.0, YieldCriterion::Tresca).unwrap(),
-        2.5708,
-        1e-5,
-    );
-    assert!(punch_pressure(0.0, YieldCriterion::Mises).is_err());
+    assert!(punch_pressure(0.0).is_err());
 }
 
-/// ω/ω_c; P and A of Kogut and Etsion, of Jackson and Green (steel of the study on a rigid flat),
-/// share of the approach that remains.
-const FLATTENED: [(f64, [f64; 5]); 8] = [
-    (1.0, [1.0, 1.0, 1.0, 1.0, 0.0]),
+/// ω/ω_c; P and A of Kogut and Etsion, of Jackson and Green (steel of the study on a rigid flat).
+const FLATTENED: [(f64, [f64; 4]); 8] = [
+    (1.0, [1.0; 4]),
     (
         2.0,
         [
@@ -278,7 +190,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             2.043868844693,
             2.829126916203,
             2.015477703635,
-            0.06706119561653,
         ],
     ),
     (
@@ -288,7 +199,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             5.787791444297,
             10.13438920309,
             5.782636521229,
-            0.2432848003218,
         ],
     ),
     (
@@ -298,7 +208,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             7.119717617744,
             13.00243267554,
             7.131938434928,
-            0.2799128871801,
         ],
     ),
     (
@@ -308,7 +217,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             13.15612083218,
             25.88493203282,
             12.83508683203,
-            0.378170675807,
         ],
     ),
     (
@@ -318,7 +226,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             29.11442575554,
             64.2131194086,
             28.48864067125,
-            0.4959170875589,
         ],
     ),
     (
@@ -328,7 +235,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             83.20462710326,
             202.3797290863,
             81.73717510674,
-            0.6208206084584,
         ],
     ),
     (
@@ -338,7 +244,6 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
             184.1313993096,
             460.4977715235,
             181.4230820229,
-            0.6943717275341,
         ],
     ),
 ];
@@ -346,23 +251,14 @@ const FLATTENED: [(f64, [f64; 5]); 8] = [
 #[test]
 fn sphere_beyond_yield() {
     let compliance = contact_compliance(steel(), Elastic::RIGID).unwrap();
-    for (omega, [load, area, jg_load, jg_area, residual]) in FLATTENED {
+    for (omega, [load, area, jg_load, jg_area]) in FLATTENED {
         let fit = kogut_etsion(omega).unwrap();
         close("KE load", fit.load, load, 1e-12);
         close("KE area", fit.area, area, 1e-12);
         let fit = jackson_green(omega, 100.0 * compliance, 0.3).unwrap();
         close("JG load", fit.load, jg_load, 1e-12);
         close("JG area", fit.area, jg_area, 1e-12);
-        close(
-            "residual",
-            flattening::residual_approach(omega).unwrap(),
-            residual,
-            1e-12,
-        );
     }
-    let critical = flattening::jackson_green_critical(1.5, compliance, 100.0, 0.3).unwrap();
-    close("JG ω_c", critical.approach, 9.185308471198762e-5, 1e-12);
-    close("JG P_c", critical.load, 0.04660211299477228, 1e-12);
     let critical = exact_critical(1.5, compliance, 100.0, 0.3).unwrap();
     close("ω_c", critical.approach, 9.161e-5, 1e-4);
     close("P_c", critical.load, 0.046415, 2e-5);
@@ -370,7 +266,6 @@ fn sphere_beyond_yield() {
     close("Hertz at P_c", hertz.approach, critical.approach, 1e-12);
     assert!(kogut_etsion(111.0).is_err());
     assert!(jackson_green(1e6, 0.01, 0.3).is_err());
-    assert!(flattening::residual_approach(0.5).is_err());
 }
 
 proptest! {

@@ -60,19 +60,7 @@ fn tension_test() {
 }
 
 #[test]
-fn plane_strain_and_true_values() {
-    close(
-        "first yield",
-        steel::plane_strain_yield(1.0, 0.3).unwrap(),
-        1.125088,
-        1e-6,
-    );
-    close(
-        "limit",
-        steel::plane_strain_yield(1.0, 0.5).unwrap(),
-        1.154701,
-        1e-6,
-    );
+fn true_values() {
     let [stress, strain] = steel::true_from_engineering(138.0, 0.157).unwrap();
     close("true stress", stress, 159.7, 1e-3);
     close("logarithmic strain", strain, 0.1458, 1e-3);

@@ -536,21 +536,6 @@ fn ellipses() {
     }
 }
 
-#[test]
-fn yield_load_of_an_ellipse_gives_yield() {
-    let contact = EllipticContact::new(3.0, [0.1, 0.7], 1e-3).unwrap();
-    let at_yield = point_onset::ellipse_yield_contact(&contact, 20.0, 0.3).unwrap();
-    let peak = EllipseField::below(&at_yield, 0.3)
-        .unwrap()
-        .peak_mises_on_axis();
-    close("Mises", peak.value, 20.0, 1e-12);
-    let sphere = point_onset::sphere_yield_contact(20.0, 0.3, 2.0, 1e-3).unwrap();
-    let peak = SphereField::below(&sphere, 0.3)
-        .unwrap()
-        .peak_mises_on_axis();
-    close("Mises", peak.value, 20.0, 1e-12);
-}
-
 proptest! {
     #[test]
     fn line_field_is_in_equilibrium(x in -3.0..3.0f64, z in 0.05..3.0f64, mu in 0.0..0.6f64) {

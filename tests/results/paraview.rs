@@ -3,7 +3,7 @@
 use crate::block::{fill_stress, pressed, stack};
 use brinell::answer::results::recovery::recover;
 use brinell::ground::units::UnitLabels;
-use brinell::render::{Series, paraview};
+use brinell::render::{VtkSeries, paraview};
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -49,7 +49,7 @@ fn pvbatch_draws_every_view_by_fields_that_exist() {
     }
     let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
-    let mut series = Series::new(folder.path(), "a case");
+    let mut series = VtkSeries::new(folder.path(), "a case");
     series.write(&scene, &state, &recovered).unwrap();
     let units = UnitLabels::new("in", "kip", "ksi");
     let title = "a \"quoted\" case, 4°";

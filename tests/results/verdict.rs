@@ -5,7 +5,7 @@ use brinell::analytic::rules::{RuleVerdict, Standing};
 use brinell::answer::certify::{Errors, Figure, Quantity};
 use brinell::render::digest::digest;
 use brinell::render::summary::{EvenLoad, SizedLine, Sizing, Summary};
-use brinell::render::verdict::{Grade, verdict};
+use brinell::render::verdict::{News, verdict};
 
 /// A line that uses 99.4 % of (2-49) meets it, misses it, or leaves it open, as its error has it.
 #[test]
@@ -43,7 +43,7 @@ fn a_limit_within_the_error_is_open() {
             ..Sizing::default()
         });
         let verdict = verdict(&summary, &[]);
-        (verdict.grade, verdict.head, verdict.rest[0].clone())
+        (verdict.news, verdict.head, verdict.rest[0].clone())
     };
     let (_, _, met) = said(0.994, Some(0.005));
     assert_eq!(met, "The pressure limit (2-49) is met.");
@@ -52,14 +52,14 @@ fn a_limit_within_the_error_is_open() {
         (1.001, Some(0.014), "100.1 ± 1.4 %"),
         (0.5, None, "NOT RESOLVED"),
     ] {
-        let (grade, _, open) = said(used, error);
+        let (news, _, open) = said(used, error);
         assert!(
-            grade == Grade::Care && open.contains("is open") && open.contains(tells),
+            news == News::Care && open.contains("is open") && open.contains(tells),
             "{open}"
         );
     }
-    let (grade, head, _) = said(1.03, Some(0.014));
-    assert!(grade == Grade::Bad && head.contains("FAILS"), "{head}");
+    let (news, head, _) = said(1.03, Some(0.014));
+    assert!(news == News::Bad && head.contains("FAILS"), "{head}");
 }
 
 /// The digest shows the largest pressure that is resolved, and tells of a larger one that is not.

@@ -9,7 +9,7 @@ use brinell::ground::units::UnitLabels;
 use brinell::model::mesh::Mesh;
 use brinell::model::scene::Scene;
 use brinell::model::state::State;
-use brinell::render::Series;
+use brinell::render::VtkSeries;
 use brinell::render::fields;
 use serde_json::{Value, json};
 
@@ -221,7 +221,7 @@ fn a_series_opens_with_every_array_part_and_time() {
     let (scene, mut state) = loaded();
     let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
-    let series = Series::new(folder.path().join("out"), "a case/1");
+    let series = VtkSeries::new(folder.path().join("out"), "a case/1");
     let mut series = series.in_units(UnitLabels::new("in", "kip", "ksi"));
     state.time = 0.1;
     let paths = series.write(&scene, &state, &recovered).unwrap();
@@ -261,13 +261,13 @@ fn a_resumed_series_goes_on_from_its_state() {
     let (scene, mut state) = loaded();
     let recovered = recover(&scene, &state);
     let folder = tempfile::tempdir().unwrap();
-    let mut series = Series::new(folder.path(), "case");
+    let mut series = VtkSeries::new(folder.path(), "case");
     for time in [0.25, 0.5, 0.75] {
         state.time = time;
         series.write(&scene, &state, &recovered).unwrap();
     }
     state.time = 0.5;
-    let mut series = Series::resume(folder.path(), "case", (state.step, state.time)).unwrap();
+    let mut series = VtkSeries::resume(folder.path(), "case", (state.step, state.time)).unwrap();
     state.time = 1.0;
     let paths = series.write(&scene, &state, &recovered).unwrap();
     assert!(paths[0].ends_with("case_0003.vtu"));
@@ -378,7 +378,7 @@ fn a_place_that_cannot_be_written_is_named_and_left_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let blocked = folder.path().join("blocked");
     std::fs::write(&blocked, "not a folder").unwrap();
-    let error = Series::new(&blocked, "case")
+    let error = VtkSeries::new(&blocked, "case")
         .write(&scene, &state, &recovered)
         .unwrap_err();
     assert!(error.to_string().contains("case_0001.vtu"), "{error}");

@@ -3,12 +3,12 @@
 use brinell::analytic::displaced::DisplacedRoller;
 use brinell::analytic::rolling::{largest_slope, rolling_friction};
 use brinell::ground::units::{Dimension, UnitSystem};
-use brinell::product::size::{Candidate, Proposal, Request, STOUT, Setting, SizingRule};
+use brinell::product::size::{Candidate, LengthRule, Proposal, Request, STOUT, Setting};
 use std::f64::consts::PI;
 
 fn study(load: f64, yield_stress: f64, capacity: f64) -> Request {
     Request {
-        rule: Setting::or(Some(SizingRule::Printed), SizingRule::Printed),
+        rule: Setting::or(Some(LengthRule::Printed), LengthRule::Printed),
         margin: Setting::or(None, 1.0),
         ..Request::new(UnitSystem::InKipKsi, load, yield_stress, capacity)
     }

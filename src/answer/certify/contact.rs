@@ -83,10 +83,7 @@ impl Contact<'_> {
         };
         let error = error.filter(|e| e.is_finite() && *e <= most);
         Figure {
-            error: Errors {
-                discretisation: error.map(|e| e * value),
-                ..Errors::default()
-            },
+            error: Errors::only_of_mesh(error.map(|e| e * value)),
             note: error.is_none().then_some(why),
             ..figure_of(what, &self.interface.name, value)
         }

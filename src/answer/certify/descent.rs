@@ -121,10 +121,7 @@ impl Travel {
 /// The claim of the travel.
 pub(super) fn claim(travel: Travel) -> Figure {
     Figure {
-        error: Errors {
-            discretisation: travel.error(),
-            ..Errors::default()
-        },
+        error: Errors::only_of_mesh(travel.error()),
         note: travel.missing.is_none().then_some("prescribed"),
         ..figure_of(Quantity::Descent, "overall", travel.value())
     }

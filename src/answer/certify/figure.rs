@@ -165,6 +165,14 @@ pub struct Errors {
 }
 
 impl Errors {
+    /// Of the mesh alone.
+    pub(super) fn only_of_mesh(discretisation: Option<f64>) -> Self {
+        Self {
+            discretisation,
+            ..Self::default()
+        }
+    }
+
     /// Their sum, as far as they are known; `None` where the error of the mesh is not.
     pub fn total(&self) -> Option<f64> {
         let rest = self.penetration.unwrap_or(0.0) + self.increment.unwrap_or(0.0);

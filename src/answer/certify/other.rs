@@ -37,10 +37,7 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Figure> {
         let nodal = stress.nodal?;
         let value = stress.mises.unwrap_or(nodal);
         Some(Figure {
-            error: Errors {
-                discretisation: stress.mises.map(|mises| mises * bore_share(stress)),
-                ..Errors::default()
-            },
+            error: Errors::only_of_mesh(stress.mises.map(|mises| mises * bore_share(stress))),
             note: stress.mises.is_none().then_some(YIELDED),
             ..figure_of(Quantity::BoreMises, body, value)
         })
@@ -130,10 +127,7 @@ fn horizontal_force(
     });
     let turned = (misplaced + unturned) * interface.normal_force.abs();
     (across > NONE * interface.normal_force.abs()).then(|| Figure {
-        error: Errors {
-            discretisation: Some(SHEAR * coarseness * across + turned),
-            ..Errors::default()
-        },
+        error: Errors::only_of_mesh(Some(SHEAR * coarseness * across + turned)),
         ..figure_of(Quantity::HorizontalForce, &interface.name, across)
     })
 }
@@ -156,10 +150,7 @@ pub(super) fn eccentricity(
     let spread = line.line.spread()?;
     let error = too_stiff.map(|share| share * value.abs().min(spread));
     Some(Figure {
-        error: Errors {
-            discretisation: error,
-            ..Errors::default()
-        },
+        error: Errors::only_of_mesh(error),
         note: error.is_none().then_some(UNKNOWN_STIFFNESS),
         ..figure_of(Quantity::Eccentricity, &interface.name, value)
     })
@@ -178,10 +169,7 @@ pub(super) fn dents(dents: &[(String, String, f64)], flow: &[Figure]) -> Vec<Fig
             .total()
             .map(|error| error / strain.value * depth);
         Some(Figure {
-            error: Errors {
-                discretisation: error,
-                ..Errors::default()
-            },
+            error: Errors::only_of_mesh(error),
             note: error.is_none().then_some(UNKNOWN_FLOW),
             ..figure_of(Quantity::Dent, surface, *depth)
         })

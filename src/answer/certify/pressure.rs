@@ -12,7 +12,7 @@ use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
 use crate::answer::results::strip_row::StripRow;
 use crate::answer::results::tensor::traction;
-use crate::ground::geometry::{add, dot, norm, scale, sub, unit};
+use crate::ground::geometry::{add, dot, scale, sub, unit};
 use crate::model::mesh::{Face, Surface};
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
@@ -179,10 +179,7 @@ impl Contact<'_> {
             .faces
             .iter()
             .filter(|face| face.nodes.contains(&field.nodes[node]));
-        let sides = faces.flat_map(|face| {
-            let corners = face.corners(&scene.mesh);
-            [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
-        });
+        let sides = faces.flat_map(|face| face.sides(&scene.mesh));
         let side = sides.fold(f64::INFINITY, f64::min);
         field.sagitta[node] / (compliance * field.pressure[node] * side)
     }

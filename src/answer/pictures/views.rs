@@ -72,9 +72,7 @@ fn hottest(answer: &Answer) -> Option<[f64; 3]> {
 
 /// The plane at `at`, moved a little inwards where it would only touch the end of a body.
 fn inside(scene: &Scene, axis: usize, at: f64, drawn: [usize; 2]) -> Plane {
-    let places = scene.mesh.points.iter().map(|p| p[axis]);
-    let none = (f64::INFINITY, f64::NEG_INFINITY);
-    let (low, high) = places.fold(none, |(low, high), x| (low.min(x), high.max(x)));
+    let [low, high] = scene.mesh.range_along(axis);
     let (middle, little) = (0.5 * (low + high), 1e-5 * (high - low));
     Plane {
         axis,

@@ -105,8 +105,7 @@ fn held_bodies(scene: &Scene) -> Vec<usize> {
     };
     (surfaces.filter_map(|name| scene.mesh.surface(name)))
         .filter(|surface| !mirror(surface))
-        .flat_map(|surface| surface.faces.iter())
-        .map(|face| scene.mesh.body_of(face.element as usize))
+        .flat_map(|surface| surface.bodies(&scene.mesh))
         .collect()
 }
 
@@ -114,13 +113,7 @@ fn held_bodies(scene: &Scene) -> Vec<usize> {
 /// the body has no part in the pair.
 fn side(scene: &Scene, pair: usize, index: usize) -> Option<(f64, bool)> {
     let contact = &scene.contacts[pair];
-    let is = |partner: &Partner| match partner {
-        Partner::Surface(name) => scene.mesh.surface(name).is_some_and(|surface| {
-            let face = surface.faces.first();
-            face.is_some_and(|f| scene.mesh.body_of(f.element as usize) == index)
-        }),
-        Partner::Plane { .. } => false,
-    };
+    let is = |partner: &Partner| partner.body(&scene.mesh) == Some(index);
     match (is(&contact.lower), is(&contact.upper)) {
         (true, _) => Some((1.0, contact.carrier == Side::Lower)),
         (_, true) => Some((-1.0, contact.carrier == Side::Upper)),

@@ -6,11 +6,11 @@
 use std::collections::BTreeMap;
 
 use super::circle::circle_centre;
-use super::load::{direction, face_corners};
-use super::quad::{area_vector, corner, derivatives};
+use super::load::direction;
 use super::recovery::Recovered;
 use crate::ground::geometry::{cross, dot, norm, sub};
 use crate::model::mesh::Surface;
+use crate::model::mesh::quadrilateral::{CORNERS, area_vector, derivatives};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 
@@ -264,7 +264,7 @@ fn surface_strains(
 ) -> BTreeMap<u32, SurfaceStrain> {
     let mut strains: BTreeMap<u32, SurfaceStrain> = BTreeMap::new();
     for face in &surface.faces {
-        let corners = face_corners(&scene.mesh, face.nodes);
+        let corners = face.corners(&scene.mesh);
         let moved = face.nodes.map(|n| state.displacement[n as usize]);
         let yielded = state
             .peeq_of(face.element as usize)
@@ -300,8 +300,8 @@ fn corner_strain(
     i: usize,
     along: [f64; 3],
 ) -> [f64; 3] {
-    let tangents = derivatives(corner(i), corners);
-    let changes = derivatives(corner(i), moved);
+    let tangents = derivatives(CORNERS[i], corners);
+    let changes = derivatives(CORNERS[i], moved);
     let normal = cross(tangents[0], tangents[1]);
     let normal = if norm(normal) > 0.0 {
         normal

@@ -64,11 +64,9 @@ impl ContactLine {
 
     /// How many rows in the whole one row of the modelled part stands for.
     pub fn length_share(&self) -> f64 {
-        match (self.at.first(), self.at.last()) {
-            (Some(first), Some(last)) if last > first => {
-                (self.length + self.lifted_off) / (last - first)
-            }
-            _ => 1.0,
+        match self.extent() {
+            Some(extent) => (self.length + self.lifted_off) / extent,
+            None => 1.0,
         }
     }
 
@@ -91,10 +89,13 @@ impl ContactLine {
 
     /// Load per length, spread evenly over the whole length of the carrier.
     pub fn mean(&self) -> f64 {
-        match (self.at.first(), self.at.last()) {
-            (Some(first), Some(last)) if last > first => self.force() / (last - first),
-            _ => 0.0,
-        }
+        self.extent().map_or(0.0, |extent| self.force() / extent)
+    }
+
+    /// From its first row to its last one; `None` where it has not two.
+    fn extent(&self) -> Option<f64> {
+        let extent = self.at.last()? - self.at.first()?;
+        (extent > 0.0).then_some(extent)
     }
 
     fn force(&self) -> f64 {

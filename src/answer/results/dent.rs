@@ -6,8 +6,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Vector3};
 
 use super::hex::{GaussRule, interpolate};
-use super::load::{cutting, face_corners};
-use super::quad::area_vector;
+use super::load::cutting;
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
 
@@ -34,7 +33,7 @@ pub fn dent(
     let motion = RigidMotion::fit(scene, displacement, body)?;
     let mut normals: BTreeMap<u32, Vector3<f64>> = BTreeMap::new();
     for face in &surface.faces {
-        let normal = Vector3::from(area_vector(&face_corners(&scene.mesh, face.nodes)));
+        let normal = Vector3::from(face.area_vector(&scene.mesh));
         for node in face.nodes {
             *normals.entry(node).or_insert_with(Vector3::zeros) += normal;
         }

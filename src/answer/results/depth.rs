@@ -1,7 +1,7 @@
 //! A nodal field along a straight line into a body.
 
 use super::recovery::Recovered;
-use crate::ground::geometry::{cross, dot, sub};
+use crate::ground::geometry::{cross, dot, range, sub};
 use crate::model::mesh::surface::FACES;
 use crate::model::scene::Scene;
 
@@ -50,11 +50,7 @@ pub fn mises_along(
 /// Does the line come near the box around the corners?
 fn may_meet(corners: &[[f64; 3]; 8], from: [f64; 3], into: [f64; 3], low: f64, high: f64) -> bool {
     (0..3).all(|k| {
-        let least = corners.iter().map(|c| c[k]).fold(f64::INFINITY, f64::min);
-        let most = corners
-            .iter()
-            .map(|c| c[k])
-            .fold(f64::NEG_INFINITY, f64::max);
+        let [least, most] = range(corners.iter().map(|c| c[k]));
         let slack = 1e-3 * (most - least);
         let ends = [from[k] + low * into[k], from[k] + high * into[k]];
         ends[0].min(ends[1]) <= most + slack && ends[0].max(ends[1]) >= least - slack

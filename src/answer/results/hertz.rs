@@ -342,7 +342,7 @@ fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option
     // Convex where facets face away from the middle.
     let outward = surface.faces.iter().map(|face| {
         let corners = face.corners(mesh);
-        let normal = super::quad::area_vector(&corners);
+        let normal = face.area_vector(mesh);
         let mut arm = [0.0; 3];
         (arm[u], arm[v]) = (corners[0][u] - middle[0], corners[0][v] - middle[1]);
         dot(normal, arm)

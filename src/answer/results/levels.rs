@@ -5,7 +5,6 @@
 
 use super::interface::Interface;
 use super::load::{along, cutting_pair, times};
-use crate::model::mesh::Surface;
 use crate::model::scene::{Partner, PlaneMotion, Scene, Support, joined};
 use crate::model::state::State;
 use std::collections::BTreeMap;
@@ -86,9 +85,8 @@ fn pass_on(levels: &mut [Option<usize>], joined: &[usize]) {
 }
 
 fn bodies_of<'s>(scene: &'s Scene, surface: &str) -> impl Iterator<Item = usize> + use<'s> {
-    let faces = scene.mesh.surface(surface).into_iter();
-    let faces = faces.flat_map(|s: &Surface| s.faces.iter());
-    faces.map(|face| scene.mesh.body_of(face.element as usize))
+    let surface = scene.mesh.surface(surface).into_iter();
+    surface.flat_map(|surface| surface.bodies(&scene.mesh))
 }
 
 /// The axis that the load acts along, mostly.

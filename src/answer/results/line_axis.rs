@@ -2,9 +2,10 @@
 
 use super::circle::FittedCircle;
 use super::load::upright;
+use crate::ground::geometry::range;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::{Partner, Scene};
+use crate::model::scene::Scene;
 
 /// The axis (0, 1, 2) of the lines of contact pair `pair`: that about which one of its surfaces is round, a cylinder or
 /// a roller with fillets or a crown; else the longer side across the load of the more slender of the two. `None` where
@@ -13,12 +14,7 @@ pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
     let carrier = scene.carrier(pair)?;
     let contact = &scene.contacts[pair];
     let sides = [&contact.upper, &contact.lower].into_iter();
-    let sides: Vec<&Surface> = sides
-        .filter_map(|side| match side {
-            Partner::Surface(name) => scene.mesh.surface(name),
-            Partner::Plane { .. } => None,
-        })
-        .collect();
+    let sides: Vec<&Surface> = sides.filter_map(|side| side.surface(&scene.mesh)).collect();
     let axes: Result<Vec<_>, Oblique> = (sides.iter())
         .map(|surface| axis_of_rotation(&scene.mesh, surface))
         .collect();
@@ -29,11 +25,7 @@ pub fn line_axis(scene: &Scene, pair: usize) -> Option<usize> {
 /// Least and largest coordinate of a surface along an axis.
 pub(super) fn extent(mesh: &Mesh, surface: &Surface, axis: usize) -> [f64; 2] {
     let nodes = surface.faces.iter().flat_map(|f| f.nodes);
-    let at = nodes.map(|n| mesh.points[n as usize][axis]);
-    let ends = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-        (low.min(p), high.max(p))
-    });
-    [ends.0, ends.1]
+    range(nodes.map(|n| mesh.points[n as usize][axis]))
 }
 
 /// From this cosine on a cylinder counts as along an axis: rollers may be a tenth of a radian askew.
@@ -103,12 +95,10 @@ fn longest_axis(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> usize {
         a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
     };
     let more = |most: &Surface, other: &Surface| slenderness(other) > 1.001 * slenderness(most);
-    let slender = sides
-        .iter()
-        .fold(carrier, |most, other| match more(most, other) {
-            true => other,
-            false => most,
-        });
+    let slender = sides.iter().fold(
+        carrier,
+        |most, other| if more(most, other) { other } else { most },
+    );
     let [one, other] = across;
     if length(slender, other) > length(slender, one) {
         other

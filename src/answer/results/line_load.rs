@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::line_axis::{extent, line_axis};
 use super::load::{self, cutting_pair, times};
-use crate::ground::geometry::dot;
+use crate::ground::geometry::{self, dot};
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -112,9 +112,7 @@ fn tributaries(scene: &Scene, surface: &Surface, axis: usize) -> BTreeMap<u32, (
     let coordinate = |node: u32| scene.mesh.points[node as usize][axis];
     let mut around: BTreeMap<u32, (f64, f64)> = BTreeMap::new();
     for face in &surface.faces {
-        let at = face.nodes.map(coordinate);
-        let low = at.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [low, high] = geometry::range(face.nodes.map(coordinate));
         for node in face.nodes {
             let range = around.entry(node).or_insert((low, high));
             *range = (range.0.min(low), range.1.max(high));

@@ -1,8 +1,8 @@
 //! The applied load of a scene, and what a force on the modelled part is for the whole.
 
-use super::quad::{area, area_vector, integrate};
+use super::quad::{area, integrate};
 use crate::ground::geometry::{add, dot, norm, scale};
-use crate::model::mesh::Mesh;
+use crate::model::mesh::quadrilateral::area_vector;
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Traction, TractionValue};
 use crate::model::state::{PlaneField, State};
 
@@ -83,7 +83,7 @@ fn traction_force(scene: &Scene, traction: &Traction) -> [f64; 3] {
     let surface = scene.mesh.surface(&traction.surface);
     let faces = surface.into_iter().flat_map(|s| &s.faces);
     faces.fold([0.0; 3], |sum, face| {
-        let corners = face_corners(&scene.mesh, face.nodes);
+        let corners = face.corners(&scene.mesh);
         add(sum, face_force(&traction.value, &corners))
     })
 }
@@ -209,10 +209,7 @@ fn least(scene: &Scene) -> f64 {
 /// model, strained by the motions over its length.
 fn rounding(scene: &Scene) -> f64 {
     let stiffest = scene.materials.iter().map(|s| s.youngs_modulus);
-    let extent = (0..3).map(|axis| {
-        let at = || scene.mesh.points.iter().map(|p| p[axis]);
-        at().fold(f64::NEG_INFINITY, f64::max) - at().fold(f64::INFINITY, f64::min)
-    });
+    let extent = (0..3).map(|axis| scene.mesh.extent(axis));
     let motions = scene.rigid_planes.iter().flat_map(|plane| plane.motion);
     let motion = motions.map(|m| match m {
         PlaneMotion::Held(u) => u.abs(),
@@ -291,7 +288,7 @@ fn mean_travel(scene: &Scene, state: &State, traction: &Traction) -> [f64; 3] {
     let (mut sum, mut total) = ([0.0; 3], 0.0);
     let surface = scene.mesh.surface(&traction.surface);
     for face in surface.into_iter().flat_map(|s| &s.faces) {
-        let corners = face_corners(&scene.mesh, face.nodes);
+        let corners = face.corners(&scene.mesh);
         let moved = face.nodes.map(|n| state.displacement[n as usize]);
         integrate(&corners, |shape, weight| {
             let here = shape.iter().zip(moved);
@@ -314,7 +311,7 @@ fn travel_of_tractions(scene: &Scene, state: &State, along: [f64; 3]) -> Option<
         let factor = if none { 1.0 } else { now(&traction.name) };
         let surface = scene.mesh.surface(&traction.surface)?;
         for face in &surface.faces {
-            let corners = face_corners(&scene.mesh, face.nodes);
+            let corners = face.corners(&scene.mesh);
             let moved = face
                 .nodes
                 .map(|n| dot(state.displacement[n as usize], along));
@@ -335,9 +332,4 @@ fn face_force(traction: &TractionValue, corners: &[[f64; 3]; 4]) -> [f64; 3] {
         TractionValue::Pressure(p) => area_vector(corners).map(|a| -p * a),
         TractionValue::Vector(t) => t.map(|t| t * area(corners)),
     }
-}
-
-/// Corner coordinates of a face.
-pub(super) fn face_corners(mesh: &Mesh, nodes: [u32; 4]) -> [[f64; 3]; 4] {
-    nodes.map(|n| mesh.points[n as usize])
 }

@@ -1,6 +1,5 @@
 //! The half-width of a strip of contact pressure.
 
-use super::load::face_corners;
 use super::quad::integrate;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::state::ContactField;
@@ -58,7 +57,7 @@ pub fn half_width(
     });
     let mut moments = [0.0; 3];
     for face in &surface.faces {
-        let corners = face_corners(mesh, face.nodes);
+        let corners = face.corners(mesh);
         let inside = (0..3).all(|i| {
             let centre = 0.25 * corners.iter().map(|c| c[i]).sum::<f64>();
             strip.within[i].0 <= centre && centre <= strip.within[i].1

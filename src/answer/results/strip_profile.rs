@@ -1,7 +1,6 @@
 //! The pressure across a strip of contact, at one place along it.
 
 use super::contact_lines::{ContactLine, across};
-use super::quad::area_vector;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -112,10 +111,7 @@ fn centroid(points: &[(f64, f64)]) -> f64 {
         force += 0.5 * (b - a) * (p + q);
         moment += (b - a) / 6.0 * (p * (2.0 * a + b) + q * (a + 2.0 * b));
     }
-    match force > 0.0 {
-        true => moment / force,
-        false => 0.0,
-    }
+    if force > 0.0 { moment / force } else { 0.0 }
 }
 
 /// The place at distance `s` along the nodes of a row.
@@ -139,7 +135,7 @@ fn normal(scene: &Scene, pair: usize, node: u32, axis: usize) -> Option<[f64; 3]
     let mut sum = [0.0; 3];
     let faces = scene.carrier(pair)?.faces.iter();
     for face in faces.filter(|face| face.nodes.contains(&node)) {
-        let vector = area_vector(&face.corners(&scene.mesh));
+        let vector = face.area_vector(&scene.mesh);
         for (s, v) in sum.iter_mut().zip(vector) {
             *s += v;
         }

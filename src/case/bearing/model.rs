@@ -8,7 +8,7 @@ use crate::case::axes::modelled_share;
 use crate::case::contact::Contact;
 use crate::case::interfaces::{BOTTOM, SYMMETRIES, TOP};
 use crate::case::load::Loads;
-use crate::case::model::Model;
+use crate::case::model::MeshlessScene;
 use crate::case::place::{KeyPlace, Located};
 use crate::case::source::Source;
 use crate::model::scene::{
@@ -18,13 +18,18 @@ use crate::model::scene::{
 impl BearingCase {
     /// The model: four contact pairs, the top face a rigid plane
     /// that moves along z under the load, and otherwise as `top` and `horizontal` say, the bottom face fixed.
-    pub(in crate::case) fn model(&self, name: &str, source: &Source, controls: Controls) -> Model {
+    pub(in crate::case) fn model(
+        &self,
+        name: &str,
+        source: &Source,
+        controls: Controls,
+    ) -> MeshlessScene {
         let place = KeyPlace {
             source: source.clone(),
             key: self.layout().table().to_string(),
             span: 0..0,
         };
-        Model {
+        MeshlessScene {
             name: name.to_string(),
             steels: self.steels.clone(),
             contacts: self.contacts(&place),

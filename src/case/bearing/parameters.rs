@@ -32,10 +32,7 @@ pub fn gmsh_parameters(geometry: &dyn Layout, request: &MeshRequest) -> Vec<(Str
 /// The factor that brings the coordinates of a mesh of this bearing, made in some other unit,
 /// into the unit of `geometry`: by the height of the stack. `None` for a mesh without height.
 pub fn mesh_scale(mesh: &Mesh, geometry: &dyn Layout) -> Option<f64> {
-    let heights = mesh.points.iter().map(|p| p[2]);
-    let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
-        [low.min(z), high.max(z)]
-    });
+    let [low, high] = mesh.range_along(2);
     let [bottom, top] = geometry.height_range();
     let scale = (top - bottom) / (high - low);
     (high > low && scale.is_finite()).then_some(scale)

@@ -59,7 +59,8 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         let length = self.length("roller_length")?;
         let slope = self.quantity("slope", Dimension::ANGLE)?.value;
         let skew = self.skew(2)?;
-        let [upper_thickness, intermediate_thickness, lower_thickness] = self.thicknesses()?;
+        let [upper_thickness, intermediate_thickness, lower_thickness] =
+            self.thicknesses(["upper", "intermediate", "lower"], &keys::PLATE_THICKNESS)?;
         Ok(BearingGeometry {
             roller: RollerShape {
                 diameter,
@@ -87,7 +88,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
     }
 
     pub(super) fn flag(&self, key: &str) -> Result<Option<Located<bool>>, CaseError> {
-        self.table.get(key).map(|field| field.boolean()).transpose()
+        self.table.maybe(key, Field::boolean)
     }
 
     pub(super) fn show(&self, value: f64) -> String {
@@ -121,15 +122,19 @@ impl<'a, 'b> BearingReader<'a, 'b> {
         }
     }
 
-    /// Upper, intermediate, lower.
-    fn thicknesses(&self) -> Result<[f64; 3], CaseError> {
+    /// Of these plates: one for all, or those of a table that has `known` keys.
+    pub(super) fn thicknesses<const N: usize>(
+        &self,
+        plates: [&str; N],
+        known: &keys::Keys,
+    ) -> Result<[f64; N], CaseError> {
         let field = self.table.need("plate_thickness")?;
         if !field.is_table() {
-            return Ok([field.quantity(Dimension::LENGTH)?.value; 3]);
+            return Ok([field.quantity(Dimension::LENGTH)?.value; N]);
         }
-        let table = field.table()?.only(&keys::PLATE_THICKNESS)?;
-        let mut thickness = [0.0; 3];
-        for (value, key) in thickness.iter_mut().zip(["upper", "intermediate", "lower"]) {
+        let table = field.table()?.only(known)?;
+        let mut thickness = [0.0; N];
+        for (value, key) in thickness.iter_mut().zip(plates) {
             *value = table.need(key)?.quantity(Dimension::LENGTH)?.value;
         }
         Ok(thickness)
@@ -172,11 +177,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
     fn offset(&mut self) -> Result<f64, CaseError> {
         let given = self.length("offset")?;
         let choices = [("roller", 1.0), ("bearing", 0.5)];
-        let is = self
-            .table
-            .get("offset_is")
-            .map(|field| field.choice(&choices))
-            .transpose()?;
+        let is = (self.table).maybe("offset_is", |field| field.choice(&choices))?;
         let share = is.map_or(1.0, |is| is.value);
         let offset = given * share;
         if offset != 0.0 {
@@ -240,8 +241,7 @@ impl<'a, 'b> BearingReader<'a, 'b> {
 
     /// How often a point of the surfaces is rolled over.
     pub fn rollings(&self) -> Result<Option<f64>, CaseError> {
-        let given = self.table.get("rollings");
-        let given = given.map(|field| field.ratio()?.positive()).transpose()?;
+        let given = (self.table).maybe("rollings", |field| field.ratio()?.positive())?;
         Ok(given.map(|rollings| rollings.value))
     }
 
@@ -280,11 +280,7 @@ fn roller_end(field: &Field) -> Result<RollerEnd, CaseError> {
         return word.map(|end| end.value).map_err(|error| error.help(help));
     }
     let table = field.table()?.only(&keys::ROLLER_END)?;
-    let length = |key: &str| -> Result<Option<f64>, CaseError> {
-        let field = table.get(key);
-        let length = field.map(|field| field.quantity(Dimension::LENGTH));
-        Ok(length.transpose()?.map(|length| length.value))
-    };
+    let length = |key| table.maybe(key, |field| Ok(field.quantity(Dimension::LENGTH)?.value));
     match (length("radius")?, length("crown")?) {
         (Some(radius), None) => Ok(RollerEnd::Radius(radius)),
         (None, Some(crown)) => Ok(RollerEnd::Crown(crown)),

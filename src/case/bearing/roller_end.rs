@@ -39,18 +39,9 @@ fn move_node(point: &mut [f64; 3], place: &RollerPlace, geometry: &dyn Layout) {
 
 /// The nodes of a body, each once.
 pub(super) fn nodes_of(mesh: &Mesh, body: &str) -> Vec<usize> {
-    let Some(index) = mesh.body(body) else {
-        return Vec::new();
-    };
-    let elements = mesh.bodies[index].elements.clone();
-    let mut nodes: Vec<usize> = mesh.hexes[elements]
-        .iter()
-        .flatten()
-        .map(|n| *n as usize)
-        .collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    nodes
+    let nodes = mesh.body(body).map(|body| mesh.nodes_of_body(body));
+    let nodes = nodes.unwrap_or_default().into_iter();
+    nodes.map(|node| node as usize).collect()
 }
 
 #[cfg(test)]

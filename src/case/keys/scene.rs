@@ -1,6 +1,6 @@
 //! Keys of a general scene.
 
-use super::{Keys, key};
+use super::{Key, Keys, key};
 
 pub const SCENE: Keys = Keys {
     heading: "Beside those of every case",
@@ -117,25 +117,29 @@ pub const BODY: Keys = Keys {
     ],
 };
 
+/// What entries on surfaces have in common.
+const NAME: Key = key("name", "text", "that of the surface", "for `step.factors`");
+
+const SURFACE: Key = key("surface", "text", "required", "of the mesh");
+
+const FIXED: Key = key(
+    "fixed",
+    "some of the letters xyz",
+    "none",
+    "components that stay",
+);
+
+const DISPLACEMENT: Key = key(
+    "displacement",
+    "table by axis of lengths",
+    "none",
+    "components that are displaced, at factor one",
+);
+
 pub const SUPPORT: Keys = Keys {
     heading: "[[support]]",
     about: "Holds or displaces the nodes of a surface.",
-    keys: &[
-        key("name", "text", "that of the surface", "for `step.factors`"),
-        key("surface", "text", "required", "of the mesh"),
-        key(
-            "fixed",
-            "some of the letters xyz",
-            "none",
-            "components that stay",
-        ),
-        key(
-            "displacement",
-            "table by axis of lengths",
-            "none",
-            "components that are displaced, at factor one",
-        ),
-    ],
+    keys: &[NAME, SURFACE, FIXED, DISPLACEMENT],
 };
 
 pub const RIGID_PLANE: Keys = Keys {
@@ -143,20 +147,10 @@ pub const RIGID_PLANE: Keys = Keys {
     about: "A surface that moves as one: along each axis that is fixed, displaced or driven, as a rigid plane does. It \
             does not turn unless it is told to. Reactions, moments and angles are about its point.",
     keys: &[
-        key("name", "text", "that of the surface", "for `step.factors`"),
-        key("surface", "text", "required", "of the mesh"),
-        key(
-            "fixed",
-            "some of the letters xyz",
-            "none",
-            "components that stay",
-        ),
-        key(
-            "displacement",
-            "table by axis of lengths",
-            "none",
-            "components that are displaced, at factor one",
-        ),
+        NAME,
+        SURFACE,
+        FIXED,
+        DISPLACEMENT,
         key(
             "force",
             "table by axis of forces",
@@ -194,8 +188,8 @@ pub const LOAD: Keys = Keys {
     heading: "[[pressure]], [[traction]]",
     about: "Forces per area, which keep their directions.",
     keys: &[
-        key("name", "text", "that of the surface", "for `step.factors`"),
-        key("surface", "text", "required", "of the mesh"),
+        NAME,
+        SURFACE,
         key(
             "value",
             "stress of a pressure, list of three stresses of a traction",
@@ -226,28 +220,16 @@ pub const TEMPERATURE: Keys = Keys {
     ],
 };
 
+/// What an entry by axis takes.
+const BY_AXIS: &str = "length, force, angle or moment";
+
 pub const AXES: Keys = Keys {
     heading: "displacement, force, rotation, moment",
     about: "Of supports and rigid planes: `force = { z = \"-40 N\" }`.",
     keys: &[
-        key(
-            "x",
-            "length, force, angle or moment",
-            "none",
-            "along or about x",
-        ),
-        key(
-            "y",
-            "length, force, angle or moment",
-            "none",
-            "along or about y",
-        ),
-        key(
-            "z",
-            "length, force, angle or moment",
-            "none",
-            "along or about z",
-        ),
+        key("x", BY_AXIS, "none", "along or about x"),
+        key("y", BY_AXIS, "none", "along or about y"),
+        key("z", BY_AXIS, "none", "along or about z"),
     ],
 };
 

@@ -48,18 +48,16 @@ impl Hardening {
             let help = "keep one of hardening, hardening_modulus, tangent_modulus";
             return Err(second.place().error(ErrorKind::Conflict, why).help(help));
         }
-        if let Some(field) = table.get("hardening_modulus") {
-            let modulus = field.quantity(Dimension::STRESS)?.not_negative()?;
+        let modulus = |field: &Field| field.quantity(Dimension::STRESS)?.not_negative();
+        if let Some(modulus) = table.maybe("hardening_modulus", modulus)? {
             return Ok(Some(Self::Modulus(modulus)));
         }
-        if let Some(field) = table.get("tangent_modulus") {
-            let modulus = field.quantity(Dimension::STRESS)?.not_negative()?;
+        if let Some(modulus) = table.maybe("tangent_modulus", modulus)? {
             return Ok(Some(Self::Tangent(modulus)));
         }
-        table
-            .get("hardening")
-            .map(|field| Self::point(&field.table()?, assumptions))
-            .transpose()
+        table.maybe("hardening", |field| {
+            Self::point(&field.table()?, assumptions)
+        })
     }
 
     fn point(table: &Table, assumptions: &mut Vec<Assumption>) -> Result<Self, CaseError> {
@@ -70,13 +68,8 @@ impl Hardening {
             .positive()?;
         let strain = table.need("strain")?.ratio()?.positive()?;
         let choices = [("total", StrainIs::Total), ("plastic", StrainIs::Plastic)];
-        let given = table
-            .get("strain_is")
-            .map(|field| field.choice(&choices))
-            .transpose()?;
-        let strain_is = given
-            .as_ref()
-            .map_or(StrainIs::Total, |located| located.value);
+        let given = table.maybe("strain_is", |field| field.choice(&choices))?;
+        let strain_is = given.as_ref().map_or(StrainIs::Total, |given| given.value);
         let word = if strain_is == StrainIs::Total {
             "total"
         } else {

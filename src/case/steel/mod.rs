@@ -7,7 +7,6 @@ use super::assumption::Assumption;
 use super::error::{CaseError, ErrorKind};
 use super::grades::Grades;
 use super::keys;
-use super::nearest::advice;
 use super::parse::{Field, Table};
 use super::place::Located;
 use crate::ground::units::Dimension;
@@ -100,8 +99,7 @@ impl Steels {
             None => Ok(()),
             Some((name, _)) => {
                 let why = format!("there is no body called `{}`", name.value);
-                let help = advice(&name.value, bodies.iter().copied());
-                Err(name.place.error(ErrorKind::UnknownName, why).help(help))
+                Err((name.place).unknown(why, &name.value, bodies.iter().copied()))
             }
         }
     }

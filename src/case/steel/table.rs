@@ -75,38 +75,28 @@ impl SteelTable {
         grades: &Grades,
         assumptions: &mut Vec<Assumption>,
     ) -> Result<Self, CaseError> {
-        let stress = |key: &str| {
-            table
-                .get(key)
-                .map(|field| field.quantity(Dimension::STRESS))
-                .transpose()
+        let positive =
+            |key: &str, dimension| table.maybe(key, |field| field.quantity(dimension)?.positive());
+        let stress = |key| positive(key, Dimension::STRESS);
+        let poisson = |field: &Field| {
+            let why = "Poisson's ratio must lie between -1 and 0.5";
+            field.ratio()?.require(|nu| *nu > -1.0 && *nu < 0.5, why)
         };
-        let positive = |key: &str| stress(key)?.map(Located::positive).transpose();
-        let poisson = |nu: Located<f64>| {
-            nu.require(
-                |nu| *nu > -1.0 && *nu < 0.5,
-                "Poisson's ratio must lie between -1 and 0.5",
-            )
-        };
-        let ratio = |key: &str| table.get(key).map(|field| field.ratio()).transpose();
-        let flag = |key: &str| table.get(key).map(|field| field.boolean()).transpose();
-        let length = |field: Field| field.quantity(Dimension::LENGTH)?.positive();
-        let nu = ratio("poissons_ratio")?;
+        let flag = |key| table.maybe(key, Field::boolean);
+        let poissons_ratio = table.maybe("poissons_ratio", poisson)?;
         let entry = Self {
             place: table.place(),
-            youngs_modulus: positive("youngs_modulus")?,
-            poissons_ratio: nu.map(poisson).transpose()?,
-            yield_stress: positive("yield_stress")?,
+            youngs_modulus: stress("youngs_modulus")?,
+            poissons_ratio,
+            yield_stress: stress("yield_stress")?,
             hardening: Hardening::read(table, assumptions)?,
             elastic: flag("elastic")?,
-            ultimate_strength: positive("ultimate_strength")?,
-            hardness: ratio("hardness")?.map(Located::positive).transpose()?,
+            ultimate_strength: stress("ultimate_strength")?,
+            hardness: positive("hardness", Dimension::RATIO)?,
             surface_hardened: flag("surface_hardened")?,
-            expansion: (table.get("expansion"))
-                .map(|field| field.quantity(Dimension::EXPANSION))
-                .transpose()?,
-            grade: (table.get("grade").map(|field| graded(&field, grades))).transpose()?,
-            thickness: table.get("thickness").map(length).transpose()?,
+            expansion: table.maybe("expansion", |field| field.quantity(Dimension::EXPANSION))?,
+            grade: table.maybe("grade", |field| graded(field, grades))?,
+            thickness: positive("thickness", Dimension::LENGTH)?,
         };
         entry.contradiction(table)?;
         Ok(entry)

@@ -10,11 +10,12 @@ use crate::render::summary::RuleSheet;
 use crate::render::table::text::text;
 
 /// Rows of label, value and unit under headings.
-struct HandbookTable {
+struct HandbookTable<'u> {
     text: String,
+    units: &'u UnitLabels,
 }
 
-impl HandbookTable {
+impl HandbookTable<'_> {
     fn heading(&mut self, heading: &str) {
         let gap = if self.text.is_empty() { "" } else { "\n" };
         self.put(format_args!("{gap}{heading}\n"));
@@ -23,6 +24,30 @@ impl HandbookTable {
     fn row(&mut self, label: &str, value: f64, unit: &str) {
         let line = format!("  {label:<46} {:>12} {unit}", number(value));
         self.put(format_args!("{}\n", line.trim_end()));
+    }
+
+    fn length(&mut self, label: &str, value: f64) {
+        self.row(label, value, &self.units.length);
+    }
+
+    fn area(&mut self, label: &str, value: f64) {
+        self.row(label, value, &self.units.area());
+    }
+
+    fn force(&mut self, label: &str, value: f64) {
+        self.row(label, value, &self.units.force);
+    }
+
+    fn stress(&mut self, label: &str, value: f64) {
+        self.row(label, value, &self.units.stress);
+    }
+
+    fn line_load(&mut self, label: &str, value: f64) {
+        self.row(label, value, &self.units.line_load());
+    }
+
+    fn share(&mut self, label: &str, value: f64) {
+        self.row(label, value, "");
     }
 
     fn words(&mut self, label: &str, words: &str) {
@@ -49,41 +74,24 @@ fn number(value: f64) -> String {
 }
 
 pub(super) fn table(units: &UnitLabels, answer: &HandbookAnswer, rules: &RuleSheet) -> String {
-    let [length, force, stress] = [&units.length, &units.force, &units.stress].map(String::as_str);
-    let (per_length, area) = (units.line_load(), units.area());
     let mut t = HandbookTable {
         text: String::new(),
+        units,
     };
     t.heading("Contact (Hertz, line, even load)");
-    t.row("load per length p", answer.line_load, &per_length);
-    t.row("peak pressure p0", answer.peak_pressure, stress);
-    t.row(
-        "  by (2-48) as printed",
-        answer.peak_pressure_printed,
-        stress,
-    );
-    t.row("mean pressure", answer.mean_pressure, stress);
-    t.row("contact width 2a", answer.contact_width, length);
-    t.row(
-        "  by (2-47) as printed",
-        answer.contact_width_printed,
-        length,
-    );
+    t.line_load("load per length p", answer.line_load);
+    t.stress("peak pressure p0", answer.peak_pressure);
+    t.stress("  by (2-48) as printed", answer.peak_pressure_printed);
+    t.stress("mean pressure", answer.mean_pressure);
+    t.length("contact width 2a", answer.contact_width);
+    t.length("  by (2-47) as printed", answer.contact_width_printed);
     for (name, below) in [("roller", &answer.roller), ("plate", &answer.plate)] {
-        peak(&mut t, name, below, length, stress);
+        peak(&mut t, name, below);
     }
-    t.row(
-        "first yield at p0",
-        answer.first_yield.peak_pressure,
-        stress,
-    );
-    t.row(
-        "first yield at p",
-        answer.first_yield.line_load,
-        &per_length,
-    );
-    t.row("first yield at the load", answer.first_yield.load, force);
-    sections(&mut t, answer, [length, force, stress], &per_length, &area);
+    t.stress("first yield at p0", answer.first_yield.peak_pressure);
+    t.line_load("first yield at p", answer.first_yield.line_load);
+    t.force("first yield at the load", answer.first_yield.load);
+    sections(&mut t, answer);
     t.put(format_args!("\n{}", text(&rule_table(rules, units))));
     t.heading("Verdict");
     t.words("half space valid?", yes_no(answer.half_space_valid));
@@ -109,117 +117,80 @@ fn yes_no(yes: bool) -> &'static str {
     if yes { "yes" } else { "no" }
 }
 
-fn peak(t: &mut HandbookTable, body: &str, below: &Below, length: &str, stress: &str) {
-    t.row(
-        &format!("largest Mises stress, {body}"),
-        below.mises,
-        stress,
-    );
-    t.row("  at the depth", below.depth, length);
-    t.row("  over yield", below.share_of_yield, "");
+fn peak(t: &mut HandbookTable, body: &str, below: &Below) {
+    t.stress(&format!("largest Mises stress, {body}"), below.mises);
+    t.length("  at the depth", below.depth);
+    t.share("  over yield", below.share_of_yield);
     if let Some(mises) = below.mises_in_sliding {
-        t.row("  if it slid", mises, stress);
+        t.stress("  if it slid", mises);
     }
 }
 
-fn sections(
-    t: &mut HandbookTable,
-    answer: &HandbookAnswer,
-    [length, force, stress]: [&str; 3],
-    per_length: &str,
-    area: &str,
-) {
+fn sections(t: &mut HandbookTable, answer: &HandbookAnswer) {
     let rules = &answer.rules;
     t.heading("Sizing (reference study)");
-    t.row("limit 1.65 yield, (2-49)", rules.pressure_limit, stress);
-    t.row("p0 over yield", rules.pressure_over_yield, "");
-    t.row("D L", rules.diameter_times_length, area);
-    t.row(
-        "D L required by (2-50), constant 8",
-        rules.required_printed,
-        area,
-    );
+    t.stress("limit 1.65 yield, (2-49)", rules.pressure_limit);
+    t.share("p0 over yield", rules.pressure_over_yield);
+    t.area("D L", rules.diameter_times_length);
+    t.area("D L required by (2-50), constant 8", rules.required_printed);
     let exact = format!(
         "D L required by (2-49), constant {:.4}",
         sizing::exact().sizing
     );
-    t.row(&exact, rules.required_exact, area);
-    t.row("load capacity, constant 8", rules.capacity_printed, force);
-    t.row("load capacity, exact constant", rules.capacity_exact, force);
+    t.area(&exact, rules.required_exact);
+    t.force("load capacity, constant 8", rules.capacity_printed);
+    t.force("load capacity, exact constant", rules.capacity_exact);
     if let Some(bore) = &answer.bore {
         t.heading("Hollow roller (exact ring, plane strain)");
-        t.row(
+        t.stress(
             "hoop stress at the bore under the load",
             bore.hoop_under_load,
-            stress,
         );
-        t.row("  its Mises stress", bore.mises_under_load, stress);
-        t.row("  by the curved beam", bore.curved_beam_hoop, stress);
+        t.stress("  its Mises stress", bore.mises_under_load);
+        t.stress("  by the curved beam", bore.curved_beam_hoop);
         t.row(
             "  error of the curved beam",
             100.0 * bore.curved_beam_error,
             "%",
         );
-        t.row("hoop stress at the bore at 90°", bore.hoop_at_side, stress);
+        t.stress("hoop stress at the bore at 90°", bore.hoop_at_side);
         if let Some(change) = bore.outer_diameter_change {
-            t.row("change of the outer diameter", change, length);
+            t.length("change of the outer diameter", change);
         }
-        t.row(
-            "change of the inner diameter",
-            bore.inner_diameter_change,
-            length,
-        );
+        t.length("change of the inner diameter", bore.inner_diameter_change);
     }
     if let Some(groove) = &answer.groove {
         t.heading("V groove (two lines)");
-        t.row("force across each line", groove.normal_load, per_length);
+        t.line_load("force across each line", groove.normal_load);
         if let Some([low, high]) = groove.normal_load_bounds {
-            t.row("  at least, with friction", low, per_length);
-            t.row("  at most, with friction", high, per_length);
+            t.line_load("  at least, with friction", low);
+            t.line_load("  at most, with friction", high);
         }
-        t.row("lines beside the root by", groove.offset, length);
-        t.row("gap over the root", groove.gap_at_root, length);
-        t.row("peak pressure of each", groove.peak_pressure, stress);
+        t.length("lines beside the root by", groove.offset);
+        t.length("gap over the root", groove.gap_at_root);
+        t.stress("peak pressure of each", groove.peak_pressure);
         if let Some(pressure) = groove.peak_pressure_with_interaction {
-            t.row("  with the other's effect", pressure, stress);
+            t.stress("  with the other's effect", pressure);
         }
-        t.row("contact width of each", groove.contact_width, length);
-        t.row("largest Mises stress", groove.mises, stress);
+        t.length("contact width of each", groove.contact_width);
+        t.stress("largest Mises stress", groove.mises);
     }
     if let Some(displaced) = &answer.displaced {
         t.heading("Displaced roller");
-        spread(
-            t,
-            "even over the effective length",
-            &displaced.block,
-            per_length,
-            [length, stress],
-        );
-        spread(
-            t,
-            "linear, no tension",
-            &displaced.linear,
-            per_length,
-            [length, stress],
-        );
+        spread(t, "even over the effective length", &displaced.block);
+        spread(t, "linear, no tension", &displaced.linear);
         if let Some([normal, push]) = displaced.on_slope {
-            t.row("force across the one line on the slope", normal, per_length);
-            t.row("horizontal force to be reacted", push, force);
+            t.line_load("force across the one line on the slope", normal);
+            t.force("horizontal force to be reacted", push);
         }
     }
 }
 
-fn spread(
-    t: &mut HandbookTable,
-    name: &str,
-    spread: &Spread,
-    per_length: &str,
-    [length, stress]: [&str; 2],
-) {
-    t.row(&format!("p, {name}"), spread.line_load, per_length);
-    t.row("  over a length of", spread.bearing_length, length);
-    t.row("  peak pressure", spread.peak_pressure, stress);
-    t.row("  largest Mises stress (elastic)", spread.mises, stress);
+fn spread(t: &mut HandbookTable, name: &str, spread: &Spread) {
+    t.line_load(&format!("p, {name}"), spread.line_load);
+    t.length("  over a length of", spread.bearing_length);
+    t.stress("  peak pressure", spread.peak_pressure);
+    t.stress("  largest Mises stress (elastic)", spread.mises);
 }
 
 #[cfg(test)]

@@ -1,15 +1,14 @@
 //! `brinell init`: a commented case file to begin with.
 
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
-use crate::ground::file::FileError;
-use crate::ground::file::write_atomically;
+use super::status::{CommandResult, ExitStatus, bad_input};
+use crate::ground::file::{FileError, write_text};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
 /// What the case describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Template {
+pub enum Starter {
     /// A bearing of crossed rollers, given by its dimensions.
     Bearing,
     /// Parallel rollers between two plates, given by their dimensions.
@@ -24,7 +23,7 @@ pub struct InitArgs {
     pub path: Option<PathBuf>,
     /// What the case describes.
     #[arg(long, value_enum, default_value = "bearing")]
-    pub kind: Template,
+    pub kind: Starter,
     /// Write over a file that is there.
     #[arg(long)]
     pub force: bool,
@@ -47,7 +46,7 @@ enum InitError {
     Output(#[from] FileError),
 }
 
-impl Template {
+impl Starter {
     fn file(self) -> &'static str {
         match self {
             Self::Bearing => "bearing.toml",
@@ -70,12 +69,12 @@ impl Template {
 /// Carries out the command.
 pub fn run(args: &InitArgs) -> CommandResult {
     let path = args.path.clone().unwrap_or_else(|| args.kind.file().into());
-    write(args, &path).map_err(|error| (ExitStatus::BadInput, error.into()))?;
+    write(args, &path).map_err(bad_input)?;
     let path = path.display();
     say(&format!("written: {path}"));
     say(&match args.kind {
-        Template::Bearing | Template::LineBearing => format!("next: brinell run {path}"),
-        Template::General => {
+        Starter::Bearing | Starter::LineBearing => format!("next: brinell run {path}"),
+        Starter::General => {
             format!("next: put in your mesh and its names, then brinell run {path}")
         }
     });
@@ -87,9 +86,7 @@ fn write(args: &InitArgs, path: &Path) -> Result<(), InitError> {
         return Err(InitError::Exists(path.to_owned()));
     }
     let text = args.kind.text(path);
-    Ok(write_atomically(path, |out| {
-        out.write_all(text.as_bytes())
-    })?)
+    Ok(write_text(path, &text)?)
 }
 
 #[cfg(test)]
@@ -97,23 +94,23 @@ mod tests {
     use super::*;
     use crate::case::{self, Case};
 
-    fn read(kind: Template, text: &str) -> Case {
+    fn read(kind: Starter, text: &str) -> Case {
         case::parse(kind.file(), text).expect(text)
     }
 
     #[test]
     fn all_templates_are_cases() {
-        let line = Template::LineBearing.text(Path::new("a.toml"));
-        let line = read(Template::LineBearing, &line);
+        let line = Starter::LineBearing.text(Path::new("a.toml"));
+        let line = read(Starter::LineBearing, &line);
         assert!(matches!(&line.kind, case::Kind::Bearing(b) if b.geometry.line().is_some()));
         let bearing = read(
-            Template::Bearing,
-            &Template::Bearing.text(Path::new("a.toml")),
+            Starter::Bearing,
+            &Starter::Bearing.text(Path::new("a.toml")),
         );
         assert!(matches!(bearing.kind, case::Kind::Bearing(_)));
         let general = read(
-            Template::General,
-            &Template::General.text(Path::new("a.toml")),
+            Starter::General,
+            &Starter::General.text(Path::new("a.toml")),
         );
         assert!(matches!(general.kind, case::Kind::General(_)));
     }
@@ -129,15 +126,15 @@ mod tests {
             "plate_size = \"8 in\"",
             "full = false",
         ];
-        let text = Template::Bearing.text(Path::new("a.toml"));
-        let case::Kind::Bearing(plain) = read(Template::Bearing, &text).kind else {
+        let text = Starter::Bearing.text(Path::new("a.toml"));
+        let case::Kind::Bearing(plain) = read(Starter::Bearing, &text).kind else {
             panic!("not a bearing")
         };
         for line in shown {
             let hidden = format!("# {}", line.replace('\n', "\n# "));
             let with = text.replace(&hidden, line);
             assert_ne!(with, text, "{line}");
-            let case::Kind::Bearing(other) = read(Template::Bearing, &with).kind else {
+            let case::Kind::Bearing(other) = read(Starter::Bearing, &with).kind else {
                 panic!("not a bearing")
             };
             assert_eq!(other.geometry, plain.geometry, "{line}");
@@ -148,7 +145,7 @@ mod tests {
     /// What is shown as an alternative reads, too.
     #[test]
     fn shown_alternatives_read() {
-        let bearing = Template::Bearing.text(Path::new("a.toml"));
+        let bearing = Starter::Bearing.text(Path::new("a.toml"));
         let changes: [(&str, &str); 3] = [
             (
                 "tangent_modulus = \"295 ksi\"",
@@ -163,9 +160,9 @@ mod tests {
         for (from, to) in changes {
             let text = bearing.replace(from, to);
             assert_ne!(text, bearing, "{from}");
-            read(Template::Bearing, &text);
+            read(Starter::Bearing, &text);
         }
-        let line = Template::LineBearing.text(Path::new("a.toml"));
+        let line = Starter::LineBearing.text(Path::new("a.toml"));
         let changes = [
             (
                 "# rollers = 3\n# spacing = \"280 mm\"",
@@ -181,9 +178,9 @@ mod tests {
             if from.contains("rollers") {
                 text = text.replace("plate_size = [\"300 mm\", \"500 mm\"]\n", "");
             }
-            read(Template::LineBearing, &text);
+            read(Starter::LineBearing, &text);
         }
-        let general = Template::General.text(Path::new("a.toml"));
+        let general = Starter::General.text(Path::new("a.toml"));
         let changes = [
             ("# symmetry", "symmetry"),
             ("# unit", "unit"),
@@ -200,7 +197,7 @@ mod tests {
         for (from, to) in changes {
             let text = general.replace(from, to);
             assert_ne!(text, general, "{from}");
-            read(Template::General, &text);
+            read(Starter::General, &text);
         }
     }
 }

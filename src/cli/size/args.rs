@@ -129,11 +129,6 @@ pub struct SizeArgs {
     pub quiet: bool,
 }
 
-pub(super) fn names(paths: &[PathBuf]) -> String {
-    let names: Vec<String> = paths.iter().map(|p| p.display().to_string()).collect();
-    names.join(", ")
-}
-
 impl SizeArgs {
     pub(super) fn folder(&self, design: u8) -> PathBuf {
         match self.tries {
@@ -172,13 +167,7 @@ impl SizeArgs {
         let Some(text) = self.end.as_deref().map(str::trim) else {
             return Ok(None);
         };
-        let length = |size: &str| {
-            let number = quantity(size, units, Dimension::LENGTH);
-            number.map_err(|error| SizeError::Quantity {
-                option: "--end",
-                error,
-            })
-        };
+        let length = |size: &str| read_one(units, "--end", size, Dimension::LENGTH);
         match text.split_once(char::is_whitespace) {
             None if text == "square" => Ok(Some(RollerEnd::Square)),
             Some(("radius", size)) => Ok(Some(RollerEnd::Radius(length(size)?))),

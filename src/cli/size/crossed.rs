@@ -1,33 +1,33 @@
 //! `brinell size` of two crossed rollers.
 
-use super::args::{RuleName, SizeArgs, names, read, read_one};
+use super::args::{RuleName, SizeArgs, read, read_one};
 use super::verdict::verdict;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::output::say;
-use crate::cli::status::{CommandResult, ExitStatus};
+use crate::cli::output::{say, say_written};
+use crate::cli::status::{CommandResult, ExitStatus, bad_input};
 use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
 use crate::product::size::{
-    DesignVerdict, Proposal, Request, Setting, SizeError, SizingRule, render_verdict, table,
+    DesignVerdict, LengthRule, Proposal, Request, Setting, SizeError, render_verdict, table,
     verify, write,
 };
 use std::path::{Path, PathBuf};
 
 /// Carries out the command.
 pub fn run(args: &SizeArgs) -> CommandResult {
-    let bad = |error: SizeError| (ExitStatus::BadInput, error.into());
-    let mut request = args.crossed().map_err(bad)?;
+    let mut request = args.crossed().map_err(bad_input)?;
     set_threads(args.threads);
     let mut console = Console::new(args.quiet);
     for design in 1.. {
-        let proposal = Proposal::new(&request).map_err(bad)?;
+        let proposal = Proposal::new(&request).map_err(bad_input)?;
         say(&table::render(&proposal));
         let Some(choice) = proposal.choice() else {
             return Ok(ExitStatus::Failed);
         };
         let folder = args.folder(design);
-        let written = write(&proposal, choice, &folder).map_err(|error| bad(error.into()))?;
-        say(&format!("written: {}", names(&written)));
+        let written =
+            write(&proposal, choice, &folder).map_err(|error| bad_input(SizeError::from(error)))?;
+        say_written(&written);
         if !args.verify {
             return Ok(ExitStatus::Done);
         }
@@ -58,7 +58,7 @@ fn told(verdict: &DesignVerdict, folder: &Path) {
     let fields = verdict.positions.iter();
     let fields = fields.map(|p| folder.join(p.position).join(format!("{}.pvd", p.position)));
     let all: Vec<PathBuf> = names.into_iter().chain(fields).collect();
-    say(&format!("written: {}", super::args::names(&all)));
+    say_written(&all);
 }
 
 impl SizeArgs {
@@ -98,8 +98,8 @@ impl SizeArgs {
         let lever = maybe("--rolling-lever", &self.rolling_lever, Dimension::LENGTH)?;
         let rule = Setting::or(self.rule.map(RuleName::rule), own.rule.value);
         let margin = match rule.value {
-            SizingRule::Eccentric => own.margin.value,
-            SizingRule::Printed | SizingRule::Exact => 1.0,
+            LengthRule::Eccentric => own.margin.value,
+            LengthRule::Printed | LengthRule::Exact => 1.0,
         };
         let request = Request {
             modulus,
@@ -125,11 +125,11 @@ impl SizeArgs {
 }
 
 impl RuleName {
-    fn rule(self) -> SizingRule {
+    fn rule(self) -> LengthRule {
         match self {
-            Self::Printed => SizingRule::Printed,
-            Self::Exact => SizingRule::Exact,
-            Self::Eccentric => SizingRule::Eccentric,
+            Self::Printed => LengthRule::Printed,
+            Self::Exact => LengthRule::Exact,
+            Self::Eccentric => LengthRule::Eccentric,
         }
     }
 }

@@ -1,10 +1,10 @@
 //! `brinell size --template line`: parallel rollers.
 
-use super::args::{SizeArgs, names, read, read_one};
+use super::args::{SizeArgs, read, read_one};
 use super::verdict::verdict;
 use crate::cli::console::{Console, LEGEND};
-use crate::cli::output::say;
-use crate::cli::status::{CommandResult, ExitStatus};
+use crate::cli::output::{say, say_written};
+use crate::cli::status::{CommandResult, ExitStatus, bad_input};
 use crate::cli::threads::set_threads;
 use crate::ground::units::Dimension;
 use crate::product::size::{
@@ -13,19 +13,19 @@ use crate::product::size::{
 
 /// Carries out the command.
 pub fn run(args: &SizeArgs) -> CommandResult {
-    let bad = |error: SizeError| (ExitStatus::BadInput, error.into());
-    let mut request = request(args).map_err(bad)?;
+    let mut request = request(args).map_err(bad_input)?;
     set_threads(args.threads);
     let mut console = Console::new(args.quiet);
     for design in 1..=args.tries {
-        let proposal = LineProposal::new(&request).map_err(bad)?;
+        let proposal = LineProposal::new(&request).map_err(bad_input)?;
         say(&render_line(&proposal));
         let Some(choice) = proposal.choice() else {
             return Ok(ExitStatus::Failed);
         };
         let folder = args.folder(design);
-        let written = write_line(&proposal, choice, &folder).map_err(|error| bad(error.into()))?;
-        say(&format!("written: {}", names(&written)));
+        let written = write_line(&proposal, choice, &folder)
+            .map_err(|error| bad_input(SizeError::from(error)))?;
+        say_written(&written);
         if !args.verify {
             return Ok(ExitStatus::Done);
         }
@@ -38,10 +38,7 @@ pub fn run(args: &SizeArgs) -> CommandResult {
         };
         say(&format!("\n{}", verdict.render()));
         let files = ["verdict.json", "verdict.md", "line/report.html"];
-        say(&format!(
-            "written: {}",
-            names(&files.map(|name| folder.join(name)))
-        ));
+        say_written(&files.map(|name| folder.join(name)));
         match verdict.advised(&request) {
             _ if verdict.met => return Ok(ExitStatus::Done),
             Some(advised) => request = advised,

@@ -2,7 +2,7 @@
 
 use crate::cli::console::Console;
 use crate::cli::failure::failure;
-use crate::cli::status::ExitStatus;
+use crate::cli::status::{ExitStatus, bad_input};
 use crate::product::converge::ConvergeError;
 use crate::product::size::{SizeError, Verification};
 
@@ -15,7 +15,7 @@ pub(super) fn verdict<Verdict>(
         Ok(Verification::Done(verdict)) => Some(verdict),
         Ok(Verification::Interrupted) => None,
         Err(SizeError::Job(error)) => return Err(failure(console, ConvergeError::Job(error))),
-        Err(error) => return Err((ExitStatus::BadInput, error.into())),
+        Err(error) => return Err(bad_input(error)),
     };
     console.finish();
     Ok(verdict)

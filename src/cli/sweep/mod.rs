@@ -4,15 +4,15 @@ mod arguments;
 mod one;
 mod progress;
 
+use super::case_file::results_folder;
 use super::output::say;
-use super::status::{CommandResult, ExitStatus};
+use super::status::{CommandResult, ExitStatus, bad_input};
 use crate::ground::memory::available;
 use crate::product::sweep::{
     self, CSV, JSON_LINES, RowRecord, Sweep, SweepBudget, SweepError, SweepFolder,
 };
 pub use arguments::{Scheduler, SweepArgs};
 use progress::SweepProgress;
-use std::path::Path;
 
 /// Carries out the command.
 pub fn run(args: &SweepArgs) -> CommandResult {
@@ -22,7 +22,7 @@ pub fn run(args: &SweepArgs) -> CommandResult {
         SweepArgs { emit: Some(_), .. } => emit(args, &sweep, &place),
         _ => local(args, &sweep, &place),
     });
-    status.map_err(|error| (ExitStatus::BadInput, error.into()))
+    status.map_err(bad_input)
 }
 
 fn read(args: &SweepArgs) -> Result<(Sweep, SweepFolder), SweepError> {
@@ -31,9 +31,7 @@ fn read(args: &SweepArgs) -> Result<(Sweep, SweepFolder), SweepError> {
     if args.row.is_none() {
         sweep.validate()?;
     }
-    let stem = args.sweep.file_stem().unwrap_or(args.sweep.as_os_str());
-    let out = args.out.clone();
-    let out = out.unwrap_or_else(|| Path::new("results").join(stem));
+    let out = results_folder(&args.out, &args.sweep);
     Ok((sweep, SweepFolder(out)))
 }
 

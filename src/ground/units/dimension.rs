@@ -22,8 +22,6 @@ impl Dimension {
     pub const STRESS: Self = Self::new(1, -2, 0);
     /// Force per length of a contact line.
     pub const LINE_LOAD: Self = Self::new(1, -1, 0);
-    /// Force per displacement; the same powers as a line load.
-    pub const STIFFNESS: Self = Self::LINE_LOAD;
     /// Pressure per penetration.
     pub const CONTACT_STIFFNESS: Self = Self::new(1, -3, 0);
     /// Radians inside the program, degrees outside.

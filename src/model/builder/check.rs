@@ -157,23 +157,10 @@ fn unknown<'n>(
 /// A model that lies on the negative side of the plane too, or has no face in it, is not the half that is asked for.
 pub(super) fn mirror_plane(mesh: &mut Mesh, axis: Axis, scene: &str) -> Result<String, BuildError> {
     let name = format!("{}_mirror", axis.letter());
-    let along = |p: &[f64; 3]| p[axis.index()];
-    let low = mesh.points.iter().map(along).fold(f64::INFINITY, f64::min);
-    let high = mesh
-        .points
-        .iter()
-        .map(along)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = mesh.range_along(axis.index());
     // Files have rounded coordinates.
     let near = 1e-6 * (high - low);
-    for body in mesh
-        .bodies
-        .iter()
-        .map(|b| b.name.clone())
-        .collect::<Vec<_>>()
-    {
-        mesh.mark(&name, &body, |p| along(&p).abs() <= near);
-    }
+    mesh.mark_all(&name, |p| p[axis.index()].abs() <= near);
     let faces = mesh.surface(&name).map_or(0, |surface| surface.faces.len());
     match faces > 0 && low >= -near {
         true => Ok(name),

@@ -241,9 +241,6 @@ impl Shape for Cylinder {
             mesh = Mesh::weld(&self.name, [mesh, image], near)?;
         }
         self.mark(&mut mesh);
-        Ok(match self.below {
-            true => mesh.mirrored(1),
-            false => mesh,
-        })
+        Ok(if self.below { mesh.mirrored(1) } else { mesh })
     }
 }

@@ -226,15 +226,10 @@ impl SceneBuilder {
 /// support for one plane.
 fn ends(mesh: &mut Mesh, axis: Axis) -> [String; 2] {
     let names = ["low", "high"].map(|end| format!("{}_{end}_end", axis.letter()));
-    let along = |p: &[f64; 3]| p[axis.index()];
-    let low = mesh.points.iter().map(along).fold(f64::INFINITY, f64::min);
-    let high = (mesh.points.iter().map(along)).fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = mesh.range_along(axis.index());
     let near = 1e-6 * (high - low);
-    let bodies: Vec<String> = mesh.bodies.iter().map(|b| b.name.clone()).collect();
-    for body in bodies {
-        mesh.mark(&names[0], &body, |p| along(&p) < low + near);
-        mesh.mark(&names[1], &body, |p| along(&p) > high - near);
-    }
+    mesh.mark_all(&names[0], |p| p[axis.index()] < low + near);
+    mesh.mark_all(&names[1], |p| p[axis.index()] > high - near);
     names
 }
 

@@ -4,6 +4,7 @@ use super::alike;
 use super::folded::HalfTurn;
 use super::image::Images;
 use super::reason::NoHalfTurn;
+use crate::ground::order::ascending;
 use crate::model::mesh::{Body, Face, Mesh, Surface};
 use crate::model::scene::{Partner, Scene};
 
@@ -58,14 +59,8 @@ fn fold(
         .filter_map(|(e, k)| k.then_some(e))
         .collect();
     let (half_mesh, whole_nodes) = part(mesh, &keep, &whole_elements);
-    let mut own_nodes = vec![u32::MAX; mesh.points.len()];
-    for (own, node) in (0..).zip(&whole_nodes) {
-        own_nodes[*node as usize] = own;
-    }
-    let mut own_elements = vec![u32::MAX; mesh.hexes.len()];
-    for (own, element) in (0..).zip(&whole_elements) {
-        own_elements[*element as usize] = own;
-    }
+    let own_nodes = places(&whole_nodes, mesh.points.len());
+    let own_elements = places(&whole_elements, mesh.hexes.len());
     // Tied to its image: what is in the half and so is its image.
     let cut = (0..).zip(&whole_nodes).filter_map(|(own, node)| {
         let image = own_nodes[images.nodes[*node as usize] as usize];
@@ -176,22 +171,20 @@ fn corners_of_image(mesh: &Mesh, images: &Images, (element, image): (usize, usiz
     })
 }
 
+/// Where in a `list` each of `count` numbers stands; `u32::MAX` for one that does not.
+fn places(list: &[u32], count: usize) -> Vec<u32> {
+    let mut places = vec![u32::MAX; count];
+    for (place, number) in (0..).zip(list) {
+        places[*number as usize] = place;
+    }
+    places
+}
+
 /// The elements of a mesh that are kept, and the node of `mesh` of each node.
 fn part(mesh: &Mesh, keep: &[bool], elements: &[u32]) -> (Mesh, Vec<u32>) {
-    let mut nodes: Vec<u32> = elements
-        .iter()
-        .flat_map(|e| mesh.hexes[*e as usize])
-        .collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    let mut own = vec![u32::MAX; mesh.points.len()];
-    for (number, node) in (0..).zip(&nodes) {
-        own[*node as usize] = number;
-    }
-    let mut own_element = vec![u32::MAX; mesh.hexes.len()];
-    for (number, element) in (0..).zip(elements) {
-        own_element[*element as usize] = number;
-    }
+    let nodes = ascending(elements.iter().flat_map(|e| mesh.hexes[*e as usize]));
+    let own = places(&nodes, mesh.points.len());
+    let own_element = places(elements, mesh.hexes.len());
     let bodies = mesh.bodies.iter().filter_map(|body| {
         let [from, to] = [body.elements.start, body.elements.end]
             .map(|end| elements.partition_point(|e| (*e as usize) < end));

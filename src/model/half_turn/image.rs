@@ -2,9 +2,10 @@
 
 use super::reason::NoHalfTurn;
 use super::turn::turned_point;
-use crate::ground::geometry::{Vec3, norm, sub};
+use crate::ground::geometry::{Vec3, bounds, norm, sub};
 use crate::model::material::Steel;
-use crate::model::mesh::{Mesh, Surface};
+use crate::model::mesh::surface::sorted;
+use crate::model::mesh::{Body, Face, Mesh, Surface};
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 use std::collections::HashMap;
@@ -23,12 +24,8 @@ pub struct Images {
 }
 
 /// The height about which the nodes of `mesh` could be turned: the middle of their extent along z.
-pub fn plane_of_the_turn(mesh: &Mesh) -> f64 {
-    let heights = || mesh.points.iter().map(|p| p[2]);
-    let (low, high) = (
-        heights().fold(f64::INFINITY, f64::min),
-        heights().fold(f64::NEG_INFINITY, f64::max),
-    );
+fn plane_of_the_turn(mesh: &Mesh) -> f64 {
+    let [low, high] = mesh.range_along(2);
     0.5 * (low + high)
 }
 
@@ -39,7 +36,11 @@ impl Images {
     /// [`NoHalfTurn`] names the first body that has none.
     pub fn of(mesh: &Mesh, steels: &[Steel]) -> Result<Self, NoHalfTurn> {
         let middle = plane_of_the_turn(mesh);
-        let boxes: Vec<[Vec3; 2]> = (0..mesh.bodies.len()).map(|b| bounds(mesh, b)).collect();
+        let box_of = |body: &Body| {
+            let nodes = mesh.hexes[body.elements.clone()].iter().flatten();
+            bounds(nodes.map(|node| mesh.points[*node as usize]))
+        };
+        let boxes: Vec<[Vec3; 2]> = mesh.bodies.iter().map(box_of).collect();
         let size = boxes.iter().map(|[low, high]| norm(sub(*high, *low)));
         let near = SAME_PLACE * size.fold(0.0, f64::max);
         let mut images = Self {
@@ -92,11 +93,10 @@ impl Images {
 
     /// `None` where a node of the first body has no image in the second one.
     fn pair_nodes(&mut self, mesh: &Mesh, (body, image): (usize, usize), near: f64) -> Option<()> {
-        let places = nodes_of(mesh, image)
-            .into_iter()
-            .map(|node| GeomWithData::new(mesh.points[node as usize], node));
+        let places = mesh.nodes_of_body(image).into_iter();
+        let places = places.map(|node| GeomWithData::new(mesh.points[node as usize], node));
         let tree = RTree::bulk_load(places.collect());
-        for node in nodes_of(mesh, body) {
+        for node in mesh.nodes_of_body(body) {
             let at = turned_point(mesh.points[node as usize], self.middle);
             let found = tree.nearest_neighbor(at)?;
             let own = &mut self.nodes[node as usize];
@@ -110,10 +110,6 @@ impl Images {
     }
 
     fn pair_elements(&mut self, mesh: &Mesh, (body, image): (usize, usize)) -> Option<()> {
-        let sorted = |mut nodes: [u32; 8]| {
-            nodes.sort_unstable();
-            nodes
-        };
         let elements = mesh.bodies[image].elements.clone();
         let known: HashMap<[u32; 8], u32> = elements
             .map(|e| (sorted(mesh.hexes[e]), e as u32))
@@ -127,54 +123,21 @@ impl Images {
 
     /// The faces of a surface, turned: element and ascending nodes of each, ascending.
     pub fn faces(&self, surface: &Surface) -> Vec<(u32, [u32; 4])> {
-        let turned = surface.faces.iter().map(|face| {
-            let mut nodes = face.nodes.map(|n| self.nodes[n as usize]);
-            nodes.sort_unstable();
-            (self.elements[face.element as usize], nodes)
-        });
-        let mut turned: Vec<_> = turned.collect();
-        turned.sort_unstable();
-        turned
+        in_order(surface.faces.iter().map(|face| Face {
+            nodes: face.nodes.map(|n| self.nodes[n as usize]),
+            element: self.elements[face.element as usize],
+        }))
     }
 
     /// Is `other` the image of `surface`?
     pub fn are_images(&self, surface: &Surface, other: &Surface) -> bool {
-        surface.faces.len() == other.faces.len() && self.faces(surface) == faces(other)
+        surface.faces.len() == other.faces.len()
+            && self.faces(surface) == in_order(other.faces.iter().copied())
     }
 }
 
-fn faces(surface: &Surface) -> Vec<(u32, [u32; 4])> {
-    let own = surface.faces.iter().map(|face| {
-        let mut nodes = face.nodes;
-        nodes.sort_unstable();
-        (face.element, nodes)
-    });
-    let mut own: Vec<_> = own.collect();
-    own.sort_unstable();
-    own
-}
-
-/// Nodes of a body, ascending.
-fn nodes_of(mesh: &Mesh, body: usize) -> Vec<u32> {
-    let elements = mesh.bodies[body].elements.clone();
-    let mut nodes: Vec<u32> = mesh.hexes[elements].iter().flatten().copied().collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    nodes
-}
-
-fn bounds(mesh: &Mesh, body: usize) -> [Vec3; 2] {
-    let nodes = mesh.hexes[mesh.bodies[body].elements.clone()]
-        .iter()
-        .flatten();
-    nodes.fold(
-        [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]],
-        |[low, high], node| {
-            let p = mesh.points[*node as usize];
-            [
-                std::array::from_fn(|i| low[i].min(p[i])),
-                std::array::from_fn(|i| high[i].max(p[i])),
-            ]
-        },
-    )
+fn in_order(faces: impl Iterator<Item = Face>) -> Vec<(u32, [u32; 4])> {
+    let mut faces: Vec<_> = faces.map(|face| face.key()).collect();
+    faces.sort_unstable();
+    faces
 }

@@ -4,7 +4,7 @@
 //! equivalent plastic strain, Δγ = (q − σ_y − Hα) / (3G + H)
 //! (de Souza Neto, Perić, Owen, *Computational Methods for Plasticity*, 2008, box 7.4).
 
-use super::{Elastic, Steel, mises};
+use super::{Moduli, Steel, mises};
 use serde::{Deserialize, Serialize};
 
 /// Plastic history of one integration point.
@@ -40,7 +40,7 @@ pub struct Flow {
 }
 
 /// Stress, new history and flow at total strain `strain`, from the history `old`.
-pub fn update(steel: &Steel, elastic: &Elastic, strain: &[f64; 6], old: &PlasticPoint) -> Update {
+pub fn update(steel: &Steel, elastic: &Moduli, strain: &[f64; 6], old: &PlasticPoint) -> Update {
     let trial_strain = std::array::from_fn(|i| strain[i] - old.strain[i]);
     let trial = elastic.stress(&trial_strain);
     let q = mises(&trial);

@@ -42,9 +42,9 @@ impl Steel {
     }
 
     /// Shear and bulk modulus.
-    pub fn moduli(&self) -> Elastic {
+    pub fn moduli(&self) -> Moduli {
         let (e, nu) = (self.youngs_modulus, self.poissons_ratio);
-        Elastic {
+        Moduli {
             shear: e / (2.0 * (1.0 + nu)),
             bulk: e / (3.0 * (1.0 - 2.0 * nu)),
         }
@@ -53,14 +53,14 @@ impl Steel {
 
 /// Isotropic moduli G and K.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Elastic {
+pub struct Moduli {
     /// G, a stress.
     pub shear: f64,
     /// K, a stress.
     pub bulk: f64,
 }
 
-impl Elastic {
+impl Moduli {
     /// Hooke's law: stress from strain (engineering shears).
     pub fn stress(&self, strain: &[f64; 6]) -> [f64; 6] {
         let volume = strain[0] + strain[1] + strain[2];

@@ -68,6 +68,12 @@ impl Mesh {
         }
     }
 
+    /// The same of all bodies.
+    pub fn mark_all(&mut self, name: &str, here: impl Fn([f64; 3]) -> bool) {
+        let bodies: Vec<String> = self.bodies.iter().map(|body| body.name.clone()).collect();
+        bodies.iter().for_each(|body| self.mark(name, body, &here));
+    }
+
     /// The mirror image along `axis`, elements numbered so that they stay sound.
     pub fn mirrored(mut self, axis: usize) -> Self {
         for point in &mut self.points {

@@ -1,14 +1,13 @@
 //! Middles of surfaces and bodies.
 
 use super::Mesh;
-use crate::ground::geometry::Vec3;
+use crate::ground::geometry::{Vec3, bounds};
 
 impl Mesh {
     /// Middle of the box around a surface, with its image across each coordinate plane of `mirrors` that it reaches; the
     /// origin where there is no such surface.
     pub fn middle_of(&self, surface: &str, mirrors: &[usize]) -> Vec3 {
-        let nodes = self.surface(surface).map(|s| s.nodes()).unwrap_or_default();
-        self.middle(nodes.into_iter(), mirrors)
+        self.middle(self.nodes_of_surface(surface).into_iter(), mirrors)
     }
 
     /// The same of the body with the index `body`.
@@ -22,14 +21,7 @@ impl Mesh {
     }
 
     fn middle(&self, nodes: impl Iterator<Item = u32>, mirrors: &[usize]) -> Vec3 {
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for node in nodes {
-            let at = self.points[node as usize];
-            for axis in 0..3 {
-                low[axis] = low[axis].min(at[axis]);
-                high[axis] = high[axis].max(at[axis]);
-            }
-        }
+        let [low, high] = bounds(nodes.map(|node| self.points[node as usize]));
         // What does not reach a mirror plane has an image of its own.
         let reaches = |axis: usize| {
             let near = 1e-6 * (high[axis] - low[axis]);

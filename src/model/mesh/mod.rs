@@ -22,6 +22,8 @@ pub mod surface;
 #[doc(hidden)]
 pub mod unfold;
 
+use crate::ground::geometry::range;
+use crate::ground::order::ascending;
 use serde::Serialize;
 
 /// An eight-node hexahedral mesh with named bodies and named surfaces.
@@ -114,6 +116,28 @@ impl Mesh {
         self.bodies.partition_point(|b| b.elements.end <= element)
     }
 
+    /// The nodes of the surface called `name`, ascending, each once; none where there is no such surface.
+    pub fn nodes_of_surface(&self, name: &str) -> Vec<u32> {
+        self.surface(name).map(Surface::nodes).unwrap_or_default()
+    }
+
+    /// The nodes of the body with the index `body`, ascending, each once.
+    pub fn nodes_of_body(&self, body: usize) -> Vec<u32> {
+        let hexes = &self.hexes[self.bodies[body].elements.clone()];
+        ascending(hexes.iter().flatten().copied())
+    }
+
+    /// Least and largest coordinate of its nodes along an axis.
+    pub fn range_along(&self, axis: usize) -> [f64; 2] {
+        range(self.points.iter().map(|p| p[axis]))
+    }
+
+    /// Length of the box around it along an axis.
+    pub fn extent(&self, axis: usize) -> f64 {
+        let [low, high] = self.range_along(axis);
+        high - low
+    }
+
     /// Corner coordinates of element `element`.
     pub fn corners(&self, element: usize) -> [[f64; 3]; 8] {
         self.hexes[element].map(|n| self.points[n as usize])
@@ -121,11 +145,19 @@ impl Mesh {
 }
 
 impl Surface {
+    /// The body of each of its faces.
+    pub fn bodies(&self, mesh: &Mesh) -> impl Iterator<Item = usize> {
+        let faces = self.faces.iter();
+        faces.map(|face| mesh.body_of(face.element as usize))
+    }
+
+    /// The body that it bounds; `None` for a surface without faces.
+    pub fn body(&self, mesh: &Mesh) -> Option<usize> {
+        self.bodies(mesh).next()
+    }
+
     /// The nodes of the surface, ascending, each once.
     pub fn nodes(&self) -> Vec<u32> {
-        let mut nodes: Vec<u32> = self.faces.iter().flat_map(|f| f.nodes).collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        nodes
+        ascending(self.faces.iter().flat_map(|f| f.nodes))
     }
 }

@@ -1,8 +1,9 @@
 //! Faces of hexahedra: which are outer, which element a quadrilateral belongs to, which way is out.
 
 pub use super::hexahedron::{FACES, faces_of};
+use super::quadrilateral::area_vector;
 use super::{Face, Mesh};
-use crate::ground::geometry::{cross, scale, sub};
+use crate::ground::geometry::{norm, sub};
 use std::collections::{BTreeMap, HashMap};
 
 /// What a quadrilateral is to the hexahedra.
@@ -156,8 +157,18 @@ impl Face {
 
     /// Outward normal times area, exact for the bilinear face.
     pub fn area_vector(&self, mesh: &Mesh) -> [f64; 3] {
-        let [a, b, c, d] = self.corners(mesh);
-        scale(cross(sub(c, a), sub(d, b)), 0.5)
+        area_vector(&self.corners(mesh))
+    }
+
+    /// Lengths of its four sides.
+    pub fn sides(&self, mesh: &Mesh) -> [f64; 4] {
+        let corners = self.corners(mesh);
+        [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
+    }
+
+    /// Its element and its nodes, ascending: what tells it from other faces however it is seen.
+    pub fn key(&self) -> (u32, [u32; 4]) {
+        (self.element, sorted(self.nodes))
     }
 
     /// Mean of its nodes.

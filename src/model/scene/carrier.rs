@@ -14,7 +14,6 @@
 //! and softer by 2, 4, 10: 2.5, 0.7, 0.1 % with the block as carrier, 0.6, 0.6, 0.7 % with the cylinder.
 
 use super::{Partner, Side};
-use crate::ground::geometry::{norm, sub};
 use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
 
@@ -51,9 +50,6 @@ fn stiffness(mesh: &Mesh, steels: &[Steel], side: &Partner) -> Option<f64> {
 
 /// Meshes are finest where contact is expected.
 fn shortest_side(mesh: &Mesh, surface: &Surface) -> f64 {
-    let sides = surface.faces.iter().flat_map(|face| {
-        let corners = face.corners(mesh);
-        [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
-    });
+    let sides = surface.faces.iter().flat_map(|face| face.sides(mesh));
     sides.fold(f64::INFINITY, f64::min)
 }

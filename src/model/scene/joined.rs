@@ -1,7 +1,6 @@
 //! Bodies that ties or shared nodes join.
 
 use super::Scene;
-use crate::model::mesh::{Mesh, Surface};
 
 /// Of each body the lowest one that ties or shared nodes join it to, by whatever way; itself where there is none.
 pub fn joined(scene: &Scene) -> Vec<usize> {
@@ -17,7 +16,7 @@ pub fn joined(scene: &Scene) -> Vec<usize> {
         }
     }
     for surfaces in scene.ties.iter().filter_map(|tie| tie.of(mesh)) {
-        let bodies = surfaces.into_iter().flat_map(|s| bodies(mesh, s));
+        let bodies = surfaces.into_iter().flat_map(|s| s.bodies(mesh));
         unite(&mut group, &bodies.collect::<Vec<_>>());
     }
     group
@@ -30,11 +29,6 @@ fn unite(group: &mut [usize], bodies: &[usize]) {
     for own in group.iter_mut().filter(|own| members.contains(own)) {
         *own = low;
     }
-}
-
-fn bodies<'m>(mesh: &'m Mesh, surface: &'m Surface) -> impl Iterator<Item = usize> + 'm {
-    let faces = surface.faces.iter();
-    faces.map(|face| mesh.body_of(face.element as usize))
 }
 
 #[cfg(test)]

@@ -95,6 +95,11 @@ impl Scene {
             || self.supports.iter().any(Support::moves)
     }
 
+    /// Is there a body that may yield?
+    pub fn may_yield(&self) -> bool {
+        self.controls.plasticity && self.materials.iter().any(|steel| !steel.is_elastic())
+    }
+
     /// Do bodies rub, wherever they touch?
     pub fn rubs(&self) -> bool {
         self.contacts.iter().any(|pair| pair.friction > 0.0)

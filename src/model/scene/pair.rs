@@ -1,5 +1,6 @@
 //! Contact pairs: two partners that may touch.
 
+use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Mesh, Surface};
 use serde::Serialize;
 
@@ -59,10 +60,20 @@ impl Partner {
         }
     }
 
+    /// Its true shape; facets where `mesh` has no such surface.
+    pub fn shape(&self, mesh: &Mesh) -> Shape {
+        match self {
+            Self::Surface(name) => (mesh.surface(name)).map_or(Shape::Facets, |s| fit(mesh, s)),
+            Self::Plane { point, normal } => Shape::Plane {
+                point: *point,
+                normal: *normal,
+            },
+        }
+    }
+
     /// The body of `mesh` that it bounds.
     pub fn body(&self, mesh: &Mesh) -> Option<usize> {
-        let face = self.surface(mesh)?.faces.first()?;
-        Some(mesh.body_of(face.element as usize))
+        self.surface(mesh)?.body(mesh)
     }
 }
 

@@ -12,11 +12,8 @@ pub const TOO_FAR: f64 = 0.1;
 /// The body that turns most and its angle in radians: of the rotation about the middle of its nodes that is nearest
 /// to their displacements, in least squares. `None` for a mesh without bodies.
 pub fn largest_turn<'m>(mesh: &'m Mesh, displacement: &[Vec3]) -> Option<(&'m str, f64)> {
-    let turns = mesh.bodies.iter().map(|body| {
-        let hexes = &mesh.hexes[body.elements.clone()];
-        let mut nodes: Vec<u32> = hexes.iter().flatten().copied().collect();
-        nodes.sort_unstable();
-        nodes.dedup();
+    let turns = mesh.bodies.iter().enumerate().map(|(index, body)| {
+        let nodes = mesh.nodes_of_body(index);
         (body.name.as_str(), turn(mesh, &nodes, displacement))
     });
     turns.max_by(|a, b| a.1.total_cmp(&b.1))

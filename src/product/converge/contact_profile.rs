@@ -2,8 +2,8 @@
 
 use super::error::Missing;
 use crate::answer::results::quad::integrate;
-use crate::model::mesh::{Mesh, Surface};
-use crate::model::scene::{Partner, Scene};
+use crate::model::mesh::Surface;
+use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 
 /// What a quadrature point of a contact surface sees.
@@ -57,11 +57,8 @@ pub fn field(state: &State) -> Result<&ContactField, Missing> {
 /// # Errors
 /// [`Missing`] where there is none.
 pub fn carrier(scene: &Scene) -> Result<&Surface, Missing> {
-    let name = match scene.contacts.first().map(|pair| &pair.upper) {
-        Some(Partner::Surface(name)) => name,
-        _ => return Err(Missing("carrier surface")),
-    };
-    scene.mesh.surface(name).ok_or(Missing("surface"))
+    let pair = scene.contacts.first().ok_or(Missing("carrier surface"))?;
+    pair.upper.surface(&scene.mesh).ok_or(Missing("surface"))
 }
 
 /// Integral of `f` over the spots.
@@ -85,10 +82,4 @@ pub fn misfit<E>(
         norm += spot.area * exact * exact;
     }
     Ok((miss / norm).sqrt())
-}
-
-/// Largest coordinate along `axis` less the smallest.
-pub fn extent(mesh: &Mesh, axis: usize) -> f64 {
-    let along = || mesh.points.iter().map(|p| p[axis]);
-    along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
 }

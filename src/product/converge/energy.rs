@@ -1,8 +1,10 @@
 //! Potential energy of an elastic state.
 
-use crate::answer::results::quad::{area_vector, integrate};
-use crate::model::material::Elastic;
+use crate::answer::results::quad::integrate;
+use crate::ground::geometry::norm;
+use crate::model::material::Moduli;
 use crate::model::mesh::hexahedron::gauss_volumes;
+use crate::model::mesh::quadrilateral::area_vector;
 use crate::model::scene::{Scene, TractionValue};
 use crate::model::state::State;
 
@@ -16,7 +18,7 @@ pub fn strain_energy(scene: &Scene, state: &State) -> f64 {
     let mesh = &scene.mesh;
     let mut sum = 0.0;
     for (body, steel) in mesh.bodies.iter().zip(&scene.materials) {
-        let Elastic { shear, bulk } = steel.moduli();
+        let Moduli { shear, bulk } = steel.moduli();
         for e in body.elements.clone() {
             let volumes = gauss_volumes(&mesh.corners(e));
             for (s, v) in state.stress[e].iter().zip(volumes) {
@@ -46,7 +48,7 @@ fn work(scene: &Scene, state: &State) -> f64 {
         for face in &surface.faces {
             let corners = face.corners(&scene.mesh);
             let whole = area_vector(&corners);
-            let size = whole.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let size = norm(whole);
             let force = match traction.value {
                 TractionValue::Pressure(p) => whole.map(|c| -p * c / size),
                 TractionValue::Vector(t) => t,

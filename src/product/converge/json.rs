@@ -2,7 +2,7 @@
 
 use super::study::Study;
 use crate::ground::file::FileError;
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_json;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -24,10 +24,7 @@ pub fn value(study: &Study) -> Value {
 /// # Errors
 /// [`FileError::Write`] names the path.
 pub fn write(study: &Study, path: &Path) -> Result<(), FileError> {
-    write_atomically(path, |out| {
-        serde_json::to_writer_pretty(&mut *out, &value(study))?;
-        writeln!(out)
-    })
+    write_json(path, &value(study))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! One case on a series of meshes: error against unknowns, run time and memory.
 //!
-//! A [`Series`] says which meshes; [`run`] solves the case on one of them and reads its
+//! A [`MeshSeries`] says which meshes; [`run`] solves the case on one of them and reads its
 //! quantities and its cost; [`Study`] gathers the levels; [`rates`] says how fast they approach
 //! which reference. [`table`], [`json`], [`plot`] and [`page`] put it out.
 
@@ -22,7 +22,7 @@ pub mod table;
 
 pub use error::{ConvergeError, Missing};
 pub use quantity::{Known, StudyQuantity};
-pub use series::Series;
+pub use series::MeshSeries;
 pub use study::{Curve, Reference, Study, StudyLevel};
 
 use crate::case::Case;
@@ -34,7 +34,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// A level and what was read from it, or `None` where the observer stopped the run.
-pub type Solved = Option<(StudyLevel, Vec<StudyQuantity>)>;
+pub type SolvedLevel = Option<(StudyLevel, Vec<StudyQuantity>)>;
 
 /// Solves `case` on level `level` of `series` with `element`. A mesh that gmsh makes is kept
 /// below `out`. The cost is that of building the scene, solving it and reading its quantities; the
@@ -44,12 +44,12 @@ pub type Solved = Option<(StudyLevel, Vec<StudyQuantity>)>;
 /// [`ConvergeError`], where there is no such mesh or the solver does not converge on it.
 pub fn run(
     case: &Case,
-    series: &Series,
+    series: &MeshSeries,
     level: usize,
     element: ElementKind,
     out: &Path,
     observer: &mut dyn Observer,
-) -> Result<Solved, ConvergeError> {
+) -> Result<SolvedLevel, ConvergeError> {
     let (mut case, mesh) = series.mesh(case, level, out, observer)?;
     case.set_element(element);
     let name = mesh.source.clone();

@@ -5,7 +5,7 @@ use super::peers::{PeerErrors, Peers};
 use super::plot::figure_with_peers;
 use super::study::{Curve, Study};
 use super::table::{memory, order, reference, signed_percent};
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::render::plot::write;
 use crate::render::table::Table;
 use crate::render::table::markdown::markdown;
@@ -29,9 +29,7 @@ pub fn write_page(study: &Study, peers: &Peers) -> Result<(), ConvergeError> {
     // Another command keeps what it measured of bearings there.
     let bearings = old.find(BEARINGS).map_or("", |at| &old[at..]);
     let text = page(study, peers) + bearings;
-    Ok(write_atomically(Path::new(PAGE), |out| {
-        out.write_all(text.as_bytes())
-    })?)
+    Ok(write_text(Path::new(PAGE), &text)?)
 }
 
 /// The text of the page.

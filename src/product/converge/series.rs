@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// A series of meshes.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Series {
+pub enum MeshSeries {
     /// Levels of a built-in family: every element is split into four (or eight) from one to the
     /// next, so that each mesh holds the one before.
     Family,
@@ -23,7 +23,7 @@ pub enum Series {
     Files(Vec<PathBuf>),
 }
 
-impl Series {
+impl MeshSeries {
     /// The series that suits `case`: the `files` where there are any, else by its kind of mesh.
     ///
     /// # Errors

@@ -1,8 +1,6 @@
 //! Rigid planes that are driven by force.
 
-use super::bounds::span;
 use super::error::InpError;
-use crate::ground::geometry::AXES;
 use crate::model::mesh::Surface;
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
 use crate::render::inp::Driven;
@@ -45,12 +43,7 @@ pub fn driven<'a>(scene: &'a Scene, held: &mut Held<'a>) -> Result<Vec<Driven>, 
             };
             for node in &nodes {
                 if let Some(other) = held.insert((*node, axis), &plane.name) {
-                    return Err(InpError::HeldTwice {
-                        node: *node as usize + 1,
-                        plane: plane.name.clone(),
-                        axis: AXES[axis],
-                        other: other.to_string(),
-                    });
+                    return Err(InpError::held_twice(*node, plane, axis, other));
                 }
             }
             let [reference, others @ ..] = &nodes[..] else {
@@ -83,10 +76,7 @@ pub fn closing(
         .first()
         .map_or(1.0, |s| s.factor_of(&plane.name));
     let area = area(&scene.mesh, surface);
-    let body = surface
-        .faces
-        .first()
-        .map_or(0, |f| scene.mesh.body_of(f.element as usize));
+    let body = surface.body(&scene.mesh).unwrap_or(0);
     let young = scene.materials.get(body).map_or(1.0, |s| s.youngs_modulus);
-    (force * factor).abs() * span(scene, axis) / (young * area)
+    (force * factor).abs() * scene.mesh.extent(axis) / (young * area)
 }

@@ -1,5 +1,7 @@
 //! What a deck cannot express.
 
+use crate::ground::geometry::AXES;
+use crate::model::scene::RigidPlane;
 use thiserror::Error;
 
 /// Why a scene cannot be written as a deck.
@@ -59,4 +61,15 @@ pub enum InpError {
     #[error("{what} must be more than 0, and is {value}")]
     #[diagnostic(code(brinell::export::not_positive))]
     NotPositive { what: &'static str, value: f64 },
+}
+
+impl InpError {
+    pub(super) fn held_twice(node: u32, plane: &RigidPlane, axis: usize, other: &str) -> Self {
+        Self::HeldTwice {
+            node: node as usize + 1,
+            plane: plane.name.clone(),
+            axis: AXES[axis],
+            other: other.to_string(),
+        }
+    }
 }

@@ -2,7 +2,6 @@
 
 use super::bounds::diagonal;
 use super::error::InpError;
-use crate::ground::geometry::{norm, sub};
 use crate::model::mesh::Face;
 use crate::model::scene::{ContactPair, Partner, Scene, Side};
 use crate::render::inp::{DeckPair, Names};
@@ -22,10 +21,7 @@ pub fn default_stiffness(scene: &Scene, pairs: &[DeckPair]) -> f64 {
     let edges = pairs
         .iter()
         .flat_map(|pair| &pair.faces[0])
-        .flat_map(|face| {
-            let corners = face.corners(&scene.mesh);
-            (0..4).map(move |k| norm(sub(corners[k], corners[(k + 1) % 4])))
-        });
+        .flat_map(|face| face.sides(&scene.mesh));
     STIFFNESS_IN_MODULI * moduli.fold(0.0, f64::max) / edges.fold(diagonal(scene), f64::min)
 }
 

@@ -47,7 +47,7 @@ pub fn springs(scene: &Scene, names: &mut Names) -> Vec<Springs> {
         .flat_map(|pair| [&pair.upper, &pair.lower])
     {
         if let Partner::Surface(name) = partner {
-            taken.extend(mesh.surface(name).iter().flat_map(|s| s.nodes()));
+            taken.extend(mesh.nodes_of_surface(name));
         }
     }
     for surfaces in scene.ties.iter().filter_map(|tie| tie.of(mesh)) {
@@ -55,10 +55,9 @@ pub fn springs(scene: &Scene, names: &mut Names) -> Vec<Springs> {
     }
     let total = total_stiffness(scene);
     let mut list = Vec::new();
-    for (body, free) in mesh.bodies.iter().zip(free) {
-        let hexes = mesh.hexes[body.elements.clone()].iter().flatten();
-        let nodes: BTreeSet<u32> = hexes.copied().filter(|n| !taken.contains(n)).collect();
-        let nodes: Vec<u32> = nodes.into_iter().collect();
+    for (index, (body, free)) in mesh.bodies.iter().zip(free).enumerate() {
+        let mut nodes = mesh.nodes_of_body(index);
+        nodes.retain(|node| !taken.contains(node));
         if nodes.is_empty() {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use super::driven::{Held, closing, surface};
 use super::error::InpError;
-use crate::ground::geometry::{AXES, sub};
+use crate::ground::geometry::sub;
 use crate::model::scene::{PlaneMotion, PlaneTurn, RigidPlane, Scene};
 use crate::render::inp::{DeckFollower, Driven, Names, Turning};
 
@@ -46,12 +46,7 @@ pub fn turning<'a>(
                 };
                 // A mirror plane holds what this plane would not move there anyway.
                 if *motion != PlaneMotion::Held(0.0) || !levers.is_empty() {
-                    return Err(InpError::HeldTwice {
-                        node: node as usize + 1,
-                        plane: plane.name.clone(),
-                        axis: AXES[axis],
-                        other: other.to_string(),
-                    });
+                    return Err(InpError::held_twice(node, plane, axis, other));
                 }
             }
         }

@@ -3,7 +3,7 @@
 use super::verified::verified;
 use crate::case::bearing::{Dimensions, RollerEnd, RollerPlace};
 use crate::case::keys::{self, Keys};
-use crate::case::{BearingCase, Case, Kind, TemplateLoads, Top};
+use crate::case::{BearingCase, Case, TemplateLoads, Top};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::render::report::calculation::{
@@ -21,10 +21,7 @@ pub fn calculation(case: &Case, scene: &Scene) -> Calculation {
     Calculation {
         scope: scope(case, scene),
         cited: case.reference.is_some().then_some(STUDY),
-        sketch: match &case.kind {
-            Kind::Bearing(bearing) => Some(sketch(&bearing.geometry)),
-            _ => None,
-        },
+        sketch: (case.bearing()).map(|bearing| sketch(&bearing.geometry)),
         inputs: inputs(case),
         actions: actions(case, scene),
         verified: verified(case, scene),
@@ -37,7 +34,7 @@ fn scope(case: &Case, scene: &Scene) -> Vec<String> {
         1 => (1, "pair"),
         pairs => (pairs, "pairs"),
     };
-    let steel = match scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic()) {
+    let steel = match scene.may_yield() {
         true => "elastic-plastic",
         false => "elastic",
     };
@@ -156,7 +153,7 @@ fn askew(bearing: &BearingCase) -> Vec<String> {
 fn actions(case: &Case, scene: &Scene) -> Vec<String> {
     let units = UnitLabels::of(case.units);
     let mut said = Vec::new();
-    if let Kind::Bearing(bearing) = &case.kind {
+    if let Some(bearing) = case.bearing() {
         said.push(format!(
             "vertical load on the top face, {} {}",
             significant(bearing.load, 5),
@@ -212,15 +209,13 @@ fn inputs(case: &Case) -> Vec<InputRow> {
         });
     }
     let mut tables: Vec<(&str, &Keys)> = vec![("controls", &keys::CONTROLS)];
-    match &case.kind {
-        Kind::Bearing(bearing) => match bearing.geometry.line() {
-            Some(_) => tables.extend([
-                ("line_bearing", &keys::LINE_BEARING),
-                ("mesh", &keys::LINE_BEARING_MESH),
-            ]),
-            None => tables.extend([("bearing", &keys::BEARING), ("mesh", &keys::BEARING_MESH)]),
-        },
-        Kind::General(_) => {}
+    match case.bearing().map(|bearing| bearing.geometry.line()) {
+        Some(Some(_)) => tables.extend([
+            ("line_bearing", &keys::LINE_BEARING),
+            ("mesh", &keys::LINE_BEARING_MESH),
+        ]),
+        Some(None) => tables.extend([("bearing", &keys::BEARING), ("mesh", &keys::BEARING_MESH)]),
+        None => {}
     }
     for (table, keys) in tables {
         let there = text.get(table).and_then(Value::as_table);

@@ -1,20 +1,18 @@
 //! Printed values and Hertz's figures beside those of a run. They decide nothing.
 
 use super::error::JobError;
-use super::even_load::EvenLoad;
+use super::even_load::EvenlyLoaded;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, Three};
-use crate::case::{Case, ComparedMeasure, Kind, MisesRead, Printed};
+use crate::case::{Case, ComparedMeasure, MisesRead, Printed};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::render::summary::{Comparison, Reported};
 
 /// One row a printed value, then Hertz's figures of a bearing under an even line load.
 pub fn rows(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<Comparison>, JobError> {
-    let hertz = match &case.kind {
-        Kind::Bearing(bearing) => Some(EvenLoad::of(bearing, scene)?),
-        Kind::General(_) => None,
-    };
+    let hertz = (case.bearing()).map(|bearing| EvenlyLoaded::of(bearing, scene));
+    let hertz = hertz.transpose()?;
     let units = UnitLabels::of(case.units);
     let mut rows = Vec::new();
     if let Some(comparison) = &case.comparison {
@@ -37,7 +35,7 @@ fn printed_row(
     printed: &Printed,
     read: MisesRead,
     (answer, units): (&Answer, &UnitLabels),
-    hertz: Option<&EvenLoad>,
+    hertz: Option<&EvenlyLoaded>,
 ) -> Comparison {
     let place = printed.place.as_str();
     let (what, value, hertz) = match printed.what {
@@ -125,7 +123,7 @@ fn mises(
         .reduce(f64::max)
 }
 
-fn hertz_rows(hertz: &EvenLoad, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
+fn hertz_rows(hertz: &EvenlyLoaded, (answer, units): (&Answer, &UnitLabels)) -> Vec<Comparison> {
     let stress = &units.stress;
     let row = |what: &str, place: &str, value: Option<f64>, hertz: f64| Comparison {
         what: format!("{what}, {stress}"),

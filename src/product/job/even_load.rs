@@ -8,7 +8,7 @@ use crate::case::bearing::BearingGeometry;
 use crate::model::scene::Scene;
 
 /// Figures of a bearing whose rollers share the load evenly, each along its whole length.
-pub(super) struct EvenLoad {
+pub(super) struct EvenlyLoaded {
     /// Hertz's pressure on a flat plate, or where it is largest.
     pub peak_pressure: f64,
     /// Hertz's pressure of interfaces that differ from that.
@@ -21,7 +21,7 @@ pub(super) struct EvenLoad {
     pub bore_mises: Option<f64>,
 }
 
-impl EvenLoad {
+impl EvenlyLoaded {
     /// Of `bearing` in the steels of `scene`.
     ///
     /// # Errors

@@ -9,7 +9,6 @@ use crate::model::scene::{PlaneMotion, Scene};
 use crate::product::deck;
 use crate::render::inp::Settings;
 use crate::solver::solve::close_gaps;
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// A deck that was written.
@@ -79,9 +78,7 @@ fn press_in<'a>(scene: &mut Scene, bodies: impl Iterator<Item = &'a str>, distan
         let Some(index) = scene.mesh.body(body) else {
             continue;
         };
-        let hexes = &scene.mesh.hexes[scene.mesh.bodies[index].elements.clone()];
-        let nodes: BTreeSet<u32> = hexes.iter().flatten().copied().collect();
-        for node in nodes {
+        for node in scene.mesh.nodes_of_body(index) {
             let point = &mut scene.mesh.points[node as usize];
             *point = std::array::from_fn(|i| point[i] + f64::from(count) * distance * along[i]);
         }

@@ -8,7 +8,7 @@ use crate::analytic::subsurface::LineField;
 use crate::answer::Answer;
 use crate::answer::certify::{Figure, Quantity};
 use crate::case::bearing::Seat;
-use crate::case::{BearingCase, Case, Kind};
+use crate::case::{BearingCase, Case};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::{ContactPair, Scene};
 use crate::render::summary::{HandCheck, SizedLine, SizedPatch, Sizing};
@@ -34,10 +34,7 @@ pub fn hand_checks(
     };
     let units = UnitLabels::of(case.units);
     let mut checks = Vec::new();
-    let bearing = match &case.kind {
-        Kind::Bearing(bearing) => Some(bearing),
-        Kind::General(_) => None,
-    };
+    let bearing = case.bearing();
     for pair in &scene.contacts {
         let hand = ByHand {
             scene,

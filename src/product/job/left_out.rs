@@ -148,9 +148,8 @@ fn frictionless(scene: &Scene, counters: &Counters) -> Option<LeftOut> {
 
 /// Where nothing depends on the path a step is one increment.
 fn path(scene: &Scene) -> Option<LeftOut> {
-    let yields = scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic());
     let least = (1.0 / scene.controls.first_increment).ceil() as usize;
-    (!scene.rubs() && !yields).then(|| {
+    (!scene.rubs() && !scene.may_yield()).then(|| {
         LeftOut::new("nothing depends on the path: one increment a step").saving_about(
             scene.steps.len().saturating_mul(least.saturating_sub(1)),
             "increments",

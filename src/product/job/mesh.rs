@@ -73,7 +73,7 @@ pub fn find_mesh(
 /// # Errors
 /// As [`make_mesh`], and where the file cannot be written.
 pub fn keep_mesh(case: &Case, kept: &Path) -> Result<Mesh, JobError> {
-    let Kind::Bearing(bearing) = &case.kind else {
+    let Some(bearing) = case.bearing() else {
         return make_mesh(case, kept);
     };
     let wanted = bearing.fingerprint();

@@ -9,19 +9,19 @@ use super::folder;
 use super::mesh::STRIPS;
 use crate::answer::results::load::upward;
 use crate::answer::results::recovery::recover;
-use crate::case::{Case, Kind};
+use crate::case::Case;
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::render::report::history::Iterate;
-use crate::render::{Series, paraview};
+use crate::render::{VtkSeries, paraview};
 use crate::solver::solve::{Iteration, Observer, Restart};
 use std::path::{Path, PathBuf};
 
 /// What a run writes increment by increment.
 struct Files {
     folder: PathBuf,
-    series: Series,
+    series: VtkSeries,
     checkpoint: Checkpoint,
     /// What an earlier run left is there as long as nothing of this one is.
     earlier: Option<Earlier>,
@@ -83,13 +83,11 @@ impl<'o> Recorder<'o> {
             .file_stem()
             .map_or("case".into(), |s| s.to_string_lossy());
         let series = |out| match restart {
-            Some(restart) => Series::resume(out, &stem, restart.after()),
-            None => Ok(Series::new(out, &stem)),
+            Some(restart) => VtkSeries::resume(out, &stem, restart.after()),
+            None => Ok(VtkSeries::new(out, &stem)),
         };
-        let strips = match &case.kind {
-            Kind::Bearing(bearing) => bearing.mesh.strips.is_some_and(|strips| strips.found),
-            Kind::General(_) => false,
-        };
+        let strips = case.bearing().and_then(|bearing| bearing.mesh.strips);
+        let strips = strips.is_some_and(|strips| strips.found);
         let files = files.map(|(out, checkpoint)| {
             Ok::<_, JobError>(Files {
                 folder: out.to_owned(),

@@ -8,6 +8,7 @@ use crate::analytic::sizing::effective_length;
 use crate::answer::LineFigures;
 use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, CaseError, Kind, Steels};
+use crate::ground::geometry::{AXES, range};
 use crate::ground::units::UnitSystem;
 use crate::model::scene::{ContactPair, Scene};
 
@@ -102,7 +103,7 @@ pub struct Span {
 impl Span {
     /// The overlap of both surfaces along the axis of a line.
     pub fn of(scene: &Scene, pair: &ContactPair, line: &LineFigures) -> Self {
-        let axis = ["x", "y", "z"].iter().position(|name| *name == line.axis);
+        let axis = AXES.iter().position(|name| *name == line.axis);
         let axis = axis.unwrap_or_default();
         let sides = [&pair.upper, &pair.lower].into_iter();
         let surfaces = sides.filter_map(|side| side.surface(&scene.mesh));
@@ -111,9 +112,7 @@ impl Span {
             |[low, high], surface| {
                 let nodes = surface.faces.iter().flat_map(|face| face.nodes);
                 let at = nodes.map(|node| scene.mesh.points[node as usize][axis]);
-                let ends = at.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
-                    [low.min(at), high.max(at)]
-                });
+                let ends = range(at);
                 [low.max(ends[0]), high.min(ends[1])]
             },
         );
@@ -144,10 +143,7 @@ impl Span {
 
 /// Is this both lines of a V, which the mesh does not tell apart?
 pub fn is_merged(case: &Case, interface: &str, line: &LineFigures) -> bool {
-    let Kind::Bearing(bearing) = &case.kind else {
-        return false;
-    };
-    let seat = bearing.seat(interface);
+    let seat = case.bearing().and_then(|bearing| bearing.seat(interface));
     seat.is_some_and(|seat| rests_on_one(&seat, line))
 }
 

@@ -8,6 +8,7 @@ use crate::analytic::rules::{LoadError, Rule, rules as all_rules};
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::{Answer, LineFigures};
 use crate::case::{Case, CaseError, Kind};
+use crate::ground::order::ascending;
 use crate::model::scene::{Partner, Scene};
 use crate::render::summary::{JudgedRule, RuleSheet, SteelAfter};
 
@@ -121,9 +122,7 @@ fn where_worst(rules: &[JudgedRule]) -> Vec<String> {
         ("largest load", |rule| rule.largest_line.as_ref()),
     ];
     let told = lines.map(|(load, line)| {
-        let mut names: Vec<&str> = rules.iter().filter_map(line).map(String::as_str).collect();
-        names.sort_unstable();
-        names.dedup();
+        let names = ascending(rules.iter().filter_map(line).map(String::as_str));
         (!names.is_empty()).then(|| format!("{load}: of {}", names.join(", ")))
     });
     told.into_iter().flatten().collect()
@@ -160,7 +159,7 @@ fn steel(case: &Case, scene: &Scene, answer: &Answer) -> Result<Vec<SteelAfter>,
 
 /// Diameter of the roller that presses on a surface, or of one on a flat with the same relative radius.
 fn diameter(case: &Case, scene: &Scene, answer: &Answer, surface: &str) -> Option<f64> {
-    if let Kind::Bearing(bearing) = &case.kind {
+    if let Some(bearing) = case.bearing() {
         return Some(bearing.geometry.diameter());
     }
     let is_side = |side: &Partner| matches!(side, Partner::Surface(name) if name == surface);

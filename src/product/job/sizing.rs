@@ -6,13 +6,13 @@
 
 use super::error::JobError;
 use super::rollers::{Span, is_merged};
+use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::rules::{RuleVerdict, Standing};
 use crate::analytic::sizing::{
     Constants, PRESSURE_LIMIT, PRINTED, effective_length, equivalent_modulus, exact, final_length,
     within_limit,
 };
-use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::answer::{Answer, LineFigures, PatchFigures};
 use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, Kind};
@@ -40,6 +40,9 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
             sizing.patches.push(sized_patch(name, patch, steels));
             continue;
         }
+        let pair = |radius| -> Result<SizedPair, DomainError> {
+            Ok(SizedPair::new(radius, scene.compliance(contact)?, steels))
+        };
         let bar = answer.hertz_pressure_bar(name);
         for line in &interface.lines {
             let span = Span::of(scene, contact, line);
@@ -61,17 +64,17 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
             sizing.lines.push(SizedLine {
                 merged: is_merged(case, name, line),
                 not_hertz: interface.not_hertz.filter(|_| is_heaviest),
-                ..SizedPair::new(radius, steels)?.line(name, line, [length, from_end], bar)?
+                ..pair(radius)?.line(name, line, [length, from_end], bar)?
             });
         }
-        let Kind::Bearing(bearing) = &case.kind else {
+        let Some(bearing) = case.bearing() else {
             continue;
         };
         let demanded = |rule: &SizingRule| rule.exact.required_diameter_times_length;
         let Some(seat) = bearing.seat(name) else {
             continue;
         };
-        let pair = SizedPair::new(seat.radius, steels)?;
+        let pair = pair(seat.radius)?;
         if let Some(asked) = pair.rule(&seat, bearing)?
             && (sizing.rule.as_ref()).is_none_or(|r| demanded(r) < demanded(&asked))
         {
@@ -110,21 +113,16 @@ struct SizedPair {
 
 impl SizedPair {
     /// Of the steels of both sides; a side without one is rigid.
-    fn new(radius: f64, steels: [Option<&Steel>; 2]) -> Result<Self, DomainError> {
-        let elastic = |steel: Option<&Steel>| match steel {
-            Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
-            None => Ok(Elastic::RIGID),
-        };
-        let [upper, lower] = steels;
+    fn new(radius: f64, compliance: f64, steels: [Option<&Steel>; 2]) -> Self {
         let lowest = steels.into_iter().flatten();
         let lowest = lowest.fold(f64::INFINITY, |lowest, steel| {
             lowest.min(steel.yield_stress)
         });
-        Ok(Self {
+        Self {
             radius,
-            compliance: contact_compliance(elastic(upper)?, elastic(lower)?)?,
+            compliance,
             yield_stress: lowest.is_finite().then_some(lowest),
-        })
+        }
     }
 
     /// p0 = √(q / π R C_E), its share of the limit, and whether (2-49) is met.
@@ -215,6 +213,7 @@ impl SizedPair {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analytic::{Elastic, contact_compliance};
     use std::f64::consts::PI;
     use std::path::Path;
 
@@ -224,6 +223,12 @@ mod tests {
         yield_stress: 100.0,
         hardening_modulus: 249.471,
     };
+
+    fn of_steels(steels: [Option<&Steel>; 2]) -> SizedPair {
+        let elastic = |s: &Steel| Elastic::new(s.youngs_modulus, s.poissons_ratio).unwrap();
+        let [upper, lower] = steels.map(|s| s.map_or(Elastic::RIGID, elastic));
+        SizedPair::new(1.5, contact_compliance(upper, lower).unwrap(), steels)
+    }
 
     fn shipped(name: &str) -> BearingCase {
         let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/section-2.6.2");
@@ -237,7 +242,7 @@ mod tests {
     /// By hand for 65 kip on 8 in, D = 3 in: p0 = √(8.125 · 29500 / (2π · 0.91 · 1.5)).
     #[test]
     fn an_even_load_presses_as_the_report_has_it() {
-        let pair = SizedPair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let pair = of_steels([Some(&STEEL); 2]);
         let even = pair.pressed(65.0 / 8.0).unwrap();
         let p0 = (8.125 * 29500.0 / (2.0 * PI * 0.91 * 1.5)).sqrt();
         assert!((even.hertz_pressure / p0 - 1.0).abs() < 1e-12);
@@ -254,7 +259,7 @@ mod tests {
             yield_stress: 40.0,
             ..STEEL
         };
-        let pair = SizedPair::new(1.5, [Some(&STEEL), Some(&iron)]).unwrap();
+        let pair = of_steels([Some(&STEEL), Some(&iron)]);
         let compliance = 0.91 / 29500.0 + 0.9375 / 15000.0;
         let p0 = (5.0 / (PI * 1.5 * compliance)).sqrt();
         let pressed = pair.pressed(5.0).unwrap();
@@ -265,20 +270,20 @@ mod tests {
     #[test]
     fn what_cannot_yield_has_no_limit() {
         let elastic = Steel::elastic(29500.0, 0.3);
-        let pair = SizedPair::new(1.5, [Some(&elastic); 2]).unwrap();
+        let pair = of_steels([Some(&elastic); 2]);
         let pressed = pair.pressed(8.0).unwrap();
         assert_eq!((pressed.utilisation, pressed.met), (None, None));
         let bearing = shipped("initial-centre.toml");
         assert_eq!(pair.rule(&bearing.seats()[0], &bearing), Ok(None));
         // Beside steel that yields, that one sets the limit.
-        let pair = SizedPair::new(1.5, [Some(&elastic), Some(&STEEL)]).unwrap();
+        let pair = of_steels([Some(&elastic), Some(&STEEL)]);
         assert_eq!(pair.limit(), Some(165.0));
     }
 
     /// Table 1.2 of the references: 23.969 in² with the printed constant, 24.636 with the exact one.
     #[test]
     fn the_initial_design_meets_the_rule_as_printed_only() {
-        let pair = SizedPair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let pair = of_steels([Some(&STEEL); 2]);
         let rule = pair.rule(
             &shipped("initial-centre.toml").seats()[0],
             &shipped("initial-centre.toml"),
@@ -296,7 +301,7 @@ mod tests {
     /// (2-51): 10.5 in are just enough at D_r = 1.25 in, and far too short at 2.5 in.
     #[test]
     fn a_displaced_roller_bears_on_less() {
-        let pair = SizedPair::new(1.5, [Some(&STEEL); 2]).unwrap();
+        let pair = of_steels([Some(&STEEL); 2]);
         for (name, provided, met) in [
             ("revised-offset-1.25.toml", 24.0, true),
             ("revised-offset-2.5.toml", 16.5, false),

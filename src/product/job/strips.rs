@@ -7,8 +7,8 @@ use crate::analytic::hertz::{LineContact, widening_in_flow};
 use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::load::{applied, full};
 use crate::case::bearing::{FoundLine, Preset, Strips};
-use crate::case::{BearingCase, Case, Kind};
-use crate::ground::file::write_atomically;
+use crate::case::{BearingCase, Case};
+use crate::ground::file::write_text;
 use crate::ground::geometry::norm;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -25,10 +25,7 @@ const MEASURED: f64 = 2.0;
 
 /// The bearing of a case that is meshed by its lines of contact.
 pub fn sized_by_lines(case: &Case) -> Option<&BearingCase> {
-    match &case.kind {
-        Kind::Bearing(bearing) if bearing.mesh.preset == Preset::Auto => Some(bearing),
-        _ => None,
-    }
+    (case.bearing()).filter(|bearing| bearing.mesh.preset == Preset::Auto)
 }
 
 /// The lines of contact in `state`, as wide as at full load: before that a strip is as wide as its
@@ -164,8 +161,7 @@ impl Observer for Watch<'_> {
 /// Keeps what the second mesh is made for in the folder of a run, which may go on from there.
 pub fn keep(strips: &Strips, out: &Path) -> Result<(), JobError> {
     let text = format!("{:e} {:e}\n", strips.narrowest, strips.widest);
-    write_atomically(&strips_file(out), |file| file.write_all(text.as_bytes()))?;
-    Ok(())
+    Ok(write_text(&strips_file(out), &text)?)
 }
 
 /// What an earlier run into `out` has kept.

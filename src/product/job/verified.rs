@@ -1,6 +1,6 @@
 //! The families of claims that cover what a run used, as the verification last measured them.
 
-use crate::case::{Case, Kind};
+use crate::case::Case;
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::scene::{Partner, Scene};
 use crate::render::report::calculation::VerifiedBy;
@@ -22,7 +22,7 @@ fn claims(family: &str) -> (usize, usize) {
 
 /// The families that are about what `scene` uses.
 pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
-    let yields = scene.controls.plasticity && scene.materials.iter().any(|m| !m.is_elastic());
+    let yields = scene.may_yield();
     let friction = scene.rubs();
     let is_round = |side: &Partner, sphere: bool| {
         let surface = side.surface(&scene.mesh);
@@ -36,10 +36,7 @@ pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
         let mut pairs = scene.contacts.iter();
         pairs.any(|pair| is_round(&pair.upper, sphere) || is_round(&pair.lower, sphere))
     };
-    let bearing = match &case.kind {
-        Kind::Bearing(bearing) => Some(bearing),
-        _ => None,
-    };
+    let bearing = case.bearing();
     let lines = bearing.is_some() || any_round(false);
     let hollow = bearing.is_some_and(|bearing| bearing.geometry.wall().is_some());
     let ends = bearing.is_some();
@@ -90,6 +87,7 @@ pub fn verified(case: &Case, scene: &Scene) -> Vec<VerifiedBy> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ground::order::ascending;
 
     /// The page counts its claims itself, in its head.
     #[test]
@@ -101,10 +99,7 @@ mod tests {
             let verdict = cells.next()?;
             (!verdict.is_empty() && !verdict.starts_with('-')).then(|| cells.next())?
         });
-        let mut families: Vec<&str> = judged.collect();
-        families.sort_unstable();
-        families.dedup();
-        let [all, outside] = families
+        let [all, outside] = ascending(judged)
             .iter()
             .map(|family| claims(family))
             .fold([0, 0], |sum, (all, outside)| {

@@ -1,7 +1,7 @@
 //! What is taken for granted where the request leaves something open.
 
 use super::candidate::PLATE_TO_WALL;
-use super::request::{Request, SizingRule};
+use super::request::{LengthRule, Request};
 use crate::case::bearing::RollerEnd;
 use crate::ground::units::Dimension;
 use serde::Serialize;
@@ -17,17 +17,23 @@ pub struct SizingAssumption {
     pub given: bool,
 }
 
+impl SizingAssumption {
+    pub(super) fn new(option: &'static str, value: String, given: bool, why: &str) -> Self {
+        Self {
+            option,
+            value,
+            why: why.to_string(),
+            given,
+        }
+    }
+}
+
 /// Everything that the proposal rests on beside load, yield stress and displacement.
 pub fn assumptions(request: &Request) -> Vec<SizingAssumption> {
     let r = request;
     let show = |value: f64, dimension| r.units.show(value, dimension);
-    let entry = |option, value: String, given: bool, why: &str| SizingAssumption {
-        option,
-        value,
-        given,
-        why: why.to_string(),
-    };
-    let mut list = vec![
+    let entry = SizingAssumption::new;
+    vec![
         entry(
             "--modulus",
             show(r.modulus.value, Dimension::STRESS),
@@ -85,15 +91,14 @@ pub fn assumptions(request: &Request) -> Vec<SizingAssumption> {
             r.limit.given,
             "(2-49), AASHTO 14.7.1.4, meant for the service limit state",
         ),
-    ];
-    list.push(rule(r));
-    list.push(entry(
-        "plate size",
-        "L' x L'".to_string(),
-        false,
-        "the study does not give it",
-    ));
-    list
+        rule(r),
+        entry(
+            "plate size",
+            "L' x L'".to_string(),
+            false,
+            "the study does not give it",
+        ),
+    ]
 }
 
 fn plate(r: &Request) -> SizingAssumption {
@@ -105,12 +110,7 @@ fn plate(r: &Request) -> SizingAssumption {
              bearings have 1.33 (section 2.6.2, prototype 1), 1.11 (prototype 2) and 1 (chapter 5)",
         ),
     };
-    SizingAssumption {
-        option: "--plate",
-        value,
-        given: r.plate.is_some(),
-        why: why.to_string(),
-    }
+    SizingAssumption::new("--plate", value, r.plate.is_some(), why)
 }
 
 fn end(r: &Request) -> String {
@@ -128,20 +128,16 @@ fn end(r: &Request) -> String {
 fn rule(r: &Request) -> SizingAssumption {
     let margin = r.margin.value;
     let (value, why) = match r.rule.value {
-        SizingRule::Printed => ("printed", "(2-50) with the constant 8, (2-51)".to_string()),
-        SizingRule::Exact => ("exact", "(2-50) with the constant 7.783, (2-51)".to_string()),
-        SizingRule::Eccentric => (
+        LengthRule::Printed => ("printed", "(2-50) with the constant 8, (2-51)"),
+        LengthRule::Exact => ("exact", "(2-50) with the constant 7.783, (2-51)"),
+        LengthRule::Eccentric => (
             "eccentric",
             "the longer of (2-50) and (2-51) with the exact constant, and what statics ask of a \
              displaced roller. (2-51) takes its load as even over L; statics let it rise to the end \
-             that it leans on, and so do finite elements. Not from the study"
-                .to_string(),
+             that it leans on, and so do finite elements. Not from the study",
         ),
     };
-    SizingAssumption {
-        option: "--rule, --margin",
-        value: format!("{value}, for {margin} times the load"),
-        why,
-        given: r.rule.given || r.margin.given,
-    }
+    let value = format!("{value}, for {margin} times the load");
+    let given = r.rule.given || r.margin.given;
+    SizingAssumption::new("--rule, --margin", value, given, why)
 }

@@ -11,7 +11,7 @@
 
 use super::SizeError;
 use super::practical::rounded_up;
-use super::request::{Request, SizingRule};
+use super::request::{LengthRule, Request};
 use crate::analytic::displaced::DisplacedRoller;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::rolling::{largest_slope, restoring_force, rolling_friction};
@@ -131,9 +131,9 @@ impl Candidate {
         let load = request.load * request.margin.value;
         let eccentric_length = DisplacedRoller::length_for(load, eccentricity, contact.largest)?;
         let required_length = match request.rule.value {
-            SizingRule::Printed => printed.final_length,
-            SizingRule::Exact => exact.final_length,
-            SizingRule::Eccentric => eccentric_length.max(exact.final_length),
+            LengthRule::Printed => printed.final_length,
+            LengthRule::Exact => exact.final_length,
+            LengthRule::Eccentric => eccentric_length.max(exact.final_length),
         };
         let rounded = || rounded_up(units, required_length);
         let length = request.length.unwrap_or_else(rounded);
@@ -174,14 +174,6 @@ impl Candidate {
     pub fn rolls(&self) -> bool {
         self.geometry.slope <= self.largest_slope
     }
-
-    /// The bearing with its rollers `offset` from the centre.
-    pub fn at(&self, offset: f64) -> BearingGeometry {
-        BearingGeometry {
-            offset,
-            ..self.geometry.clone()
-        }
-    }
 }
 
 /// The diameter of a roller that is as long as it is thick and meets (2-50) with the exact constant.
@@ -205,8 +197,7 @@ struct RollerContact<'r> {
 
 impl<'r> RollerContact<'r> {
     fn new(request: &'r Request, diameter: f64) -> Result<Self, DomainError> {
-        let steel = Elastic::new(request.modulus.value, request.poissons_ratio.value)?;
-        let compliance = contact_compliance(steel, steel)?;
+        let compliance = compliance(request.modulus.value, request.poissons_ratio.value)?;
         let limit = request.limit.value * request.yield_stress;
         let at_limit = LineContact::at_peak_pressure(limit, 0.5 * diameter, compliance)?;
         Ok(Self {
@@ -226,8 +217,8 @@ impl<'r> RollerContact<'r> {
         };
         let margin = match request.rule.value {
             // The margin is for what statics do not see; the study's rules are asked as they are.
-            SizingRule::Eccentric => 1.0,
-            SizingRule::Printed | SizingRule::Exact => request.margin.value,
+            LengthRule::Eccentric => 1.0,
+            LengthRule::Printed | LengthRule::Exact => request.margin.value,
         };
         let product = own.required_diameter_times_length(
             request.load * margin,
@@ -252,6 +243,12 @@ impl<'r> RollerContact<'r> {
             utilisation: contact.peak_pressure / limit,
         })
     }
+}
+
+/// C_E of rollers and plates of the same steel.
+pub fn compliance(modulus: f64, poissons_ratio: f64) -> Result<f64, DomainError> {
+    let steel = Elastic::new(modulus, poissons_ratio)?;
+    contact_compliance(steel, steel)
 }
 
 /// Where the load passes the outer end of a displaced roller, from its mid-length.

@@ -41,7 +41,6 @@ pub fn case_file(proposal: &Proposal, candidate: &Candidate, position: Position)
     let request = &proposal.request;
     let units = request.units;
     let length = |value| exactly(units, value, Dimension::LENGTH);
-    let stress = |value| exactly(units, value, Dimension::STRESS);
     let shown = |value| units.show(value, Dimension::LENGTH);
     let offset = match position {
         Position::Centre => 0.0,
@@ -77,13 +76,11 @@ pub fn case_file(proposal: &Proposal, candidate: &Candidate, position: Position)
         format!("plate_thickness = \"{}\"", length(c.plate)),
         format!("plate_size = \"{}\"  # as long and wide as a roller", length(c.length)),
         String::new(),
-        "[steel]".to_string(),
-        format!("youngs_modulus = \"{}\"", stress(request.modulus.value)),
-        format!("poissons_ratio = {}", request.poissons_ratio.value),
-        format!("yield_stress = \"{}\"", stress(request.yield_stress)),
-        "# Slope of the stress-strain line beyond yield.".to_string(),
-        format!("tangent_modulus = \"{}\"", stress(request.tangent_modulus.value)),
-        String::new(),
+        steel(
+            units,
+            [request.modulus.value, request.yield_stress, request.tangent_modulus.value],
+            request.poissons_ratio.value,
+        ),
         "[mesh]".to_string(),
         "# auto, report-like, h025 or h0125.".to_string(),
         format!("preset = \"{}\"", request.preset.value),
@@ -158,6 +155,16 @@ fn head(proposal: &Proposal, candidate: &Candidate, position: Position) -> Strin
         length(candidate.length),
     );
     text
+}
+
+/// The table `[steel]`, of Young's modulus, yield stress and tangent modulus, and an empty line.
+pub(super) fn steel(units: UnitSystem, stresses: [f64; 3], poissons_ratio: f64) -> String {
+    let [modulus, strength, tangent] =
+        stresses.map(|value| exactly(units, value, Dimension::STRESS));
+    format!(
+        "[steel]\nyoungs_modulus = \"{modulus}\"\npoissons_ratio = {poissons_ratio}\nyield_stress = \"{strength}\"\n\
+         # Slope of the stress-strain line beyond yield.\ntangent_modulus = \"{tangent}\"\n"
+    )
 }
 
 pub(super) fn end(units: UnitSystem, end: RollerEnd) -> String {

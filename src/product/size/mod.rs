@@ -26,7 +26,7 @@ pub use line::{
 };
 pub use practical::{diameters, rounded_up};
 pub use proposal::Proposal;
-pub use request::{Request, Setting, SizingRule, quantity, units_of_load};
+pub use request::{LengthRule, Request, Setting, quantity, units_of_load};
 pub use verdict::{
     Advice, DesignVerdict, LimitCheck, LimitKind, Placed, SizeStanding, render as render_verdict,
 };

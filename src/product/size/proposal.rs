@@ -4,7 +4,7 @@ use super::SizeError;
 use super::assumption::{SizingAssumption, assumptions};
 use super::candidate::{Candidate, SLENDEREST, STOUT, square_diameter};
 use super::practical::diameters;
-use super::request::{Request, SizingRule};
+use super::request::{LengthRule, Request};
 use crate::ground::units::UnitLabels;
 use crate::render::text::significant;
 use serde::Serialize;
@@ -86,8 +86,8 @@ fn candidates(request: &Request) -> Result<Vec<Candidate>, SizeError> {
 /// Is the rule to be believed for these proportions? A diameter that is fixed is.
 fn will_do(request: &Request, candidate: &Candidate) -> bool {
     let most = match request.rule.value {
-        SizingRule::Eccentric => STOUT,
-        SizingRule::Printed | SizingRule::Exact => SLENDEREST,
+        LengthRule::Eccentric => STOUT,
+        LengthRule::Printed | LengthRule::Exact => SLENDEREST,
     };
     let asked = request.diameter.is_some();
     asked || candidate.slenderness <= most && candidate.is_long_enough()
@@ -115,7 +115,7 @@ fn why(request: &Request, candidates: &[Candidate], recommended: Option<usize>) 
     };
     let mut text = match (request.diameter, request.rule.value) {
         (Some(_), _) => "the diameter is given".to_string(),
-        (None, SizingRule::Eccentric) => format!(
+        (None, LengthRule::Eccentric) => format!(
             "the smallest diameter whose rollers are no longer than {STOUT} diameters, within which \
              statics tell how a displaced roller presses; smaller ones need longer, more slender \
              rollers that press hardest where they cross"
@@ -126,7 +126,7 @@ fn why(request: &Request, candidates: &[Candidate], recommended: Option<usize>) 
         ),
     };
     if request.diameter.is_some()
-        && request.rule.value == SizingRule::Eccentric
+        && request.rule.value == LengthRule::Eccentric
         && choice.slenderness > STOUT
     {
         text += &format!(

@@ -27,7 +27,7 @@ impl<T> Setting<T> {
 /// What determines the length of the rollers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum SizingRule {
+pub enum LengthRule {
     /// (2-50) with the constant as printed, 8, and (2-51).
     Printed,
     /// (2-50) with the exact constant, 7.783, and (2-51).
@@ -67,14 +67,14 @@ pub struct Request {
     pub end: Setting<RollerEnd>,
     /// Allowed contact pressure over the yield stress.
     pub limit: Setting<f64>,
-    pub rule: Setting<SizingRule>,
+    pub rule: Setting<LengthRule>,
     /// The rule is asked of the load times this.
     pub margin: Setting<f64>,
     pub preset: Setting<Preset>,
 }
 
 /// Wall over diameter: section 2.6.2, which asks for a finite-element analysis below it.
-pub const WALL: f64 = 0.25;
+const WALL: f64 = 0.25;
 
 /// For what statics do not see: the ring and the plates bend, and ends press harder. With it, seven
 /// bearings (20 to 1485 kip, 50 to 240 ksi, 2 to 8 in of capacity), solved by this program on `h0125`,
@@ -109,7 +109,7 @@ impl Request {
             plate: None,
             end: Setting::or(None, RollerEnd::Square),
             limit: open(PRESSURE_LIMIT),
-            rule: Setting::or(None, SizingRule::Eccentric),
+            rule: Setting::or(None, LengthRule::Eccentric),
             margin: open(ECCENTRIC_MARGIN),
             preset: Setting::or(None, Preset::H0125),
         }
@@ -125,27 +125,13 @@ impl Request {
     /// # Errors
     /// [`SizeError::Range`].
     pub fn check(&self) -> Result<(), SizeError> {
-        let positive = "more than 0";
+        let positive = |option, value| (option, value, "more than 0", value > 0.0);
+        let not_negative = |option, value| (option, value, "0 or more", value >= 0.0);
         let pairs = [
-            ("--load", self.load, positive, self.load > 0.0),
-            (
-                "--yield",
-                self.yield_stress,
-                positive,
-                self.yield_stress > 0.0,
-            ),
-            (
-                "--capacity",
-                self.capacity,
-                "0 or more",
-                self.capacity >= 0.0,
-            ),
-            (
-                "--modulus",
-                self.modulus.value,
-                positive,
-                self.modulus.value > 0.0,
-            ),
+            positive("--load", self.load),
+            positive("--yield", self.yield_stress),
+            not_negative("--capacity", self.capacity),
+            positive("--modulus", self.modulus.value),
             (
                 "--poisson",
                 self.poissons_ratio.value,
@@ -158,24 +144,9 @@ impl Request {
                 "from 0 to less than the modulus",
                 (0.0..self.modulus.value).contains(&self.tangent_modulus.value),
             ),
-            (
-                "--friction",
-                self.friction.value,
-                "0 or more",
-                self.friction.value >= 0.0,
-            ),
-            (
-                "--rolling-lever",
-                self.rolling_lever.value,
-                "0 or more",
-                self.rolling_lever.value >= 0.0,
-            ),
-            (
-                "--diameter",
-                self.diameter.unwrap_or(1.0),
-                positive,
-                self.diameter.is_none_or(|d| d > 0.0),
-            ),
+            not_negative("--friction", self.friction.value),
+            not_negative("--rolling-lever", self.rolling_lever.value),
+            positive("--diameter", self.diameter.unwrap_or(1.0)),
             (
                 "--length",
                 self.length.unwrap_or(1.0),
@@ -188,18 +159,8 @@ impl Request {
                 "from 0.01 to 0.49 (a share of the diameter)",
                 (0.01..=0.49).contains(&self.wall.value),
             ),
-            (
-                "--plate",
-                self.plate.unwrap_or(1.0),
-                positive,
-                self.plate.is_none_or(|p| p > 0.0),
-            ),
-            (
-                "--limit",
-                self.limit.value,
-                positive,
-                self.limit.value > 0.0,
-            ),
+            positive("--plate", self.plate.unwrap_or(1.0)),
+            positive("--limit", self.limit.value),
             (
                 "--margin",
                 self.margin.value,

@@ -2,7 +2,7 @@
 
 use super::assumption::SizingAssumption;
 use super::proposal::Proposal;
-use super::request::SizingRule;
+use super::request::LengthRule;
 use crate::ground::units::Dimension;
 use crate::render::table::text::text;
 use crate::render::table::{Cell, Table};
@@ -32,12 +32,17 @@ fn asked(proposal: &Proposal) -> String {
     )
 }
 
-fn marked(proposal: &Proposal, place: usize) -> &'static str {
-    if proposal.recommended == Some(place) {
-        " <"
-    } else {
-        ""
+/// The mark of the recommended row, behind another one nothing.
+pub(super) fn mark(recommended: Option<usize>, place: usize) -> &'static str {
+    match recommended == Some(place) {
+        true => " <",
+        false => "",
     }
+}
+
+/// Why no row is recommended.
+pub(super) fn none_recommended(why: &str) -> String {
+    format!("None is recommended:\n{}", wrapped(why, 2))
 }
 
 pub(super) fn digits(value: f64) -> String {
@@ -77,7 +82,7 @@ fn lengths(proposal: &Proposal) -> String {
             Cell::figure(c.eccentric_length),
             digits(c.length).into(),
             Cell::rough(c.slenderness),
-            (significant(c.volume, 3) + marked(proposal, place)).into(),
+            (significant(c.volume, 3) + mark(proposal.recommended, place)).into(),
         ]);
     }
     table.note(
@@ -114,7 +119,7 @@ fn pressures(proposal: &Proposal) -> String {
             Cell::rough(c.largest_slope.to_degrees()),
             Cell::Met(Some(c.rolls())),
             weight(c.restoring_force).into(),
-            (weight(c.rolling_friction) + marked(proposal, place)).into(),
+            (weight(c.rolling_friction) + mark(proposal.recommended, place)).into(),
         ]);
     }
     table.note(
@@ -126,7 +131,7 @@ fn pressures(proposal: &Proposal) -> String {
 
 fn choice(proposal: &Proposal) -> String {
     let Some(c) = proposal.choice() else {
-        return format!("None is recommended:\n{}", wrapped(&proposal.why, 2));
+        return none_recommended(&proposal.why);
     };
     let show = |value| proposal.request.units.show(value, Dimension::LENGTH);
     let mut text = format!(
@@ -137,7 +142,7 @@ fn choice(proposal: &Proposal) -> String {
         show(c.plate),
         wrapped(&proposal.why, 2)
     );
-    if proposal.request.rule.value != SizingRule::Eccentric
+    if proposal.request.rule.value != LengthRule::Eccentric
         && c.linear.is_none_or(|p| p.utilisation > 1.0)
     {
         let pressed = c.linear.map_or("the load passes its end".to_string(), |p| {

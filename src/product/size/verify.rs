@@ -4,10 +4,9 @@ use super::SizeError;
 use super::candidate::Candidate;
 use super::case_file::{Position, case_file};
 use super::proposal::Proposal;
-use super::verdict::{DesignVerdict, Limits, Placed, forget_verdict};
+use super::verdict::{DesignVerdict, Limits, Placed, forget_verdict, write_verdict};
 use crate::case;
-use crate::ground::file::FileError;
-use crate::ground::file::write_atomically;
+use crate::ground::file::{FileError, write_json, write_text};
 use crate::ground::hash::Fnv;
 use crate::product::job::{self, JobError, Options, Outcome};
 use crate::render::joint::{self, JointPart};
@@ -45,14 +44,11 @@ pub fn write(
     for position in Position::of(proposal.request.capacity) {
         let path = folder.join(format!("{}.toml", position.name()));
         let text = case_file(proposal, candidate, *position);
-        write_atomically(&path, |out| out.write_all(text.as_bytes()))?;
+        write_text(&path, &text)?;
         written.push(path);
     }
     let path = folder.join("size.json");
-    write_atomically(&path, |out| {
-        serde_json::to_writer_pretty(&mut *out, proposal)?;
-        writeln!(out)
-    })?;
+    write_json(&path, proposal)?;
     written.push(path);
     Ok(written)
 }
@@ -110,7 +106,7 @@ pub fn verify(
         &folder.join(report::FILE),
     )?;
     let verdict = DesignVerdict::new(proposal, candidate, positions)?;
-    verdict.write(folder)?;
+    write_verdict(&verdict, &verdict.page(), folder)?;
     Ok(Verification::Done(Box::new(verdict)))
 }
 

@@ -2,8 +2,7 @@
 
 use super::place::SweepFolder;
 use super::rows::{Sweep, SweepRow};
-use crate::case::Kind;
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::product::job::{self, JobError, MESH_FILE};
 use std::path::Path;
 
@@ -32,8 +31,8 @@ const MEMORY_GROWTH: f64 = 1.5;
 pub fn prepare(sweep: &Sweep, row: &SweepRow, place: &SweepFolder) -> Result<Need, JobError> {
     let case = sweep.case_of(row)?;
     let folder = place.row(row);
-    let mesh = match &case.kind {
-        Kind::Bearing(bearing) => {
+    let mesh = match case.bearing() {
+        Some(bearing) => {
             let kept = place.mesh(&bearing.fingerprint());
             let parent = kept.parent().unwrap_or(&place.0);
             for needed in [parent, &folder] {
@@ -43,10 +42,10 @@ pub fn prepare(sweep: &Sweep, row: &SweepRow, place: &SweepFolder) -> Result<Nee
             share(&kept, &folder.join(MESH_FILE))?;
             mesh
         }
-        Kind::General(_) => job::find_mesh(&case, None, &mut |_| {})?,
+        None => job::find_mesh(&case, None, &mut |_| {})?,
     };
     let forecast = job::forecast(&case, mesh)?;
-    write_atomically(&folder.join(CASE), |out| out.write_all(row.text.as_bytes()))?;
+    write_text(&folder.join(CASE), &row.text)?;
     Ok(Need {
         unknowns: forecast.unknowns,
         memory: MEMORY_GROWTH * forecast.memory + MEMORY_BESIDE_MODEL,

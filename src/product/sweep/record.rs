@@ -3,7 +3,7 @@
 use super::error::SweepError;
 use super::place::SweepFolder;
 use super::rows::{Sweep, SweepRow};
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_json;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -135,11 +135,7 @@ impl RowRecord {
         let folder = place.row(row);
         std::fs::create_dir_all(&folder).map_err(|error| SweepError::folder(&folder, error))?;
         let path = folder.join(RECORD_FILE);
-        write_atomically(&path, |out| {
-            serde_json::to_writer_pretty(&mut *out, self)?;
-            writeln!(out)
-        })?;
-        Ok(())
+        Ok(write_json(&path, self)?)
     }
 
     /// A figure of the answer.

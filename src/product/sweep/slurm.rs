@@ -7,11 +7,12 @@ use super::place::SweepFolder;
 use super::prepare::{Need, prepare};
 use super::record::RowRecord;
 use super::rows::{Sweep, SweepRow};
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
+use crate::ground::order::ascending;
 use std::path::{Path, PathBuf};
 
 /// Its name in the folder of the sweep.
-pub const SCRIPT: &str = "sweep.sbatch";
+const SCRIPT: &str = "sweep.sbatch";
 
 /// Memory asked for over memory estimated: Slurm kills what takes more than it asked for, and estimates are
 /// within a quarter.
@@ -52,7 +53,7 @@ pub fn emit(
     }
     let path = place.0.join(SCRIPT);
     let text = script(sweep, place, &needs)?;
-    write_atomically(&path, |out| out.write_all(text.as_bytes()))?;
+    write_text(&path, &text)?;
     Ok((path, needs.into_iter().map(|(row, _)| row).collect()))
 }
 
@@ -134,9 +135,7 @@ fn megabytes(memory: f64) -> u64 {
 /// Which rows could do with less, where sizes differ: classes by powers of two.
 fn by_size(needs: &[(usize, Need)]) -> String {
     let class = |need: &Need| megabytes(need.memory).next_power_of_two();
-    let mut classes: Vec<u64> = needs.iter().map(|(_, need)| class(need)).collect();
-    classes.sort_unstable();
-    classes.dedup();
+    let classes = ascending(needs.iter().map(|(_, need)| class(need)));
     // Neighbours may differ by next to nothing.
     if classes.len() < 2 || classes.last() == classes.first().map(|size| 2 * size).as_ref() {
         return String::new();

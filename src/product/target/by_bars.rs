@@ -11,8 +11,8 @@ use super::level::Level;
 use super::plan;
 use crate::analytic::hertz::widening_in_flow;
 use crate::answer::certify::{Quantity, figure};
+use crate::case::Case;
 use crate::case::bearing::Scales;
-use crate::case::{Case, Kind};
 use crate::product::converge::ConvergeError;
 use crate::product::converge::cost::Meter;
 use crate::product::job::{self, JobError, Options, Outcome, Twin};
@@ -246,10 +246,7 @@ fn found(own: &Options) -> Result<Option<crate::case::bearing::Strips>, Converge
 
 /// The case without what does not say how good its mesh is; `None` where that is all of it.
 fn twin(case: &Case) -> Option<Case> {
-    let Kind::Bearing(bearing) = &case.kind else {
-        return None;
-    };
-    let more = case.controls.plasticity || bearing.unload_to.is_some();
+    let more = case.controls.plasticity || case.bearing()?.unload_to.is_some();
     more.then(|| {
         let mut twin = case.clone();
         twin.set_elastic_and_loaded();
@@ -269,7 +266,7 @@ fn flows(case: &Case, outcome: &Outcome) -> bool {
 
 /// Unknowns of the mesh with these scales, where that without them has so many.
 fn expected(case: &Case, scales: &Scales, unknowns: usize) -> f64 {
-    let Kind::Bearing(bearing) = &case.kind else {
+    let Some(bearing) = case.bearing() else {
         return unknowns as f64;
     };
     let mut refined = bearing.clone();
@@ -284,11 +281,9 @@ fn widen(case: &mut Case, outcome: &Outcome) {
     let pressures = claims.filter(|c| c.what == Quantity::HertzPressure);
     let largest = pressures.map(|c| c.value).fold(0.0, f64::max);
     let wider = widening_in_flow(largest, yields.fold(f64::INFINITY, f64::min));
-    let Kind::Bearing(bearing) = &case.kind else {
-        return;
-    };
     if case.controls.plasticity
         && wider > 1.0
+        && let Some(bearing) = case.bearing()
         && let Some(strips) = bearing.mesh.strips
     {
         let strips = strips.widened(bearing.geometry.diameter(), wider);

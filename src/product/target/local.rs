@@ -14,7 +14,7 @@ use crate::ground::geometry::{norm, sub};
 use crate::model::mesh::hexahedron::{CORNERS, side_of};
 use crate::model::mesh::split::Directions;
 use crate::model::mesh::{Face, Mesh};
-use crate::model::scene::{Partner, Scene};
+use crate::model::scene::Scene;
 use crate::model::state::State;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use rstar::RTree;
@@ -108,10 +108,7 @@ fn along_pressed_faces(scene: &Scene, state: &State) -> Vec<Directions> {
             .collect();
         let tree = RTree::bulk_load(active);
         for side in [&pair.upper, &pair.lower] {
-            let Partner::Surface(name) = side else {
-                continue;
-            };
-            let faces = mesh.surface(name).map_or(&[][..], |s| &s.faces);
+            let faces = side.surface(mesh).map_or(&[][..], |s| &s.faces);
             let is_pressed = |face: &&Face| {
                 let centre = face.centre(mesh);
                 let corners = face.corners(mesh);

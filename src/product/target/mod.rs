@@ -19,7 +19,7 @@ pub use level::{Level, RefinedFigure, table};
 use crate::case::Case;
 use crate::model::mesh::Mesh;
 use crate::product::converge::cost::Meter;
-use crate::product::converge::{ConvergeError, Series};
+use crate::product::converge::{ConvergeError, MeshSeries};
 use crate::product::job::{self, Options, Outcome};
 use crate::solver::solve::Observer;
 use ending::{Ended, Known, clear_beyond, places, singular};
@@ -28,7 +28,7 @@ use std::time::Instant;
 
 /// Solves `case` level by level. A bearing that is meshed by its lines of contact has the next mesh that its bars ask for.
 /// Other meshes of a bearing are halved at the contact, and all their elements smaller by √2 from one to the next. Other
-/// cases as in [`Series`].
+/// cases as in [`MeshSeries`].
 ///
 /// Each is solved in a folder `level-<n>` of its own below that of `options`;
 /// `told` hears of every level. The outcome is that of the last one. Where a finer mesh cannot be made or solved, the one
@@ -77,8 +77,8 @@ fn by_changes(
     (known, told): (&mut Known, &mut dyn FnMut(&Level)),
 ) -> Ended {
     let Known { levels, last } = known;
-    let mut series = Series::of(case, &[], SQRT_2)?;
-    if let Series::Template { contact, .. } = &mut series {
+    let mut series = MeshSeries::of(case, &[], SQRT_2)?;
+    if let MeshSeries::Template { contact, .. } = &mut series {
         *contact = SQRT_2;
     }
     // Of a mesh that is refined where it has to be: the one of the level to come.
@@ -91,7 +91,7 @@ fn by_changes(
             Some(mesh) => (case.clone(), mesh),
             None => series.mesh(case, number, &below, observer)?,
         };
-        let coarse = (series == Series::Split).then(|| mesh.clone());
+        let coarse = (series == MeshSeries::Split).then(|| mesh.clone());
         let outcome = job::run_on(&scaled, mesh, &own, Instant::now(), observer)?;
         if outcome.interrupted {
             return Ok((TargetVerdict::Interrupted, outcome));

@@ -110,30 +110,11 @@ fn jackson_green_pressure(poissons_ratio: f64) -> Result<f64, DomainError> {
     Ok(1.295 * (0.736 * error::poissons_ratio(poissons_ratio)?).exp())
 }
 
-/// First yield as Jackson and Green define it.
+/// First yield with the exact peak pressure p_Y on the axis, Johnson 6.1.
 ///
 /// ```text
-/// ω_c = (π C Y C_E / 2)² R        P_c = (4/3) (R C_E)² (π C Y / 2)³
+/// ω_c = (π p_Y C_E / 2)² R        P_c = (4/3) (R C_E)² (π p_Y / 2)³
 /// ```
-///
-/// # Errors
-/// [`DomainError::OutOfRange`] for R, C_E or Y not positive, or ν outside (-1, 0.5].
-pub fn jackson_green_critical(
-    radius: f64,
-    compliance: f64,
-    yield_stress: f64,
-    poissons_ratio: f64,
-) -> Result<Critical, DomainError> {
-    let pressure = jackson_green_pressure(poissons_ratio)?;
-    critical(
-        radius,
-        compliance,
-        pressure * error::positive("yield stress", yield_stress)?,
-    )
-}
-
-/// First yield with the exact peak pressure p_Y on the axis: the same two formulas with p_Y for
-/// C Y. Johnson 6.1.
 ///
 /// # Errors
 /// [`DomainError::OutOfRange`] for R, C_E or Y not positive, or ν outside (-1, 0.5].
@@ -144,10 +125,6 @@ pub fn exact_critical(
     poissons_ratio: f64,
 ) -> Result<Critical, DomainError> {
     let peak = super::subsurface::onset::sphere_yield_pressure(yield_stress, poissons_ratio)?;
-    critical(radius, compliance, peak)
-}
-
-fn critical(radius: f64, compliance: f64, peak: f64) -> Result<Critical, DomainError> {
     let r = error::positive("effective radius", radius)?;
     let c = error::positive("compliance of the contact", compliance)?;
     let slope = 0.5 * PI * peak * c;
@@ -157,24 +134,4 @@ fn critical(radius: f64, compliance: f64, peak: f64) -> Result<Critical, DomainE
         approach,
         load: error::representable("load at first yield", load)?,
     })
-}
-
-/// Share of the largest approach that remains after unloading, ω in [1, 170].
-///
-/// ```text
-/// ω_res / ω = (1 - ω^-0.28)(1 - ω^-0.69)
-/// ```
-/// Etsion, Kligerman and Kadin, Int. J. Solids Struct. 42 (2005) 3716.
-///
-/// # Errors
-/// [`DomainError::OutOfRange`] for ω outside [1, 170].
-pub fn residual_approach(omega: f64) -> Result<f64, DomainError> {
-    let w = approach_ratio(omega, 170.0, "at least 1 and at most 170")?;
-    error::require(
-        "approach over that at first yield",
-        w,
-        w >= 1.0,
-        "at least 1 and at most 170",
-    )?;
-    Ok((1.0 - w.powf(-0.28)) * (1.0 - w.powf(-0.69)))
 }

@@ -5,15 +5,14 @@
 //! | question | where |
 //! |---|---|
 //! | approach of bodies in line contact | [`approach`] |
-//! | first yield below a point or elliptic contact | [`subsurface`] |
+//! | first yield below a point contact | [`subsurface`] |
 //! | stick and slip | [`friction`] |
 //! | steel curve, yielding tube, limit load | [`steel`], [`tube`], [`tube_mises`], [`limit`] |
 //! | sphere pressed beyond yield | [`flattening`] |
-//! | crown of a roller, edge of a punch | [`crown`], [`rounded_punch`] |
+//! | edge of a punch | [`rounded_punch`] |
 //! | patch tests, cantilever, Cook's membrane | [`patch`] |
 
 pub mod approach;
-pub mod crown;
 pub mod flattening;
 pub mod friction;
 pub mod limit;

@@ -135,18 +135,6 @@ impl BilinearSteel {
     }
 }
 
-/// Stress at first yield when a plate is pulled in plane strain: Y / √(1 - ν + ν²).
-///
-/// Mises. It rises to the limit 2Y/√3 as yielding spreads without hardening.
-///
-/// # Errors
-/// [`DomainError::OutOfRange`] for Y not positive or ν outside (-1, 0.5].
-pub fn plane_strain_yield(yield_stress: f64, poissons_ratio: f64) -> Result<f64, DomainError> {
-    let y = error::positive("yield stress", yield_stress)?;
-    let nu = error::poissons_ratio(poissons_ratio)?;
-    Ok(y / (1.0 - nu + nu * nu).sqrt())
-}
-
 /// True stress and logarithmic strain of an engineering point: σ(1 + ε), ln(1 + ε).
 ///
 /// Uniform elongation without change of volume.

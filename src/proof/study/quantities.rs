@@ -60,16 +60,16 @@ pub const ROWS: [QuantityRow; 26] = [
         bore(s, |roller| roller.bore_mises_nodal)
     }),
     row("p0, flat side, ksi", |s| {
-        scaled(s.answer.figure(Quantity::PeakPressure, FLAT), 1.0)
+        read(s, Quantity::PeakPressure, FLAT)
     }),
     row("p0, V side, ksi", |s| {
-        scaled(s.answer.figure(Quantity::PeakPressure, VALLEY), 1.0)
+        read(s, Quantity::PeakPressure, VALLEY)
     }),
     row("half-width, flat side, in", |s| {
-        scaled(s.answer.figure(Quantity::HalfWidth, FLAT), 1.0)
+        read(s, Quantity::HalfWidth, FLAT)
     }),
     row("contact area, flat side, in²", |s| {
-        scaled(s.answer.figure(Quantity::ContactArea, FLAT), 1.0)
+        read(s, Quantity::ContactArea, FLAT)
     }),
     row("largest line load, flat side, kip/in", |s| {
         line(s, FLAT, |l| l.peak)
@@ -105,6 +105,11 @@ pub const ROWS: [QuantityRow; 26] = [
 
 fn plain(value: Option<f64>) -> Option<RowReading> {
     value.map(|value| RowReading { value, error: None })
+}
+
+/// A claim as it is.
+fn read(summary: &Summary, what: Quantity, place: &str) -> Option<RowReading> {
+    scaled(summary.answer.figure(what, place), 1.0)
 }
 
 /// A claim in a unit `scale` times as small.

@@ -1,5 +1,6 @@
 //! A bearing that was drawn at random, and the text of its case file.
 
+use super::stream::Stream;
 use crate::render::text::significant;
 
 /// The units of a case: of length, force and stress, and how many of its forces are one unit of stress
@@ -13,7 +14,7 @@ pub struct DrawnUnits {
     pub forces: f64,
 }
 
-pub const INCH: DrawnUnits = DrawnUnits {
+const INCH: DrawnUnits = DrawnUnits {
     system: "in-kip-ksi",
     length: "in",
     force: "kip",
@@ -21,13 +22,31 @@ pub const INCH: DrawnUnits = DrawnUnits {
     forces: 1.0,
 };
 
-pub const METRIC: DrawnUnits = DrawnUnits {
+const METRIC: DrawnUnits = DrawnUnits {
     system: "mm-N-MPa",
     length: "mm",
     force: "kN",
     stress: "MPa",
     forces: 1e-3,
 };
+
+impl DrawnUnits {
+    /// Draws units, and a diameter of rollers in them.
+    pub fn draw(stream: &mut Stream) -> (Self, f64) {
+        match stream.of([true, false]) {
+            true => (INCH, stream.between([1.0, 12.0])),
+            false => (METRIC, stream.scale([20.0, 400.0])),
+        }
+    }
+
+    /// Young's modulus and some yield stresses, of steels in these units.
+    pub fn steels(&self) -> (f64, [f64; 4]) {
+        match *self == INCH {
+            true => (29_500.0, [50.0, 100.0, 175.0, 250.0]),
+            false => (203_000.0, [350.0, 690.0, 1200.0, 1700.0]),
+        }
+    }
+}
 
 /// How the ends of the rollers are made, lengths in the unit of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The page `docs/stability.md`, whose sections are written one by one.
 
 use crate::ground::file::FileError;
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use std::io;
 use std::path::Path;
 
@@ -38,8 +38,7 @@ pub fn write(path: &Path, part: StabilitySection, text: &str) -> Result<(), File
         path: path.to_owned(),
         source,
     })?;
-    let new = renewed(&old, part, text);
-    write_atomically(path, |file| file.write_all(new.as_bytes()))
+    write_text(path, &renewed(&old, part, text))
 }
 
 fn renewed(old: &str, part: StabilitySection, text: &str) -> String {

@@ -115,9 +115,11 @@ impl Deck<'_> {
     fn requests(&self, out: &mut dyn Write) -> io::Result<()> {
         const LAST: &str = "FREQUENCY=9999";
         writeln!(out, "*NODE FILE,{LAST}\nU")?;
-        let steels = &self.scene.materials;
-        let plastic = self.scene.controls.plasticity && steels.iter().any(|s| !s.is_elastic());
-        let fields = if plastic { "S,PEEQ" } else { "S" };
+        let fields = if self.scene.may_yield() {
+            "S,PEEQ"
+        } else {
+            "S"
+        };
         writeln!(out, "*EL FILE,{LAST}\n{fields}")?;
         for set in self.held_sets() {
             writeln!(out, "*NODE PRINT,NSET={set},TOTALS=YES,{LAST}\nRF")?;

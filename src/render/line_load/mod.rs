@@ -9,7 +9,7 @@ pub use svg::figure;
 use super::plot;
 use super::summary::Summary;
 use crate::answer::LineFigures;
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::render::OutputError;
 use std::path::Path;
 
@@ -80,7 +80,6 @@ pub fn write(summary: &Summary, folder: &Path) -> Result<(), OutputError> {
         return Ok(());
     }
     let [data, picture] = FILES.map(|name| folder.join(name));
-    let text = csv(&lines, &summary.units);
-    write_atomically(&data, |out| out.write_all(text.as_bytes()))?;
+    write_text(&data, &csv(&lines, &summary.units))?;
     plot::write(&figure(&lines, &summary.units), &picture)
 }

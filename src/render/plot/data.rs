@@ -52,6 +52,19 @@ pub struct Panel {
     pub dashed: Vec<f64>,
 }
 
+impl Panel {
+    /// A diagram without dashed levels.
+    pub fn new(title: String, axes: [String; 2], scale: Scale, lines: Vec<Line>) -> Self {
+        Self {
+            title,
+            axes,
+            scale,
+            lines,
+            dashed: Vec::new(),
+        }
+    }
+}
+
 /// Diagrams in two columns, with one legend. A figure with a single panel is a diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlotFigure {

@@ -9,7 +9,7 @@ mod page;
 pub use data::{Line, Panel, PlotFigure, Scale};
 pub use page::charts;
 
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::render::OutputError;
 use std::path::Path;
 
@@ -22,9 +22,7 @@ pub fn write(figure: &PlotFigure, path: &Path) -> Result<(), OutputError> {
         path: path.to_path_buf(),
         why,
     })?;
-    Ok(write_atomically(path, |out| {
-        out.write_all(text.as_bytes())
-    })?)
+    Ok(write_text(path, &text)?)
 }
 
 /// The figure as the text of an SVG file.

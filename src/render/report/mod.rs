@@ -14,9 +14,9 @@ mod page;
 mod sections;
 
 pub use inputs::{FILE, Inputs};
-pub(super) use page::STYLE;
+pub(super) use page::html_head;
 
-use crate::ground::file::write_atomically;
+use crate::ground::file::write_text;
 use crate::render::OutputError;
 use std::path::Path;
 
@@ -34,6 +34,6 @@ pub fn render(inputs: &Inputs) -> Result<String, OutputError> {
 /// [`OutputError`] where a picture cannot be encoded, or with the path that cannot be written.
 pub fn write(inputs: &Inputs, path: &Path) -> Result<usize, OutputError> {
     let text = render(inputs)?;
-    write_atomically(path, |out| out.write_all(text.as_bytes()))?;
+    write_text(path, &text)?;
     Ok(text.len())
 }

@@ -19,7 +19,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
-pub const STYLE: &str = include_str!("assets/style.css");
+const STYLE: &str = include_str!("assets/style.css");
 
 /// In the order in which they need each other.
 const SCRIPTS: [&str; 7] = [
@@ -37,6 +37,21 @@ struct Section {
     id: &'static str,
     heading: &'static str,
     content: Markup,
+}
+
+/// What stands before the body of a page.
+pub fn html_head(title: &str, policy: &str) -> Markup {
+    html! {
+        head {
+            meta charset="utf-8";
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            meta http-equiv="Content-Security-Policy" content=(policy);
+            title { (title) " – Brinell" }
+            // An address that holds nothing, lest a browser look for an icon.
+            link rel="icon" href="data:,";
+            style { (PreEscaped(STYLE)) }
+        }
+    }
 }
 
 pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
@@ -113,15 +128,7 @@ pub fn page(inputs: &Inputs) -> Result<Markup, OutputError> {
     Ok(html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
-                title { (summary.case) " – Brinell" }
-                // An address that holds nothing, lest a browser look for an icon.
-                link rel="icon" href="data:,";
-                style { (PreEscaped(STYLE)) }
-            }
+            (html_head(&summary.case, POLICY))
             body {
                 h1 { (summary.case) }
                 p class="sub" { "Brinell " (summary.brinell_version) " · " (inputs.case.0) }

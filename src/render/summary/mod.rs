@@ -14,7 +14,7 @@ pub use values::{Comparison, Counters, ElasticTwin, Reported, Timing};
 use super::left_out::LeftOut;
 use super::warnings::Warning;
 use crate::answer::{Answer, Named};
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, write_json};
 use crate::ground::units::UnitLabels;
 use schemars::generate::{Contract, SchemaSettings};
 use serde::Serialize;
@@ -67,9 +67,6 @@ impl Summary {
     /// # Errors
     /// [`FileError::Write`] names the path.
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
-        write_atomically(path, |out| {
-            serde_json::to_writer_pretty(&mut *out, self)?;
-            writeln!(out)
-        })
+        write_json(path, self)
     }
 }

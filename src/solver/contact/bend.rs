@@ -4,7 +4,7 @@
 //! surface is read from how its normal turns from node to node.
 
 use super::side::Side;
-use crate::ground::geometry::{Vec3, add, dot, norm, sub, unit};
+use crate::ground::geometry::{Vec3, add, dot, norm, range, sub, unit};
 use std::collections::BTreeMap;
 
 /// The curvature of a surface over a facet.
@@ -65,9 +65,8 @@ impl Bend {
 
 /// Longest extent of a facet along a direction.
 fn extent(corners: &[Vec3; 4], along: Vec3) -> f64 {
-    let at = corners.map(|c| dot(c, along));
-    let most = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    most - at.iter().copied().fold(f64::INFINITY, f64::min)
+    let [least, most] = range(corners.map(|c| dot(c, along)));
+    most - least
 }
 
 /// What flat facets on both sides, of surfaces that touch, may overlap by, a length.

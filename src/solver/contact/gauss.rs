@@ -4,6 +4,7 @@
 //! integrals converge as powers of the number of points, the quicker the less the facets are distorted.
 
 use super::clip::Point;
+use crate::ground::geometry::range;
 use std::sync::OnceLock;
 
 /// Points along each side of the square that is folded to a triangle, at most.
@@ -22,9 +23,7 @@ pub(super) fn distortion(corners: &[Point; 4]) -> f64 {
         let [a, b, c] = [(k + 3) % 4, k, (k + 1) % 4].map(|i| corners[i]);
         (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
     };
-    let jacobians = [0, 1, 2, 3].map(at);
-    let least = jacobians.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = jacobians.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let [least, most] = range([0, 1, 2, 3].map(at));
     ((most - least) / (most + least).abs()).abs()
 }
 

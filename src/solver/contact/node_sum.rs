@@ -5,6 +5,7 @@ use super::pair::Pair;
 use super::piece::Piece;
 use super::row::Row;
 use crate::ground::geometry::{Vec3, add, cross, dot, planes_through, scale, tangents, unit};
+use crate::ground::order::ascending;
 use std::collections::BTreeMap;
 
 /// A node is on a plane that is held, and its normal in it, to within this share: coordinates are rounded.
@@ -93,9 +94,7 @@ impl NodeSum {
             normal[*axis].abs() < ROUNDING && (at[*axis] - c).abs() <= ROUNDING * size
         };
         let held = pair.held.iter().filter(holds).map(|(axis, _)| *axis);
-        let mut across: Vec<usize> = mirrors.iter().copied().chain(held).collect();
-        across.sort_unstable();
-        across.dedup();
+        let across = ascending(mirrors.iter().copied().chain(held));
         (gap <= pair.reach).then(|| Row {
             node,
             absorbed: self.absorbed,

@@ -1,6 +1,6 @@
 //! Which facets of two surfaces may overlap: an R-tree of facet boxes.
 
-use crate::ground::geometry::{Vec3, add, sub};
+use crate::ground::geometry::{Vec3, add, bounds, sub};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
@@ -13,7 +13,7 @@ impl FacetTree {
     /// From the corner coordinates of each facet.
     pub fn new(facets: &[[Vec3; 4]]) -> Self {
         let boxes = facets.iter().enumerate().map(|(index, corners)| {
-            let (low, high) = bounds(corners);
+            let [low, high] = bounds(*corners);
             GeomWithData::new(Rectangle::from_corners(low, high), index)
         });
         Self {
@@ -24,7 +24,7 @@ impl FacetTree {
     /// Indices of the facets whose boxes come within `distance`, axis by axis, of the box of
     /// `corners`, ascending.
     pub fn near(&self, corners: &[Vec3; 4], distance: Vec3) -> Vec<usize> {
-        let (low, high) = bounds(corners);
+        let [low, high] = bounds(*corners);
         let envelope = AABB::from_corners(sub(low, distance), add(high, distance));
         let mut found: Vec<usize> = self
             .tree
@@ -34,13 +34,4 @@ impl FacetTree {
         found.sort_unstable();
         found
     }
-}
-
-fn bounds(corners: &[Vec3; 4]) -> (Vec3, Vec3) {
-    let fold = |pick: fn(f64, f64) -> f64| {
-        corners.iter().skip(1).fold(corners[0], |acc, c| {
-            [pick(acc[0], c[0]), pick(acc[1], c[1]), pick(acc[2], c[2])]
-        })
-    };
-    (fold(f64::min), fold(f64::max))
 }

@@ -8,7 +8,7 @@
 //! Tensors are stored xx yy zz xy yz zx; strains carry engineering shears.
 
 use super::hex8::Geometry;
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 
 /// An element's forces or displacements: node by node, x y z.
 pub type ElementVector = [[f64; 3]; 8];
@@ -61,7 +61,7 @@ pub(super) fn add_stress_force(
 }
 
 /// Elastic stiffness of the element.
-pub fn stiffness(g: &Geometry, elastic: &Elastic) -> ElementMatrix {
+pub fn stiffness(g: &Geometry, elastic: &Moduli) -> ElementMatrix {
     let mut matrix = [[0.0; 24]; 24];
     for k in 0..8 {
         add_deviatoric(g, k, elastic.shear * g.volumes[k], &mut matrix);
@@ -78,10 +78,14 @@ pub fn stiffness(g: &Geometry, elastic: &Elastic) -> ElementMatrix {
 
 /// Adds `factor` (div u)², its gradients being `d`.
 fn add_dilatation(d: &[[f64; 3]; 8], factor: f64, matrix: &mut ElementMatrix) {
-    let d = d.as_flattened();
-    for (row, a) in matrix.iter_mut().zip(d) {
-        for (value, b) in row.iter_mut().zip(d) {
-            *value += factor * a * b;
+    add_outer(d.as_flattened(), factor, matrix);
+}
+
+/// Adds `factor` b bᵀ.
+pub(super) fn add_outer<const N: usize>(b: &[f64], factor: f64, matrix: &mut [[f64; N]; N]) {
+    for (row, bi) in matrix.iter_mut().zip(b) {
+        for (value, bj) in row.iter_mut().zip(b) {
+            *value += factor * bi * bj;
         }
     }
 }
@@ -115,12 +119,7 @@ pub(super) fn add_direction(
     let mut b = [[0.0; 3]; 8];
     add_stress_force(g, k, n, &mut b);
     let b = b.map(|node| node.map(|v| v / g.volumes[k]));
-    let b = b.as_flattened();
-    for (row, bi) in matrix.iter_mut().zip(b) {
-        for (value, bj) in row.iter_mut().zip(b) {
-            *value += factor * bi * bj;
-        }
-    }
+    add_outer(b.as_flattened(), factor, matrix);
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::bbar::{self, ElementMatrix, ElementVector};
 use super::enhanced::Enhanced;
 use super::hex8::Geometry;
 use crate::model::material::j2::{self, Flow, PlasticPoint};
-use crate::model::material::{Elastic, Steel};
+use crate::model::material::{Moduli, Steel};
 use crate::model::scene::ElementKind;
 
 /// A hexahedron of given shape.
@@ -42,7 +42,7 @@ impl Element {
     }
 
     /// Elastic stiffness.
-    pub fn stiffness(&self, elastic: &Elastic) -> ElementMatrix {
+    pub fn stiffness(&self, elastic: &Moduli) -> ElementMatrix {
         match self {
             Self::Displacement(g) => bbar::stiffness(g, elastic),
             Self::Enhanced(e) => e.stiffness(elastic),
@@ -50,7 +50,7 @@ impl Element {
     }
 
     /// Forces of the elastic element at corner displacements `u`: the stiffness times `u`.
-    pub fn elastic_force(&self, elastic: &Elastic, u: &ElementVector) -> ElementVector {
+    pub fn elastic_force(&self, elastic: &Moduli, u: &ElementVector) -> ElementVector {
         let stiffness = self.stiffness(elastic);
         let u = u.as_flattened();
         let row = |i: usize| stiffness[i].iter().zip(u).map(|(k, u)| k * u).sum();
@@ -62,7 +62,7 @@ impl Element {
     pub fn answer(
         &self,
         steel: &Steel,
-        elastic: &Elastic,
+        elastic: &Moduli,
         u: &ElementVector,
         old: &[PlasticPoint; 8],
     ) -> Option<ElementResponse> {
@@ -82,7 +82,7 @@ impl Element {
 
     /// Force that the plastic strain of `points` takes off the elastic answer: the internal force
     /// is the stiffness times the displacement, minus this.
-    pub fn relief(&self, elastic: &Elastic, points: &[PlasticPoint; 8]) -> ElementVector {
+    pub fn relief(&self, elastic: &Moduli, points: &[PlasticPoint; 8]) -> ElementVector {
         match self {
             Self::Displacement(g) => {
                 let mut relief = [[0.0; 3]; 8];
@@ -97,7 +97,7 @@ impl Element {
 
     /// What the flow changes in the stiffness: the consistent tangent is the elastic stiffness
     /// plus this.
-    pub fn tangent_change(&self, elastic: &Elastic, flows: &[Option<Flow>; 8]) -> ElementMatrix {
+    pub fn tangent_change(&self, elastic: &Moduli, flows: &[Option<Flow>; 8]) -> ElementMatrix {
         match self {
             Self::Displacement(g) => {
                 let mut change = [[0.0; 24]; 24];
@@ -119,7 +119,7 @@ impl Element {
     /// that belong to them.
     pub fn stress(
         &self,
-        elastic: &Elastic,
+        elastic: &Moduli,
         u: &ElementVector,
         points: &[PlasticPoint; 8],
     ) -> [[f64; 6]; 8] {

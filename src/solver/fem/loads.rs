@@ -58,14 +58,7 @@ pub fn area(mesh: &Mesh, surface: &Surface) -> f64 {
 fn face_points(x: &[[f64; 3]; 4]) -> [([f64; 4], [f64; 3]); 4] {
     quadrilateral::CORNERS.map(|corner| {
         let s = corner.map(|c| c * GAUSS);
-        let mut tangents = [[0.0; 3]; 2];
-        for (tangent, slopes) in tangents.iter_mut().zip(quadrilateral::shape_derivatives(s)) {
-            for (slope, x) in slopes.into_iter().zip(x) {
-                for i in 0..3 {
-                    tangent[i] += slope * x[i];
-                }
-            }
-        }
-        (quadrilateral::shape(s), cross(tangents[0], tangents[1]))
+        let [along, across] = quadrilateral::derivatives(s, x);
+        (quadrilateral::shape(s), cross(along, across))
     })
 }

@@ -2,7 +2,7 @@
 
 use crate::ground::geometry::sub;
 use crate::model::half_turn::HalfTurn;
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -109,7 +109,7 @@ fn plastic_forces(model: &Model, state: &State, elements: &[u32]) -> (Vec<[f64; 
 }
 
 /// Hooke's law backwards: elastic strain (engineering shears) from stress.
-fn strain(elastic: &Elastic, stress: &[f64; 6]) -> [f64; 6] {
+fn strain(elastic: &Moduli, stress: &[f64; 6]) -> [f64; 6] {
     let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
     std::array::from_fn(|i| match i {
         0..3 => (stress[i] - mean) / (2.0 * elastic.shear) + mean / (3.0 * elastic.bulk),

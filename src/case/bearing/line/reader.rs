@@ -6,6 +6,7 @@ use crate::case::bearing::reader::{BearingReader, plan};
 use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
+use crate::case::parse::Field;
 use crate::ground::units::Dimension;
 
 impl BearingReader<'_, '_> {
@@ -29,7 +30,7 @@ impl BearingReader<'_, '_> {
             }
             (None, _) => 0.0,
         };
-        let [upper, lower] = self.plate_thicknesses()?;
+        let [upper, lower] = self.thicknesses(["upper", "lower"], &keys::LINE_PLATE_THICKNESS)?;
         let own = [spacing * (rollers as f64 - 1.0) + 1.5 * diameter, length];
         let [upper_plan, lower_plan] = self.plate_plans(own)?;
         Ok(LineGeometry {
@@ -56,20 +57,8 @@ impl BearingReader<'_, '_> {
     }
 
     fn rollers(&self) -> Result<usize, CaseError> {
-        let given = self.table.get("rollers");
-        let given = given.map(|field| field.count()).transpose()?;
+        let given = self.table.maybe("rollers", Field::count)?;
         Ok(given.map_or(1, |count| count.value))
-    }
-
-    /// Upper, lower.
-    fn plate_thicknesses(&self) -> Result<[f64; 2], CaseError> {
-        let field = self.table.need("plate_thickness")?;
-        if !field.is_table() {
-            return Ok([field.quantity(Dimension::LENGTH)?.value; 2]);
-        }
-        let table = field.table()?.only(&keys::LINE_PLATE_THICKNESS)?;
-        let of = |key| Ok(table.need(key)?.quantity(Dimension::LENGTH)?.value);
-        Ok([of("upper")?, of("lower")?])
     }
 
     /// Upper, lower; `own` where the case does not say.

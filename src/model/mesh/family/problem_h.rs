@@ -130,11 +130,8 @@ fn mark_sides(mesh: &mut Mesh) {
     mesh.surfaces
         .retain(|s| s.name != "back" && s.name != "front");
     let end = mesh.points.iter().map(|p| p[2]).fold(0.0, f64::max);
-    let names: Vec<String> = mesh.bodies.iter().map(|b| b.name.clone()).collect();
-    for body in names {
-        mesh.mark("back", &body, |p| p[2].abs() < TOLERANCE);
-        mesh.mark("front", &body, |p| (p[2] - end).abs() < TOLERANCE);
-    }
+    mesh.mark_all("back", |p| p[2].abs() < TOLERANCE);
+    mesh.mark_all("front", |p| (p[2] - end).abs() < TOLERANCE);
 }
 
 fn mark_block(mesh: &mut Mesh) {

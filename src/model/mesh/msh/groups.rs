@@ -1,5 +1,6 @@
 //! Which elements belong to which physical groups.
 
+use crate::ground::order::ascending;
 use std::collections::BTreeMap;
 
 use super::error::MeshError;
@@ -128,7 +129,7 @@ impl<'a> Groups<'a> {
 
 /// Physical tags of a run, each once; none where its entity is unknown.
 fn tags(raw: &Raw, block: &Block) -> Vec<i64> {
-    let mut tags = match block.group {
+    ascending(match block.group {
         Group::Tag(0) => Vec::new(),
         Group::Tag(tag) => vec![tag],
         Group::OfEntity => {
@@ -138,10 +139,7 @@ fn tags(raw: &Raw, block: &Block) -> Vec<i64> {
                 .map(|(_, tags)| tags.clone())
                 .unwrap_or_default()
         }
-    };
-    tags.sort_unstable();
-    tags.dedup();
-    tags
+    })
 }
 
 /// Physical tags of a run, whose entity must be known.

@@ -2,7 +2,7 @@
 
 /// An element type.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct ElementKind {
+pub(super) struct GmshElement {
     pub code: i64,
     pub name: &'static str,
     /// 0 for points to 3 for volumes.
@@ -15,15 +15,15 @@ pub(super) const QUADRILATERAL: i64 = 3;
 /// The eight-node hexahedron.
 pub(super) const HEXAHEDRON: i64 = 5;
 
-impl ElementKind {
+impl GmshElement {
     /// The type that gmsh writes as `code`.
-    pub fn of(code: i64) -> Option<&'static ElementKind> {
+    pub fn of(code: i64) -> Option<&'static GmshElement> {
         KINDS.iter().find(|kind| kind.code == code)
     }
 }
 
-const fn kind(code: i64, name: &'static str, dimension: u8, nodes: usize) -> ElementKind {
-    ElementKind {
+const fn kind(code: i64, name: &'static str, dimension: u8, nodes: usize) -> GmshElement {
+    GmshElement {
         code,
         name,
         dimension,
@@ -32,7 +32,7 @@ const fn kind(code: i64, name: &'static str, dimension: u8, nodes: usize) -> Ele
 }
 
 /// From the element types of the MSH format's documentation.
-static KINDS: [ElementKind; 37] = [
+static KINDS: [GmshElement; 37] = [
     kind(1, "two-node line", 1, 2),
     kind(2, "three-node triangle", 2, 3),
     kind(3, "four-node quadrilateral", 2, 4),

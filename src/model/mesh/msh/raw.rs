@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::kind::ElementKind;
+use super::kind::GmshElement;
 use super::place::{At, FilePlace};
 
 /// A dimension (0 to 3) and the tag of an entity or physical group of it.
@@ -42,7 +42,7 @@ pub(super) struct Elements {
 
 /// A run of elements.
 pub(super) struct Block {
-    pub kind: &'static ElementKind,
+    pub kind: &'static GmshElement,
     /// Tag of the entity they mesh; its dimension is that of their type.
     pub entity: i64,
     pub group: Group,

@@ -2,7 +2,7 @@
 
 use super::cursor::{Cursor, Encoding};
 use super::error::MeshError;
-use super::kind::ElementKind;
+use super::kind::GmshElement;
 use super::raw::{Block, Elements, Group, Nodes};
 
 /// `$Nodes`.
@@ -82,7 +82,7 @@ fn element(
     elements: &mut Elements,
     mark: u64,
     tag: u64,
-    kind: &'static ElementKind,
+    kind: &'static GmshElement,
     tags: u64,
 ) -> Result<(), MeshError> {
     let (mut physical, mut entity) = (0, 0);
@@ -118,9 +118,9 @@ fn element(
     Ok(())
 }
 
-fn kind(cursor: &mut Cursor<'_>) -> Result<&'static ElementKind, MeshError> {
+fn kind(cursor: &mut Cursor<'_>) -> Result<&'static GmshElement, MeshError> {
     let code = cursor.int("an element type")?;
-    ElementKind::of(code)
+    GmshElement::of(code)
         .ok_or_else(|| cursor.syntax("a known element type", code.to_string().as_bytes()))
 }
 

@@ -2,7 +2,7 @@
 
 use super::cursor::Cursor;
 use super::error::MeshError;
-use super::kind::ElementKind;
+use super::kind::GmshElement;
 use super::names::ENTITIES;
 use super::raw::{Block, Elements, Group, Key, Nodes, Raw};
 
@@ -105,7 +105,7 @@ pub(super) fn elements(cursor: &mut Cursor<'_>) -> Result<Elements, MeshError> {
         cursor.begin("a block of elements")?;
         let (dimension, entity) = entity(cursor)?;
         let code = cursor.int("an element type")?;
-        let kind = ElementKind::of(code)
+        let kind = GmshElement::of(code)
             .ok_or_else(|| cursor.syntax("a known element type", code.to_string().as_bytes()))?;
         if kind.dimension != dimension {
             let expected = format!("an element type of dimension {dimension}");

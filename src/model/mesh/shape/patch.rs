@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use nalgebra::Vector3;
 
 use super::surface_shape::Shape;
+use crate::ground::order::ascending;
 use crate::model::mesh::{Mesh, Surface};
 
 pub(super) struct Patch {
@@ -156,12 +157,6 @@ fn has_inner_node(surface: &Surface, count: usize) -> bool {
             *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
         }
     }
-    let mut rim: Vec<u32> = edges
-        .into_iter()
-        .filter(|(_, facets)| *facets == 1)
-        .flat_map(|(edge, _)| edge)
-        .collect();
-    rim.sort_unstable();
-    rim.dedup();
-    rim.len() < count
+    let rim = edges.into_iter().filter(|(_, facets)| *facets == 1);
+    ascending(rim.flat_map(|(edge, _)| edge)).len() < count
 }

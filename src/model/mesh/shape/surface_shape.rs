@@ -38,10 +38,9 @@ impl Shape {
                 radius,
                 convex,
                 ..
-            } if dot(axis, along).abs() > parallel => Some(match convex {
-                true => 1.0 / radius,
-                false => -1.0 / radius,
-            }),
+            } if dot(axis, along).abs() > parallel => {
+                Some(if convex { 1.0 / radius } else { -1.0 / radius })
+            }
             _ => None,
         }
     }

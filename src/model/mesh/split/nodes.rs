@@ -141,10 +141,7 @@ impl Nodes {
 
     /// The 27 nodes of a split hexahedron, by [`place`].
     pub fn lattice(&mut self, hex: &[u32; 8]) -> [u32; 27] {
-        let mut lattice = [0; 27];
-        for (corner, node) in CORNERS.iter().zip(hex) {
-            lattice[place(*corner)] = *node;
-        }
+        let mut lattice = corners_only(hex);
         let edges = EDGES.map(|ends| self.edge(ends.map(|c| hex[c])));
         for (ends, node) in EDGES.iter().zip(edges) {
             lattice[place(middle(ends))] = node;
@@ -163,10 +160,7 @@ impl Nodes {
         if mark == [true; 3] {
             return self.lattice(hex);
         }
-        let mut lattice = [0; 27];
-        for (corner, node) in CORNERS.iter().zip(hex) {
-            lattice[place(*corner)] = *node;
-        }
+        let mut lattice = corners_only(hex);
         for ends in EDGES.iter().filter(|ends| cuts(*ends, mark) == 1) {
             lattice[place(middle(ends))] = self.edge(ends.map(|c| hex[c]));
         }
@@ -188,6 +182,15 @@ impl Nodes {
         }
         sum
     }
+}
+
+/// A lattice with the nodes of the element itself.
+fn corners_only(hex: &[u32; 8]) -> [u32; 27] {
+    let mut lattice = [0; 27];
+    for (corner, node) in CORNERS.iter().zip(hex) {
+        lattice[place(*corner)] = *node;
+    }
+    lattice
 }
 
 /// The piece at `corner` of a hexahedron that is split along some directions.

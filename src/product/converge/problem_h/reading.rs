@@ -5,9 +5,10 @@ use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::peaks::{BodyPeaks, Peak, peaks};
 use crate::answer::results::recovery::recover;
 use crate::answer::results::strip::{Strip, half_width};
+use crate::ground::geometry::norm;
 use crate::model::scene::Scene;
 use crate::model::state::State;
-use crate::product::converge::contact_profile::{extent, misfit, spots};
+use crate::product::converge::contact_profile::{misfit, spots};
 use crate::product::converge::energy;
 use crate::product::converge::error::Missing;
 
@@ -44,7 +45,7 @@ pub struct ProblemHReading {
 /// # Errors
 /// [`Missing`] where there is no contact pressure.
 pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
-    let thickness = extent(&scene.mesh, 2);
+    let thickness = scene.mesh.extent(2);
     let field = &state.contacts[0];
     let surface = scene
         .mesh
@@ -73,10 +74,7 @@ pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
             .find(|b| b.name == name)
             .map_or(Mises::default(), mises)
     };
-    let shears = field
-        .traction
-        .iter()
-        .map(|t| t.iter().map(|c| c * c).sum::<f64>().sqrt());
+    let shears = field.traction.iter().map(|t| norm(*t));
     Ok(ProblemHReading {
         pressure,
         pressure_at: scene.mesh.points[field.nodes[top] as usize][0].abs(),

@@ -7,9 +7,9 @@ use crate::solver::solve::FreeMotion;
 /// Supports, rigid planes and contacts on body number `body`.
 pub fn held_by(scene: &Scene, body: usize) -> Vec<String> {
     let on = |surface: &str| {
-        let surface = scene.mesh.surface(surface);
-        let mut faces = surface.iter().flat_map(|surface| &surface.faces);
-        faces.any(|face| scene.mesh.body_of(face.element as usize) == body)
+        let surface = scene.mesh.surface(surface).into_iter();
+        let mut bodies = surface.flat_map(|surface| surface.bodies(&scene.mesh));
+        bodies.any(|other| other == body)
     };
     let axes = |which: &dyn Fn(usize) -> bool| -> String {
         let axes: Vec<&str> = (0..3).filter(|a| which(*a)).map(|a| AXES[a]).collect();

@@ -74,20 +74,14 @@ pub fn check(case: &Case, say: &mut dyn FnMut(&str)) -> Result<Check, JobError> 
 fn bodies(scene: &Scene) -> Vec<BodyCheck> {
     let quality = scene.mesh.quality();
     let bodies = scene.mesh.bodies.iter().zip(quality).enumerate();
-    let checked = bodies.map(|(index, (body, quality))| {
-        let hexes = &scene.mesh.hexes[body.elements.clone()];
-        let mut nodes: Vec<u32> = hexes.iter().flatten().copied().collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        BodyCheck {
-            name: body.name.clone(),
-            elements: quality.elements,
-            nodes: nodes.len(),
-            volume: quality.volume,
-            min_scaled_jacobian: quality.min_scaled_jacobian,
-            max_aspect_ratio: quality.max_aspect_ratio,
-            held_by: held::held_by(scene, index),
-        }
+    let checked = bodies.map(|(index, (body, quality))| BodyCheck {
+        name: body.name.clone(),
+        elements: quality.elements,
+        nodes: scene.mesh.nodes_of_body(index).len(),
+        volume: quality.volume,
+        min_scaled_jacobian: quality.min_scaled_jacobian,
+        max_aspect_ratio: quality.max_aspect_ratio,
+        held_by: held::held_by(scene, index),
     });
     checked.collect()
 }

@@ -3,9 +3,9 @@
 use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
 use crate::answer::results::load::full;
-use crate::case::{Case, Kind};
-use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
-use crate::model::mesh::shape::{Shape, fit};
+use crate::case::Case;
+use crate::ground::geometry::{Vec3, dot, norm, range, scale, sub};
+use crate::model::mesh::shape::Shape;
 use crate::model::scene::{ContactPair, Partner, Scene};
 use crate::product::job::JobError;
 use crate::render::check::StripCheck;
@@ -70,7 +70,7 @@ fn strip(
 
 fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Line> {
     let [carrier, other] = pair.carrier_first();
-    if let Kind::Bearing(bearing) = &case.kind {
+    if let Some(bearing) = case.bearing() {
         let seat = bearing.seat(&pair.name)?;
         let mut axis = [0.0; 3];
         axis[seat.axis] = 1.0;
@@ -86,7 +86,7 @@ fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Lin
     let (axis, radius, round, other) =
         [(carrier, other), (other, carrier)]
             .into_iter()
-            .find_map(|(side, other)| match shape(scene, side) {
+            .find_map(|(side, other)| match side.shape(&scene.mesh) {
                 Shape::Cylinder {
                     axis,
                     radius,
@@ -95,7 +95,7 @@ fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Lin
                 } => Some((axis, radius, side, other)),
                 _ => None,
             })?;
-    let curvature = 1.0 / radius + shape(scene, other).curvature(axis, 0.999)?;
+    let curvature = 1.0 / radius + other.shape(&scene.mesh).curvature(axis, 0.999)?;
     let length = length(scene, round, axis);
     (curvature > 0.0 && length > 0.0).then(|| Line {
         axis,
@@ -106,29 +106,13 @@ fn line(case: &Case, scene: &Scene, pair: &ContactPair, load: f64) -> Option<Lin
     })
 }
 
-fn shape(scene: &Scene, partner: &Partner) -> Shape {
-    match partner {
-        Partner::Surface(_) => (partner.surface(&scene.mesh))
-            .map_or(Shape::Facets, |surface| fit(&scene.mesh, surface)),
-        Partner::Plane { point, normal } => Shape::Plane {
-            point: *point,
-            normal: *normal,
-        },
-    }
-}
-
 /// Extent of a surface along `axis`, in the whole.
 fn length(scene: &Scene, partner: &Partner, axis: Vec3) -> f64 {
     let Some(surface) = partner.surface(&scene.mesh) else {
         return 0.0;
     };
-    let nodes = surface.nodes();
-    let along = nodes
-        .iter()
-        .map(|n| dot(scene.mesh.points[*n as usize], axis));
-    let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| {
-        (l.min(c), h.max(c))
-    });
+    let nodes = surface.nodes().into_iter();
+    let [low, high] = range(nodes.map(|n| dot(scene.mesh.points[n as usize], axis)));
     let mirrored = scene
         .mirrors
         .iter()

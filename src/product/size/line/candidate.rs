@@ -2,9 +2,9 @@
 
 use super::request::LineRequest;
 use crate::analytic::hertz::LineContact;
-use crate::analytic::{DomainError, Elastic, contact_compliance};
 use crate::case::bearing::{Layout, LineGeometry, LinePlate, RollerShape};
 use crate::ground::units::Dimension;
+use crate::product::size::candidate::compliance;
 use crate::product::size::practical::rounded_up;
 use crate::product::size::{PressureSpread, SizeError};
 use serde::Serialize;
@@ -52,7 +52,7 @@ impl LineCandidate {
         let units = request.units;
         let lines = rollers as f64;
         let limit = request.limit.value * request.yield_stress;
-        let compliance = compliance(request)?;
+        let compliance = compliance(request.modulus.value, request.poissons_ratio.value)?;
         let most = LineContact::at_peak_pressure(limit, 0.5 * diameter, compliance)?.line_load;
         let required_length = request.load * request.margin.value / (lines * most);
         let length = (request.length).unwrap_or_else(|| rounded_up(units, required_length));
@@ -112,10 +112,4 @@ impl LineCandidate {
     pub fn is_long_enough(&self) -> bool {
         self.length >= self.required_length * (1.0 - 1e-9)
     }
-}
-
-/// C_E of rollers and plates of the same steel.
-pub fn compliance(request: &LineRequest) -> Result<f64, DomainError> {
-    let steel = Elastic::new(request.modulus.value, request.poissons_ratio.value)?;
-    contact_compliance(steel, steel)
 }

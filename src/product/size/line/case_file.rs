@@ -3,14 +3,13 @@
 use super::candidate::LineCandidate;
 use super::proposal::LineProposal;
 use crate::ground::units::Dimension;
-use crate::product::size::case_file::{end, exactly};
+use crate::product::size::case_file::{end, exactly, steel};
 
 /// The case file of `candidate`, called `name`.
 pub fn case_file(proposal: &LineProposal, candidate: &LineCandidate, name: &str) -> String {
     let (request, c) = (&proposal.request, candidate);
     let units = request.units;
     let length = |value| exactly(units, value, Dimension::LENGTH);
-    let stress = |value| exactly(units, value, Dimension::STRESS);
     let show = |value, dimension| units.show(value, dimension);
     let mut lines = vec![
         format!(
@@ -61,16 +60,15 @@ pub fn case_file(proposal: &LineProposal, candidate: &LineCandidate, name: &str)
         format!("plate_thickness = \"{}\"", length(c.plate)),
         format!("plate_size = [\"{}\", \"{}\"]", length(wide), length(long)),
         String::new(),
-        "[steel]".to_owned(),
-        format!("youngs_modulus = \"{}\"", stress(request.modulus.value)),
-        format!("poissons_ratio = {}", request.poissons_ratio.value),
-        format!("yield_stress = \"{}\"", stress(request.yield_stress)),
-        "# Slope of the stress-strain line beyond yield.".to_owned(),
-        format!(
-            "tangent_modulus = \"{}\"",
-            stress(request.tangent_modulus.value)
+        steel(
+            units,
+            [
+                request.modulus.value,
+                request.yield_stress,
+                request.tangent_modulus.value,
+            ],
+            request.poissons_ratio.value,
         ),
-        String::new(),
         "[mesh]".to_owned(),
         format!("preset = \"{}\"", request.preset.value),
     ]);

@@ -1,11 +1,11 @@
 //! The table of candidates and the one that is recommended.
 
-use super::candidate::{LineCandidate, PLATE_TO_DIAMETER, compliance};
+use super::candidate::{LineCandidate, PLATE_TO_DIAMETER};
 use super::request::LineRequest;
 use crate::analytic::hertz::LineContact;
 use crate::case::bearing::MOST_ROLLERS;
 use crate::ground::units::{Dimension, UnitLabels};
-use crate::product::size::candidate::SLENDEREST;
+use crate::product::size::candidate::{SLENDEREST, compliance};
 use crate::product::size::practical::diameters;
 use crate::product::size::{SizeError, SizingAssumption};
 use serde::Serialize;
@@ -67,7 +67,8 @@ fn candidates(request: &LineRequest) -> Result<Vec<LineCandidate>, SizeError> {
     let rollers = request.rollers.unwrap_or(1);
     let limit = request.limit.value * request.yield_stress;
     // A line load at the limit goes with the diameter: n L D is the same for all.
-    let at_one = LineContact::at_peak_pressure(limit, 0.5, compliance(request)?)?.line_load;
+    let compliance = compliance(request.modulus.value, request.poissons_ratio.value)?;
+    let at_one = LineContact::at_peak_pressure(limit, 0.5, compliance)?.line_load;
     let product = request.load * request.margin.value / (rollers as f64 * at_one);
     let first = match request.length {
         Some(length) => 0.8 * product / length,
@@ -127,12 +128,7 @@ fn why(request: &LineRequest, any: bool) -> String {
 
 fn assumptions(request: &LineRequest) -> Vec<SizingAssumption> {
     let stress = |value| request.units.show(value, Dimension::STRESS);
-    let entry = |option, value: String, given, why: &str| SizingAssumption {
-        option,
-        value,
-        why: why.to_owned(),
-        given,
-    };
+    let entry = SizingAssumption::new;
     let (modulus, margin) = (request.modulus, request.margin);
     vec![
         entry(

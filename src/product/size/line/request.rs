@@ -7,7 +7,7 @@ use crate::product::size::{Request, Setting, SizeError};
 
 /// For what an even load does not see: ends that bulge leave a hundredth or three more to the middle, and of
 /// several rollers those below the middle of a plate take more than those at its edge.
-pub const MARGIN: f64 = 1.1;
+const MARGIN: f64 = 1.1;
 
 /// Parallel rollers to size, in the units of `units`.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::proposal::LineProposal;
 use crate::ground::units::Dimension;
-use crate::product::size::table::{assumed, digits, wrapped};
+use crate::product::size::table::{assumed, digits, mark, none_recommended, wrapped};
 use crate::render::table::text::text;
 use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
@@ -39,10 +39,6 @@ fn candidates(proposal: &LineProposal) -> String {
         .figures(["of limit"])
         .figure("steel", units.volume());
     for (place, c) in proposal.candidates.iter().enumerate() {
-        let mark = match proposal.recommended == Some(place) {
-            true => " <",
-            false => "",
-        };
         table.row([
             c.rollers.to_string().into(),
             digits(c.diameter).into(),
@@ -53,7 +49,7 @@ fn candidates(proposal: &LineProposal) -> String {
             Cell::figure(c.even.line_load),
             Cell::figure(c.even.pressure),
             Cell::Share(Some(c.even.utilisation)),
-            (significant(c.volume, 3) + mark).into(),
+            (significant(c.volume, 3) + mark(proposal.recommended, place)).into(),
         ]);
     }
     table.note("L asked: for the load times its margin; p0: (2-48) under the load itself, spread evenly, of the limit (2-49)");
@@ -62,7 +58,7 @@ fn candidates(proposal: &LineProposal) -> String {
 
 fn choice(proposal: &LineProposal) -> String {
     let Some(c) = proposal.choice() else {
-        return format!("None is recommended:\n{}", wrapped(&proposal.why, 2));
+        return none_recommended(&proposal.why);
     };
     let show = |value| proposal.request.units.show(value, Dimension::LENGTH);
     let rollers = match c.rollers {

@@ -5,11 +5,12 @@ use super::case_file::case_file;
 use super::proposal::LineProposal;
 use super::request::LineRequest;
 use crate::case;
-use crate::ground::file::{FileError, write_atomically};
+use crate::ground::file::{FileError, write_json, write_text};
 use crate::ground::units::UnitLabels;
 use crate::product::size::SizeError;
 use crate::product::size::verdict::{
-    Checked, Design, Placed, forget_verdict, page, render_checked, short_by_at_most,
+    Checked, Design, Limits, Placed, forget_verdict, page, render_checked, short_by_at_most,
+    write_verdict,
 };
 use crate::product::size::verify::{Verification, solved};
 use crate::solver::solve::Observer;
@@ -87,12 +88,9 @@ pub fn write(
     forget_verdict(folder)?;
     let case = folder.join(format!("{NAME}.toml"));
     let text = case_file(proposal, candidate, NAME);
-    write_atomically(&case, |out| out.write_all(text.as_bytes()))?;
+    write_text(&case, &text)?;
     let json = folder.join("size.json");
-    write_atomically(&json, |out| {
-        serde_json::to_writer_pretty(&mut *out, proposal)?;
-        writeln!(out)
-    })?;
+    write_json(&json, proposal)?;
     Ok(vec![case, json])
 }
 
@@ -113,7 +111,7 @@ pub fn verify(
     if outcome.interrupted {
         return Ok(Verification::Interrupted);
     }
-    let limits = crate::product::size::verdict::Limits {
+    let limits = Limits {
         pressure: request.limit.value * request.yield_stress,
         yield_stress: request.yield_stress,
         radius: 0.5 * candidate.diameter,
@@ -134,12 +132,6 @@ pub fn verify(
         found,
         advised_margin,
     };
-    write_atomically(&folder.join("verdict.json"), |out| {
-        serde_json::to_writer_pretty(&mut *out, &verdict)?;
-        writeln!(out)
-    })?;
-    write_atomically(&folder.join("verdict.md"), |out| {
-        out.write_all(verdict.page().as_bytes())
-    })?;
+    write_verdict(&verdict, &verdict.page(), folder)?;
     Ok(Verification::Done(Box::new(verdict)))
 }

@@ -6,7 +6,7 @@ use super::standing::SizeStanding;
 use crate::ground::units::Dimension;
 use crate::product::size::SizeError;
 use crate::product::size::proposal::Proposal;
-use crate::product::size::request::{ECCENTRIC_MARGIN, Request, Setting, SizingRule};
+use crate::product::size::request::{ECCENTRIC_MARGIN, LengthRule, Request, Setting};
 use serde::Serialize;
 
 /// The next design to try.
@@ -54,15 +54,15 @@ impl Advice {
         let checks = || positions.iter().flat_map(|p| &p.checks);
         let worst = short_by_at_most(positions);
         let before = match request.rule.value {
-            SizingRule::Eccentric => request.margin.value,
+            LengthRule::Eccentric => request.margin.value,
             // Statics are to be tried before more is asked of them.
-            SizingRule::Printed | SizingRule::Exact => {
+            LengthRule::Printed | LengthRule::Exact => {
                 ECCENTRIC_MARGIN / (worst * worst * MARGIN_ON_ADVICE)
             }
         };
         let margin = (100.0 * before * worst * worst * MARGIN_ON_ADVICE).ceil() / 100.0;
         let next = Request {
-            rule: Setting::or(Some(SizingRule::Eccentric), SizingRule::Eccentric),
+            rule: Setting::or(Some(LengthRule::Eccentric), LengthRule::Eccentric),
             margin: Setting::or(Some(margin.max(1.0)), margin),
             // What is fixed and carries too little must give way.
             diameter: None,

@@ -1,24 +1,17 @@
 //! The verdict as files: `verdict.json` and `verdict.md`.
 
-use super::design::DesignVerdict;
-use crate::ground::file::{FileError, remove, write_atomically};
+use crate::ground::file::{FileError, remove, write_json, write_text};
 use crate::render::report;
+use serde::Serialize;
 use std::path::Path;
 
-impl DesignVerdict {
-    /// Writes `verdict.json` and `verdict.md` into `folder`.
-    ///
-    /// # Errors
-    /// [`FileError::Write`] names the path.
-    pub fn write(&self, folder: &Path) -> Result<(), FileError> {
-        write_atomically(&folder.join("verdict.json"), |out| {
-            serde_json::to_writer_pretty(&mut *out, self)?;
-            writeln!(out)
-        })?;
-        write_atomically(&folder.join("verdict.md"), |out| {
-            out.write_all(self.page().as_bytes())
-        })
-    }
+/// Writes a verdict and its page, `verdict.json` and `verdict.md`, into `folder`.
+///
+/// # Errors
+/// [`FileError::Write`] names the path.
+pub fn write_verdict(verdict: &impl Serialize, page: &str, folder: &Path) -> Result<(), FileError> {
+    write_json(&folder.join("verdict.json"), verdict)?;
+    write_text(&folder.join("verdict.md"), page)
 }
 
 /// Removes the verdict that an earlier design left in `folder`, with its page: it is of another load or other rollers.

@@ -14,7 +14,7 @@ mod table;
 pub use advice::{Advice, short_by_at_most};
 pub use check::{LimitCheck, LimitKind};
 pub use design::DesignVerdict;
-pub use files::forget_verdict;
+pub use files::{forget_verdict, write_verdict};
 pub use limits::Limits;
 pub use position::Placed;
 pub use standing::SizeStanding;

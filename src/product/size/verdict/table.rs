@@ -45,7 +45,7 @@ impl DesignVerdict {
     }
 
     /// As a Markdown file.
-    pub(super) fn page(&self) -> String {
+    pub fn page(&self) -> String {
         let (units, design) = (&self.units, &self.design);
         let n = |value: f64| significant(value, 4);
         let about = format!(

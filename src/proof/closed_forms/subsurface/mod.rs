@@ -1,3 +1,3 @@
-//! First yield below a point or elliptic contact; the stresses are in [`subsurface`](crate::analytic::subsurface).
+//! First yield below a point contact; the stresses are in [`subsurface`](crate::analytic::subsurface).
 
 pub mod onset;

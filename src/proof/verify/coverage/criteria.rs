@@ -4,6 +4,7 @@ use super::exclusion::share_excluded;
 use super::measure::ClaimRecord;
 use super::quantile::quantile;
 use super::tally::Tally;
+use crate::ground::order::ascending;
 
 /// A demand, what was found, and whether that will do.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,10 +64,7 @@ const ACCURACY: [Accuracy; 6] = [
 
 /// Kinds and presets in the order in which they come.
 pub fn groups(records: &[ClaimRecord], key: impl Fn(&ClaimRecord) -> String) -> Vec<String> {
-    let mut names: Vec<String> = records.iter().map(key).collect();
-    names.sort();
-    names.dedup();
-    names
+    ascending(records.iter().map(key))
 }
 
 /// All demands.

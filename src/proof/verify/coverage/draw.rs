@@ -4,7 +4,7 @@
 
 use super::bearing::Bearing;
 use crate::analytic::sizing::PRESSURE_LIMIT;
-use crate::proof::verify::drawn::{DrawnBearing, DrawnUnits, End, INCH, METRIC, digits};
+use crate::proof::verify::drawn::{DrawnBearing, DrawnUnits, End, digits};
 use crate::proof::verify::stream::Stream;
 use libm::{sin, tan};
 use std::f64::consts::{PI, SQRT_2};
@@ -46,7 +46,7 @@ fn bearing(seed: u64, number: usize) -> Bearing {
 
 /// A bearing, or none where it could not stand.
 fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Option<String> {
-    let (units, diameter) = size(stream);
+    let (units, diameter) = DrawnUnits::draw(stream);
     let wall = stream.between([0.08, 0.47]) * diameter;
     let wall = (stream.share() >= 0.2).then_some(wall);
     let length = stream.between([1.5, 6.0]) * diameter;
@@ -103,20 +103,9 @@ fn drawn(stream: &mut Stream, name: &str, displaced: bool, elastic: bool) -> Opt
     Some(drawn.text())
 }
 
-/// Units, and the diameter of the rollers in them.
-pub(super) fn size(stream: &mut Stream) -> (DrawnUnits, f64) {
-    match stream.of([true, false]) {
-        true => (INCH, stream.between([1.0, 12.0])),
-        false => (METRIC, stream.scale([20.0, 400.0])),
-    }
-}
-
 /// Young's modulus, Poisson's ratio and yield stress.
 pub(super) fn steel(stream: &mut Stream, units: &DrawnUnits) -> [f64; 3] {
-    let (modulus, strengths) = match *units == INCH {
-        true => (29_500.0, [50.0, 100.0, 175.0, 250.0]),
-        false => (203_000.0, [350.0, 690.0, 1200.0, 1700.0]),
-    };
+    let (modulus, strengths) = units.steels();
     [modulus, stream.of([0.28, 0.3, 0.33]), stream.of(strengths)]
 }
 

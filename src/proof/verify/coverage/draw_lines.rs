@@ -1,8 +1,8 @@
 //! Line bearings drawn by seed: parallel rollers between two plates, square and out of parallel.
 
 use super::bearing::Bearing;
-use super::draw::{LOADS, end, hardening, limit, plasticity, size, steel};
-use crate::proof::verify::drawn::{digits, hollow, steel_table};
+use super::draw::{LOADS, end, hardening, limit, plasticity, steel};
+use crate::proof::verify::drawn::{DrawnUnits, digits, hollow, steel_table};
 use crate::proof::verify::stream::Stream;
 
 /// How many line bearings a seed draws.
@@ -26,7 +26,7 @@ fn bearing(seed: u64, number: usize) -> Bearing {
 }
 
 fn drawn(stream: &mut Stream, name: &str, tilted: bool, elastic: bool) -> String {
-    let (units, diameter) = size(stream);
+    let (units, diameter) = DrawnUnits::draw(stream);
     let (length_unit, stress) = (units.length, units.stress);
     let wall = stream.between([0.12, 0.47]) * diameter;
     let wall = (stream.share() >= 0.5).then_some(wall);

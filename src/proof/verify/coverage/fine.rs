@@ -2,7 +2,7 @@
 
 use super::solution::SolvedBearing;
 use crate::case::bearing::{MeshRequest, Preset};
-use crate::case::{Case, CaseError, ErrorKind, Kind};
+use crate::case::{BearingCase, Case, CaseError, ErrorKind, Kind};
 use std::f64::consts::PI;
 
 /// How fine. A displaced bearing is modelled as a whole, at some four times the cost.
@@ -57,10 +57,7 @@ pub fn cases(case: &Case, coarse: &SolvedBearing) -> Result<[(f64, Case); 2], Ca
         false => ELASTIC_SIZES,
     };
     let finest = scaled(case, coarse, finer)?;
-    let counted = match &finest.kind {
-        Kind::Bearing(bearing) => bearing.elements(),
-        _ => 0.0,
-    };
+    let counted = finest.bearing().map_or(0.0, BearingCase::elements);
     let larger = (counted / MOST_ELEMENTS).max(1.0).cbrt();
     let case = |scale: f64| Ok::<_, CaseError>((scale, scaled(case, coarse, larger * scale)?));
     Ok([case(coarser)?, case(finer)?])

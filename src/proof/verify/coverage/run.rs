@@ -90,18 +90,25 @@ impl CoverageRun<'_> {
                     known.keep(&bearing, !plastic, pair);
                     known.write(set)?;
                 }
-                Err(JobError::Interrupted) => {
-                    answer.interrupted = true;
-                    return Ok(answer);
-                }
                 Err(error) => {
-                    let text = format!("{name}: {error}");
-                    (self.say)(&text);
-                    answer.unsolved.push(text);
+                    if self.is_interrupted(&mut answer, &name, &error) {
+                        return Ok(answer);
+                    }
                 }
             }
         }
         Ok(answer)
+    }
+
+    /// Notes why a run has no result; does the suite end with it?
+    fn is_interrupted(&mut self, answer: &mut CoverageAnswer, name: &str, why: &JobError) -> bool {
+        answer.interrupted = matches!(why, JobError::Interrupted);
+        if !answer.interrupted {
+            let text = format!("{name}: {why}");
+            (self.say)(&text);
+            answer.unsolved.push(text);
+        }
+        answer.interrupted
     }
 
     /// Solves the bearings on the presets and judges their claims, those without true values only by each other.
@@ -134,14 +141,10 @@ impl CoverageRun<'_> {
                             answer.unsolved.extend(beyond);
                             answer.records.extend(run.records);
                         }
-                        Err(JobError::Interrupted) => {
-                            answer.interrupted = true;
-                            return Ok(answer);
-                        }
                         Err(error) => {
-                            let text = format!("{name}: {error}");
-                            (self.say)(&text);
-                            answer.unsolved.push(text);
+                            if self.is_interrupted(&mut answer, &name, &error) {
+                                return Ok(answer);
+                            }
                         }
                     }
                 }

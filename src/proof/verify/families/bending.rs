@@ -8,7 +8,7 @@
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::{ElementKind, Scene, Traction, TractionValue};
+use crate::model::scene::{ElementKind, Scene};
 use crate::proof::closed_forms::patch::{CANTILEVER, COOK_MIDDLE};
 use crate::proof::verify::kit::{self, NamedElement};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
@@ -121,11 +121,7 @@ fn cantilever(
         scene.supports = vec![kit::support("x_min", [Some(0.0); 3])];
         let mut force = [0.0; 3];
         force[axis] = 1.0 / (BEAM[1] * BEAM[2]);
-        scene.tractions = vec![Traction {
-            name: "tip".into(),
-            surface: "x_max".into(),
-            value: TractionValue::Vector(force),
-        }];
+        scene.tractions = vec![kit::traction("tip", "x_max", force)];
         let run = kit::run(scene)?;
         let tip = kit::mean_displacement(&run.scene.mesh, run.state(), "x_max")?[axis];
         claims.push(run.claim(LadderClaim::relative(
@@ -157,11 +153,8 @@ fn membrane(
         kit::support("x_min", [Some(0.0), Some(0.0), None]),
         kit::held("z_min", 2),
     ];
-    scene.tractions = vec![Traction {
-        name: "edge".into(),
-        surface: "x_max".into(),
-        value: TractionValue::Vector([0.0, force / 16.0, 0.0]),
-    }];
+    let up = [0.0, force / 16.0, 0.0];
+    scene.tractions = vec![kit::traction("edge", "x_max", up)];
     Ok(scene)
 }
 

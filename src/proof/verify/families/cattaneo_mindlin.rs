@@ -38,7 +38,7 @@ fn at(across: usize, stick: f64, profile: f64) -> Result<Vec<LadderClaim>, Verif
     scene.controls.penetration = 1e-8;
     let run = kit::run(scene)?;
     let spots = spots(&run.scene, run.state())?;
-    let thickness = kit::extent(&run.scene.mesh, 2);
+    let thickness = run.scene.mesh.extent(2);
     let total = integral(&spots, |s| s.traction) / thickness;
     // What a sliding strip would carry beyond this traction: half an ellipse of half-width c.
     let spare = |s: &ContactPoint| FRICTION * s.pressure - s.traction;

@@ -41,7 +41,7 @@ fn plane() -> Result<Vec<LadderClaim>, VerifyError> {
         });
         let descents: Vec<f64> = descents.collect();
         let limit = descents[3] + (descents[3] - descents[2]) / 3.0;
-        let thickness = kit::extent(&levels[0].1.scene.mesh, 2);
+        let thickness = levels[0].1.scene.mesh.extent(2);
         let area = 2.0 * problem_h::HALF_WIDTH * thickness;
         let known = [
             (Quantity::Descent, "overall", limit),

@@ -38,7 +38,7 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
             .because("the bound is settled to the tolerance of the increment"),
         LadderClaim::relative(
             "tangential force / μP",
-            run_force(&run)? / (NORMAL * kit::extent(&run.scene.mesh, 2)),
+            run_force(&run)? / (NORMAL * run.scene.mesh.extent(2)),
             FRICTION,
             1e-3,
         )

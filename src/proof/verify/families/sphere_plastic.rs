@@ -17,7 +17,7 @@ use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::family::grading::Grading;
-use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Step};
+use crate::model::scene::{PlaneMotion, Scene, Step};
 use crate::model::state::State;
 use crate::proof::closed_forms::flattening::{
     Critical, exact_critical, jackson_green, kogut_etsion,
@@ -104,16 +104,9 @@ fn press(
     scene.controls.plasticity = plasticity;
     scene.contacts = vec![kit::on_rigid_flat("face", 2)];
     scene.supports = vec![kit::held("x_min", 0), kit::held("y_min", 1)];
-    scene.rigid_planes = vec![RigidPlane {
-        name: "press".into(),
-        surface: "top".into(),
-        motion: [
-            PlaneMotion::Free,
-            PlaneMotion::Free,
-            PlaneMotion::Held(-first.approach),
-        ],
-        ..RigidPlane::default()
-    }];
+    let down = PlaneMotion::Held(-first.approach);
+    let motion = [PlaneMotion::Free, PlaneMotion::Free, down];
+    scene.rigid_planes = vec![kit::plane("press", "top", motion)];
     scene.mirrors = vec![0, 1];
     scene.steps = approaches.iter().map(|w| Step::to("press", *w)).collect();
     kit::run(scene)

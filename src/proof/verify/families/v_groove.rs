@@ -34,7 +34,7 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let groove = VGroove::new(LOAD, RADIUS, slope, compliance)?;
     let run = pressed(&groove.contact()?, slope)?;
     let spots = spots(&run.scene, run.state())?;
-    let thickness = kit::extent(&run.scene.mesh, 2);
+    let thickness = run.scene.mesh.extent(2);
     let mean = |f: fn(&ContactPoint) -> f64| integral(&spots, f) / thickness;
     let normal = mean(|s| s.pressure);
     let offset = mean(|s| s.pressure * s.at[0]) / normal;
@@ -140,7 +140,7 @@ fn layers(line: &LineContact) -> Vec<f64> {
 }
 
 fn mark_cuts(mesh: &mut Mesh) {
-    let end = kit::extent(mesh, 2);
+    let end = mesh.extent(2);
     for body in ["groove", "roller"] {
         mesh.mark("symmetry", body, |p| p[0].abs() < TOLERANCE);
         mesh.mark("ends", body, |p| p[2].abs() < TOLERANCE);

@@ -5,8 +5,6 @@ use crate::model::mesh::{Mesh, Surface};
 use crate::model::state::State;
 use crate::proof::verify::VerifyError;
 
-pub use crate::product::converge::contact_profile::extent;
-
 /// The surface called `name`.
 pub fn surface<'a>(mesh: &'a Mesh, name: &str) -> Result<&'a Surface, VerifyError> {
     mesh.surface(name).ok_or(VerifyError::Missing("surface"))

@@ -7,9 +7,10 @@ mod scene;
 mod split;
 
 pub use element::{ELEMENTS, NamedElement};
-pub use measure::{displacement_at, extent, mean_displacement, stress_integral, surface};
+pub use measure::{displacement_at, mean_displacement, stress_integral, surface};
 pub use run::{SolvedScene, run};
 pub use scene::{
-    driven, held, on_rigid_flat, pair, pressure, quarter, quarter_supports, stack_supports, support,
+    driven, held, on_rigid_flat, pair, plane, pressure, quarter, quarter_supports, stack_supports,
+    support, traction,
 };
 pub use split::split_anywhere;

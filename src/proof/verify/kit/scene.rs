@@ -31,16 +31,30 @@ pub fn pressure(surface: &str, pressure: f64) -> Traction {
     }
 }
 
-/// A surface that moves as one along `axis` under the total force `force`; free along the others.
-pub fn driven(name: &str, surface: &str, axis: usize, force: f64) -> RigidPlane {
-    let mut motion = [PlaneMotion::Free; 3];
-    motion[axis] = PlaneMotion::Driven(force);
+/// Force per area on a surface.
+pub fn traction(name: &str, surface: &str, value: [f64; 3]) -> Traction {
+    Traction {
+        name: name.into(),
+        surface: surface.into(),
+        value: TractionValue::Vector(value),
+    }
+}
+
+/// A surface that moves as one.
+pub fn plane(name: &str, surface: &str, motion: [PlaneMotion; 3]) -> RigidPlane {
     RigidPlane {
         name: name.into(),
         surface: surface.into(),
         motion,
         ..RigidPlane::default()
     }
+}
+
+/// A surface that moves as one along `axis` under the total force `force`; free along the others.
+pub fn driven(name: &str, surface: &str, axis: usize, force: f64) -> RigidPlane {
+    let mut motion = [PlaneMotion::Free; 3];
+    motion[axis] = PlaneMotion::Driven(force);
+    plane(name, surface, motion)
 }
 
 /// Frictionless contact of two surfaces, the upper one carrying the pressure.

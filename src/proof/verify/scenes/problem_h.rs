@@ -2,7 +2,7 @@
 
 use crate::model::material::Steel;
 use crate::model::mesh::family::problem_h::{half, twins};
-use crate::model::scene::Scene;
+use crate::model::scene::{ContactPair, Scene};
 use crate::proof::verify::VerifyError;
 use crate::proof::verify::kit;
 
@@ -31,13 +31,19 @@ pub fn scene(sizes: &Sizes) -> Result<Scene, VerifyError> {
     Ok(scene)
 }
 
+/// Contact of the twins.
+pub(super) fn twin_contact(friction: f64) -> ContactPair {
+    ContactPair {
+        friction,
+        ..kit::pair("cylinder-lower", "cylinder_contact", "lower_contact")
+    }
+}
+
 /// Two identical half cylinders on mirrored meshes, pressed together by moving their cut faces
 /// towards each other by `approach` in all, with Coulomb's coefficient `friction`.
 pub fn twin_scene(sizes: &Sizes, approach: f64, friction: f64) -> Result<Scene, VerifyError> {
     let mut scene = Scene::bare("twins", twins(sizes)?, Steel::elastic(YOUNG, POISSON));
-    let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
-    pair.friction = friction;
-    scene.contacts = vec![pair];
+    scene.contacts = vec![twin_contact(friction)];
     scene.supports = vec![
         kit::support("top", [None, Some(-0.5 * approach), None]),
         kit::support("bottom", [None, Some(0.5 * approach), None]),

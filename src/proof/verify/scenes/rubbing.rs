@@ -4,10 +4,10 @@
 //! and shear do not touch each other (Dundurs' β = 0, here exactly). The half discs of problem H
 //! carry twice its load, so that the half-width is the same, a = R/48. Their cut faces do not turn.
 
-use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins};
+use super::problem_h::{LOAD, POISSON, RADIUS, Sizes, YOUNG, full_twins, twin_contact};
 use crate::analytic::hertz::LineContact;
 use crate::model::material::Steel;
-use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Step, Traction, TractionValue};
+use crate::model::scene::{PlaneMotion, Scene, Step};
 use crate::proof::verify::VerifyError;
 use crate::proof::verify::kit;
 
@@ -32,11 +32,9 @@ pub fn hertz() -> Result<LineContact, VerifyError> {
 /// First all of the load, then all of the push while the load stays.
 pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyError> {
     let mesh = full_twins(sizes)?;
-    let thickness = kit::extent(&mesh, 2);
+    let thickness = mesh.extent(2);
     let mut scene = Scene::bare("rubbing", mesh, Steel::elastic(YOUNG, POISSON));
-    let mut pair = kit::pair("cylinder-lower", "cylinder_contact", "lower_contact");
-    pair.friction = friction;
-    scene.contacts = vec![pair];
+    scene.contacts = vec![twin_contact(friction)];
     scene.supports = vec![
         kit::support("bottom", [Some(0.0); 3]),
         kit::held("back", 2),
@@ -44,11 +42,8 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
     ];
     let sideways = match push {
         Push::Force(force) => {
-            scene.tractions = vec![Traction {
-                name: "push".into(),
-                surface: "top".into(),
-                value: TractionValue::Vector([force / (2.0 * RADIUS), 0.0, 0.0]),
-            }];
+            let per_area = [force / (2.0 * RADIUS), 0.0, 0.0];
+            scene.tractions = vec![kit::traction("push", "top", per_area)];
             // All nodes alike; the force itself is that of the traction.
             PlaneMotion::Driven(0.0)
         }
@@ -60,12 +55,8 @@ pub fn scene(sizes: &Sizes, friction: f64, push: Push) -> Result<Scene, VerifyEr
         }
     };
     let load = PlaneMotion::Driven(-NORMAL * thickness);
-    scene.rigid_planes = vec![RigidPlane {
-        name: "press".into(),
-        surface: "top".into(),
-        motion: [sideways, load, PlaneMotion::Free],
-        ..RigidPlane::default()
-    }];
+    let motion = [sideways, load, PlaneMotion::Free];
+    scene.rigid_planes = vec![kit::plane("press", "top", motion)];
     let mut press = Step::to("press", 1.0);
     press.factors = vec![("push".into(), 0.0)];
     scene.steps = vec![press, Step::to("push", 1.0)];

@@ -1,6 +1,7 @@
 //! Polygons with a value at each corner, painted into a PNG.
 
 use super::colours;
+use crate::ground::geometry::range;
 use crate::render::OutputError;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -49,10 +50,8 @@ impl Raster {
             return;
         }
         let span = |k: usize, end: usize| {
-            let of = [a, b, c].map(|corner| corner.0[k]);
-            let low = of.iter().copied().fold(f64::INFINITY, f64::min).floor();
-            let high = of.iter().copied().fold(f64::NEG_INFINITY, f64::max).ceil();
-            low.max(0.0) as usize..(high.max(0.0) as usize).min(end)
+            let [low, high] = range([a, b, c].map(|corner| corner.0[k]));
+            low.floor().max(0.0) as usize..(high.ceil().max(0.0) as usize).min(end)
         };
         for row in span(1, self.height) {
             for column in span(0, self.width) {

@@ -5,6 +5,7 @@ use super::pack::{Packed, quantised};
 use crate::answer::pictures::Pictures;
 use crate::answer::results::recovery::Recovered;
 use crate::ground::file::FileError;
+use crate::ground::geometry::bounds;
 use crate::ground::units::UnitLabels;
 use crate::model::mesh::Face;
 use crate::model::scene::Scene;
@@ -112,7 +113,7 @@ pub fn shape(
     let points = renumber(&mut faces, &mut elements, recovered.points.node.len());
     let node = |point: &u32| recovered.points.node[*point as usize] as usize;
     let mut packed = Packed::default();
-    let (low, high) = bounds(points.iter().map(|p| mesh.points[node(p)]));
+    let (low, high) = bounds_or_unit(points.iter().map(|p| mesh.points[node(p)]));
     for axis in 0..3 {
         let steps = points.iter().map(|p| {
             let at = mesh.points[node(p)][axis];
@@ -187,14 +188,8 @@ fn renumber(faces: &mut [[u32; 4]], elements: &mut [[u32; 8]], count: usize) -> 
     points
 }
 
-fn bounds(points: impl Iterator<Item = [f64; 3]>) -> ([f64; 3], [f64; 3]) {
-    let none = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    let (low, high) = points.fold(none, |(low, high), p| {
-        (
-            [0, 1, 2].map(|k| low[k].min(p[k])),
-            [0, 1, 2].map(|k| high[k].max(p[k])),
-        )
-    });
+fn bounds_or_unit(points: impl Iterator<Item = [f64; 3]>) -> ([f64; 3], [f64; 3]) {
+    let [low, high] = bounds(points);
     if low[0] <= high[0] {
         (low, high)
     } else {

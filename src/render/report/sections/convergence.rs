@@ -38,13 +38,9 @@ fn figure(
         let shown = |p: &(f64, f64)| scale == Scale::Linear || p.1 >= FLOOR;
         Line::dotted(style, points.filter(shown).collect())
     };
-    let panel = Panel {
-        title: title.to_string(),
-        axes: ["iteration".to_string(), up.to_string()],
-        scale,
-        lines: readings.iter().enumerate().map(line).collect(),
-        dashed: Vec::new(),
-    };
+    let axes = ["iteration".to_string(), up.to_string()];
+    let lines = readings.iter().enumerate().map(line).collect();
+    let panel = Panel::new(title.to_string(), axes, scale, lines);
     let names = readings.iter().map(|(name, _)| (*name).to_string());
     PlotFigure::single(panel, names.collect())
 }

@@ -1,26 +1,17 @@
 //! The Mises stress below each line of contact, against the closed form.
 
-use super::strip::name;
+use super::strip::{diagrams, name};
 use crate::answer::pictures::StripPicture;
-use crate::render::plot::{Line, Panel, PlotFigure, Scale, charts};
+use crate::render::plot::{Line, Panel, PlotFigure, Scale};
 use crate::render::report::Inputs;
-use maud::{Markup, html};
+use maud::Markup;
 
 /// A diagram a line.
 pub fn stresses(inputs: &Inputs) -> Markup {
-    let strips = &inputs.pictures.strips;
-    if strips.is_empty() {
-        return Markup::default();
-    }
-    html! {
-        h3 { "Mises stress against depth" }
-        p class="note" {
-            "Into both bodies, square to the surface below the centre of pressure at the same place. Closed form: \
-             an elastic half space in plane strain under Hertz's pressure, without friction. Where steel has \
-             yielded the computed stress is capped by it."
-        }
-        (charts(&strips.iter().map(|strip| figure(inputs, strip)).collect::<Vec<_>>()))
-    }
+    let note = "Into both bodies, square to the surface below the centre of pressure at the same place. Closed form: \
+                an elastic half space in plane strain under Hertz's pressure, without friction. Where steel has \
+                yielded the computed stress is capped by it.";
+    diagrams(inputs, "Mises stress against depth", note, figure)
 }
 
 fn figure(inputs: &Inputs, strip: &StripPicture) -> PlotFigure {
@@ -37,15 +28,10 @@ fn figure(inputs: &Inputs, strip: &StripPicture) -> PlotFigure {
             _ => format!("closed form, elastic, ν = {ratio}"),
         });
     }
-    let panel = Panel {
-        title: name(strip, &units.length),
-        axes: [
-            format!("depth, {}", units.length),
-            format!("Mises stress, {}", units.stress),
-        ],
-        scale: Scale::Linear,
-        lines,
-        dashed: Vec::new(),
-    };
+    let axes = [
+        format!("depth, {}", units.length),
+        format!("Mises stress, {}", units.stress),
+    ];
+    let panel = Panel::new(name(strip, &units.length), axes, Scale::Linear, lines);
     PlotFigure::single(panel, legend)
 }

@@ -1,5 +1,6 @@
 //! Line drawings with dimensions, z upwards.
 
+use crate::render::table::{Cell, Table};
 use maud::{Markup, PreEscaped, html};
 use std::fmt::Write;
 
@@ -10,8 +11,15 @@ pub(super) struct Drawing {
     pub letter: f64,
 }
 
-/// A drawing from `[left, bottom, right, top]`.
-pub(super) fn frame(drawing: &Drawing, [x0, z0, x1, z1]: [f64; 4], caption: &str) -> Markup {
+/// A drawing that reaches over `[left, bottom, right, top]`, and a little more.
+pub(super) fn frame(drawing: &Drawing, reach: [f64; 4], caption: &str) -> Markup {
+    let margin = 2.0 * drawing.letter;
+    let [x0, z0, x1, z1] = [
+        reach[0] - margin,
+        reach[1] - margin,
+        reach[2] + 1.5 * margin,
+        reach[3] + margin,
+    ];
     let view = format!("{x0:.4} {:.4} {:.4} {:.4}", -z1, x1 - x0, z1 - z0);
     html! {
         figure class="sketch" {
@@ -21,6 +29,25 @@ pub(super) fn frame(drawing: &Drawing, [x0, z0, x1, z1]: [f64; 4], caption: &str
             }
         }
     }
+}
+
+/// A table of dimensions, in `unit`, that begins with those of the rollers.
+pub(super) fn dimensions(unit: &str, diameter: f64, wall: Option<f64>, length: f64) -> Table {
+    let mut table = Table::new("")
+        .words("dimension")
+        .words("")
+        .figure("value", unit);
+    dimension(&mut table, "D", "diameter of the rollers", diameter);
+    if let Some(wall) = wall {
+        dimension(&mut table, "w", "their wall", wall);
+    }
+    dimension(&mut table, "L", "their length", length);
+    table
+}
+
+/// Adds a row to it.
+pub(super) fn dimension(table: &mut Table, symbol: &str, what: &str, value: f64) {
+    table.row([symbol.into(), what.into(), Cell::figure(value)]);
 }
 
 impl Drawing {

@@ -1,9 +1,9 @@
 //! A sketch of parallel rollers between two plates with their dimensions: a view along the rollers, and one across.
 
-use super::drawing::{Drawing, frame};
+use super::drawing::{Drawing, dimension, dimensions, frame};
 use crate::render::report::calculation::LineSketch;
+use crate::render::table::Table;
 use crate::render::table::html::table;
-use crate::render::table::{Cell, Table};
 use maud::{Markup, html};
 
 /// Two views and the table of dimensions, in `unit`.
@@ -13,7 +13,7 @@ pub fn line_sketch(sketch: &LineSketch, unit: &str) -> Markup {
             (view(sketch, true))
             (view(sketch, false))
         }
-        (table(&dimensions(sketch, unit)))
+        (table(&line_dimensions(sketch, unit)))
     }
 }
 
@@ -62,32 +62,12 @@ fn view(sketch: &LineSketch, along: bool) -> Markup {
         true => "Along the rollers (y): x to the right, z up",
         false => "Across the rollers (x): y to the right, z up",
     };
-    let margin = 2.0 * d.letter;
-    frame(
-        &d,
-        [
-            left - margin,
-            foot - margin,
-            right + 1.5 * margin,
-            top + margin,
-        ],
-        caption,
-    )
+    frame(&d, [left, foot, right, top], caption)
 }
 
-fn dimensions(sketch: &LineSketch, unit: &str) -> Table {
-    let mut table = Table::new("")
-        .words("dimension")
-        .words("")
-        .figure("value", unit);
-    let mut row = |symbol: &str, what: &str, value: f64| {
-        table.row([symbol.into(), what.into(), Cell::figure(value)]);
-    };
-    row("D", "diameter of the rollers", sketch.diameter);
-    if let Some(wall) = sketch.wall {
-        row("w", "their wall", wall);
-    }
-    row("L", "their length", sketch.length);
+fn line_dimensions(sketch: &LineSketch, unit: &str) -> Table {
+    let mut table = dimensions(unit, sketch.diameter, sketch.wall, sketch.length);
+    let mut row = |symbol: &str, what: &str, value| dimension(&mut table, symbol, what, value);
     if let [first, second, ..] = sketch.places.as_slice() {
         row(
             "a",

@@ -1,11 +1,11 @@
 //! A sketch of the bearing with its dimensions: a view along the upper roller, and one along the lower roller.
 
-use super::drawing::{Drawing, frame};
+use super::drawing::{Drawing, dimension, dimensions, frame};
 use super::line_sketch::line_sketch;
 use crate::render::report::Inputs;
 use crate::render::report::calculation::{CrossedSketch, Sketch};
+use crate::render::table::Table;
 use crate::render::table::html::table;
-use crate::render::table::{Cell, Table};
 use crate::render::text::significant;
 use maud::{Markup, html};
 
@@ -19,30 +19,16 @@ pub fn sketch(inputs: &Inputs) -> Markup {
     };
     html! {
         div class="pair" {
-            (figure(&View::of(sketch, true), "Along the upper roller (y): x to the right, z up"))
-            (figure(&View::of(sketch, false), "Along the lower roller (x): y to the right, z up"))
+            (view(sketch, true))
+            (view(sketch, false))
         }
-        (table(&dimensions(sketch, unit)))
+        (table(&crossed_dimensions(sketch, unit)))
     }
 }
 
-fn figure(view: &View, caption: &str) -> Markup {
-    frame(&view.drawing, view.frame, caption)
-}
-
-fn dimensions(sketch: &CrossedSketch, unit: &str) -> Table {
-    let mut table = Table::new("")
-        .words("dimension")
-        .words("")
-        .figure("value", unit);
-    let mut row = |symbol: &str, what: &str, value: f64| {
-        table.row([symbol.into(), what.into(), Cell::figure(value)]);
-    };
-    row("D", "diameter of the rollers", sketch.diameter);
-    if let Some(wall) = sketch.wall {
-        row("w", "their wall", wall);
-    }
-    row("L", "their length", sketch.length);
+fn crossed_dimensions(sketch: &CrossedSketch, unit: &str) -> Table {
+    let mut table = dimensions(unit, sketch.diameter, sketch.wall, sketch.length);
+    let mut row = |symbol: &str, what: &str, value| dimension(&mut table, symbol, what, value);
     row(
         "s",
         "axes of the rollers from the middle of the intermediate plate",
@@ -69,106 +55,92 @@ fn dimensions(sketch: &CrossedSketch, unit: &str) -> Table {
     table
 }
 
-/// One view, drawn with z downwards as SVG has it, in a frame of its own.
-struct View {
-    /// Left, bottom, right, top.
-    frame: [f64; 4],
-    drawing: Drawing,
-}
-
-impl View {
-    /// Along the upper roller, whose circle is then seen, or along the lower one.
-    fn of(sketch: &CrossedSketch, along_upper: bool) -> Self {
-        let across = if along_upper { 0 } else { 1 };
-        let width = sketch.plan[across];
-        let (radius, rise) = (0.5 * sketch.diameter, sketch.slope.tan());
-        let [t1, t2, t3] = sketch.thickness;
-        // The middle of the stack is that of the intermediate plate; on its slope a roller's axis is R / cos θ above it.
-        let axis = 0.5 * t2 + radius / sketch.slope.cos() + sketch.offset.abs() * rise;
-        let bottom_of_upper = axis + radius;
-        let half = 0.5 * width;
-        let mut d = Drawing::new(0.045 * (2.0 * bottom_of_upper + t1 + t3).max(width));
-        let (own, other) = if along_upper {
-            (1.0, -1.0)
+/// Along the upper roller, whose circle is then seen, or along the lower one.
+fn view(sketch: &CrossedSketch, along_upper: bool) -> Markup {
+    let across = if along_upper { 0 } else { 1 };
+    let width = sketch.plan[across];
+    let (radius, rise) = (0.5 * sketch.diameter, sketch.slope.tan());
+    let [t1, t2, t3] = sketch.thickness;
+    // The middle of the stack is that of the intermediate plate; on its slope a roller's axis is R / cos θ above it.
+    let axis = 0.5 * t2 + radius / sketch.slope.cos() + sketch.offset.abs() * rise;
+    let bottom_of_upper = axis + radius;
+    let half = 0.5 * width;
+    let mut d = Drawing::new(0.045 * (2.0 * bottom_of_upper + t1 + t3).max(width));
+    let (own, other) = if along_upper {
+        (1.0, -1.0)
+    } else {
+        (-1.0, 1.0)
+    };
+    // The plate of the roller that is seen as a circle is displaced by 2 s, the other one is not, in this view.
+    let (shift, s) = (2.0 * sketch.offset, sketch.offset);
+    let plate = |up: bool| {
+        let (near, thick) = if up {
+            (bottom_of_upper, t1)
         } else {
-            (-1.0, 1.0)
+            (bottom_of_upper, t3)
         };
-        // The plate of the roller that is seen as a circle is displaced by 2 s, the other one is not, in this view.
-        let (shift, s) = (2.0 * sketch.offset, sketch.offset);
-        let plate = |up: bool| {
-            let (near, thick) = if up {
-                (bottom_of_upper, t1)
-            } else {
-                (bottom_of_upper, t3)
-            };
-            let sign = if up { 1.0 } else { -1.0 };
-            let moved = if (own > 0.0) == up { shift } else { 0.0 };
-            [
-                moved - half,
-                sign * near,
-                moved + half,
-                sign * (near + thick),
-            ]
-        };
-        let (upper, lower) = (plate(true), plate(false));
-        d.rectangle(upper);
-        d.rectangle(lower);
-        // The intermediate plate: its valley on the side of the circle, its straight side on the other.
-        let far = 0.5 * t2 + half * rise;
-        let valley = [(-half, own * far), (0.0, own * 0.5 * t2), (half, own * far)];
-        let level = 0.5 * t2 + 0.5 * sketch.plan[1 - across] * rise;
-        let mut outline: Vec<(f64, f64)> = valley.to_vec();
-        outline.extend([(half, other * level), (-half, other * level)]);
-        d.polygon(&outline);
-        d.dashed((-half, other * 0.5 * t2), (half, other * 0.5 * t2));
-        // The roller on end, and the other one from its side.
-        d.circle((s, own * axis), radius);
-        if let Some(wall) = sketch.wall {
-            d.circle((s, own * axis), radius - wall);
-        }
-        let long = 0.5 * sketch.length;
-        d.rectangle([
-            -long,
-            other * (axis - radius),
-            long,
-            other * (axis + radius),
-        ]);
-        // Dimensions.
-        let gap = 2.2 * d.letter;
-        let left = upper[0].min(lower[0]).min(-half) - gap;
-        let right = upper[2].max(lower[2]).max(half) + gap;
-        let name = if along_upper { "Bx" } else { "By" };
-        let top = upper[3] + gap;
-        d.dimension((upper[0], top), (upper[2], top), name);
-        d.dimension(
-            (left, own * (axis - radius)),
-            (left, own * (axis + radius)),
-            "D",
-        );
-        d.dimension((right, upper[1]), (right, upper[3]), "t1");
-        d.dimension((right, -0.5 * t2), (right, 0.5 * t2), "t2");
-        d.dimension((right, lower[1]), (right, lower[3]), "t3");
-        let foot = lower[3] - gap;
-        d.dimension((-long, foot), (long, foot), "L");
-        if let Some(wall) = sketch.wall {
-            let at = own * axis;
-            d.dimension((s + radius - wall, at), (s + radius, at), "w");
-        }
-        if s != 0.0 {
-            let at = own * (axis + 0.35 * radius);
-            d.dashed((0.0, own * 0.5 * t2), (0.0, at));
-            d.dimension((0.0, at), (s, at), "s");
-        }
-        d.label((0.62 * half, own * (0.5 * t2 + 0.2 * half * rise)), "θ");
-        let margin = 2.0 * d.letter;
-        Self {
-            frame: [
-                left - margin,
-                foot - margin,
-                right + 1.5 * margin,
-                top + margin,
-            ],
-            drawing: d,
-        }
+        let sign = if up { 1.0 } else { -1.0 };
+        let moved = if (own > 0.0) == up { shift } else { 0.0 };
+        [
+            moved - half,
+            sign * near,
+            moved + half,
+            sign * (near + thick),
+        ]
+    };
+    let (upper, lower) = (plate(true), plate(false));
+    d.rectangle(upper);
+    d.rectangle(lower);
+    // The intermediate plate: its valley on the side of the circle, its straight side on the other.
+    let far = 0.5 * t2 + half * rise;
+    let valley = [(-half, own * far), (0.0, own * 0.5 * t2), (half, own * far)];
+    let level = 0.5 * t2 + 0.5 * sketch.plan[1 - across] * rise;
+    let mut outline: Vec<(f64, f64)> = valley.to_vec();
+    outline.extend([(half, other * level), (-half, other * level)]);
+    d.polygon(&outline);
+    d.dashed((-half, other * 0.5 * t2), (half, other * 0.5 * t2));
+    // The roller on end, and the other one from its side.
+    d.circle((s, own * axis), radius);
+    if let Some(wall) = sketch.wall {
+        d.circle((s, own * axis), radius - wall);
     }
+    let long = 0.5 * sketch.length;
+    d.rectangle([
+        -long,
+        other * (axis - radius),
+        long,
+        other * (axis + radius),
+    ]);
+    // Dimensions.
+    let gap = 2.2 * d.letter;
+    let left = upper[0].min(lower[0]).min(-half) - gap;
+    let right = upper[2].max(lower[2]).max(half) + gap;
+    let name = if along_upper { "Bx" } else { "By" };
+    let top = upper[3] + gap;
+    d.dimension((upper[0], top), (upper[2], top), name);
+    d.dimension(
+        (left, own * (axis - radius)),
+        (left, own * (axis + radius)),
+        "D",
+    );
+    d.dimension((right, upper[1]), (right, upper[3]), "t1");
+    d.dimension((right, -0.5 * t2), (right, 0.5 * t2), "t2");
+    d.dimension((right, lower[1]), (right, lower[3]), "t3");
+    let foot = lower[3] - gap;
+    d.dimension((-long, foot), (long, foot), "L");
+    if let Some(wall) = sketch.wall {
+        let at = own * axis;
+        d.dimension((s + radius - wall, at), (s + radius, at), "w");
+    }
+    if s != 0.0 {
+        let at = own * (axis + 0.35 * radius);
+        d.dashed((0.0, own * 0.5 * t2), (0.0, at));
+        d.dimension((0.0, at), (s, at), "s");
+    }
+    d.label((0.62 * half, own * (0.5 * t2 + 0.2 * half * rise)), "θ");
+    let caption = match along_upper {
+        true => "Along the upper roller (y): x to the right, z up",
+        false => "Along the lower roller (x): y to the right, z up",
+    };
+    frame(&d, [left, foot, right, top], caption)
 }

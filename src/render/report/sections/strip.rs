@@ -8,7 +8,7 @@ use crate::render::text::significant;
 use maud::{Markup, html};
 
 /// Such as "upper_plate-upper_roller, line at x = 0 in, at y = 4 in".
-pub fn name(strip: &StripPicture, length: &str) -> String {
+pub(super) fn name(strip: &StripPicture, length: &str) -> String {
     let row = significant(strip.profile.at, 3);
     let along = AXES[strip.axis];
     let across = significant(strip.across, 3);
@@ -18,19 +18,29 @@ pub fn name(strip: &StripPicture, length: &str) -> String {
     )
 }
 
-/// A diagram a line.
+/// Pressures, a diagram a line.
 pub fn pressures(inputs: &Inputs) -> Markup {
+    let note = "Across each line where it carries most, along the surface from the centre of pressure. Hertz: an \
+                elastic half space under the same load per length there.";
+    diagrams(inputs, "Pressure across the strip", note, figure)
+}
+
+/// A diagram of each line of contact below a heading; nothing where there are no lines.
+pub fn diagrams(
+    inputs: &Inputs,
+    heading: &str,
+    note: &str,
+    figure: fn(&Inputs, &StripPicture) -> PlotFigure,
+) -> Markup {
     let strips = &inputs.pictures.strips;
     if strips.is_empty() {
         return Markup::default();
     }
+    let figures: Vec<PlotFigure> = strips.iter().map(|strip| figure(inputs, strip)).collect();
     html! {
-        h3 { "Pressure across the strip" }
-        p class="note" {
-            "Across each line where it carries most, along the surface from the centre of pressure. Hertz: an \
-             elastic half space under the same load per length there."
-        }
-        (charts(&strips.iter().map(|strip| figure(inputs, strip)).collect::<Vec<_>>()))
+        h3 { (heading) }
+        p class="note" { (note) }
+        (charts(&figures))
     }
 }
 
@@ -58,15 +68,10 @@ fn figure(inputs: &Inputs, strip: &StripPicture) -> PlotFigure {
         ));
         lines.push(Line::smooth(1, strip.ellipse.clone()));
     }
-    let panel = Panel {
-        title: name(strip, &units.length),
-        axes: [
-            format!("distance from the centre, {}", units.length),
-            format!("pressure, {}", units.stress),
-        ],
-        scale: Scale::Linear,
-        lines,
-        dashed: Vec::new(),
-    };
+    let axes = [
+        format!("distance from the centre, {}", units.length),
+        format!("pressure, {}", units.stress),
+    ];
+    let panel = Panel::new(name(strip, &units.length), axes, Scale::Linear, lines);
     PlotFigure::single(panel, legend)
 }

@@ -9,17 +9,17 @@ use crate::render::table::html::table;
 use crate::render::table::{Cell, Number, Table};
 use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
-use crate::render::verdict::{self, Grade, Verdict, missed_rules, open_rule};
+use crate::render::verdict::{self, News, Verdict, missed_rules, open_rule};
 use maud::{Markup, html};
 
 pub fn verdict(inputs: &Inputs) -> Markup {
     let all = utilisations(inputs.summary);
-    let Verdict { grade, head, rest } = verdict::verdict(inputs.summary, inputs.missed);
+    let Verdict { news, head, rest } = verdict::verdict(inputs.summary, inputs.missed);
     let warnings: Vec<String> = (inputs.summary.warnings.iter())
         .map(|w| w.0.clone())
         .collect();
     html! {
-        p class=(format!("verdict {}", class(grade))) role="status" {
+        p class=(format!("verdict {}", class(news))) role="status" {
             b { (head) } " " (rest.join(" "))
         }
         (cards(inputs, largest(&all)))
@@ -43,21 +43,21 @@ fn unsure(summary: &Summary) -> Vec<String> {
     summary.answer.unresolved().into_iter().map(said).collect()
 }
 
-fn class(grade: Grade) -> &'static str {
-    match grade {
-        Grade::Good => "good",
-        Grade::Care => "care",
-        Grade::Bad => "bad",
+fn class(news: News) -> &'static str {
+    match news {
+        News::Good => "good",
+        News::Care => "care",
+        News::Bad => "bad",
     }
 }
 
-fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
+fn card(title: &str, news: Option<News>, value: &str, below: &str) -> Markup {
     html! {
         div class="card" {
             h3 { (title) }
             div class="value" {
-                @match grade {
-                    Some(grade) => b class=(class(grade)) { (value) },
+                @match news {
+                    Some(news) => b class=(class(news)) { (value) },
                     None => (value),
                 }
             }
@@ -69,10 +69,10 @@ fn card(title: &str, grade: Option<Grade>, value: &str, below: &str) -> Markup {
 fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     let summary = inputs.summary;
     let units = &summary.units;
-    let (solution, grade) = if summary.answer.converged {
-        ("converged", Grade::Good)
+    let (solution, news) = if summary.answer.converged {
+        ("converged", News::Good)
     } else {
-        ("NOT CONVERGED", Grade::Bad)
+        ("NOT CONVERGED", News::Bad)
     };
     let checks = &summary.answer.checks;
     let balance = checks.force_balance.map_or_else(String::new, |b| {
@@ -84,9 +84,9 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
             format!("penetration {p:.0e} of the descent")
         });
     let (limits, limits_grade) = if inputs.missed.is_empty() {
-        ("within limits".to_string(), Grade::Good)
+        ("within limits".to_string(), News::Good)
     } else {
-        (format!("{} missed", inputs.missed.len()), Grade::Bad)
+        (format!("{} missed", inputs.missed.len()), News::Bad)
     };
     let descent = summary.answer.descent.map_or_else(
         || DASH.to_string(),
@@ -105,14 +105,14 @@ fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     );
     html! {
         div class="cards" {
-            (card("Solution", Some(grade), solution,
+            (card("Solution", Some(news), solution,
                 &format!("{} iterations, {} unknowns", summary.counters.iterations, summary.counters.dofs)))
             (card("Checks", Some(limits_grade), &limits, &format!("{balance}{penetration}")))
             @if summary.sizing.as_ref().is_some_and(|s| !s.lines.is_empty()) { (sizing_card(summary)) }
             @if let Some(most) = largest {
                 (card(
                     "Largest utilisation",
-                    Some(if most.share() > 1.0 || !most.resolved { Grade::Care } else { Grade::Good }),
+                    Some(if most.share() > 1.0 || !most.resolved { News::Care } else { News::Good }),
                     &share_of(most),
                     &format!("{}, {}, of {}", most.what, most.place, most.against),
                 ))
@@ -148,10 +148,10 @@ fn sizing_card(summary: &Summary) -> Markup {
             "no steel of this case can yield",
         ),
         (true, true) if open_rule(summary).is_some() => {
-            card("Sizing rules", Some(Grade::Care), "open", rules)
+            card("Sizing rules", Some(News::Care), "open", rules)
         }
-        (true, true) => card("Sizing rules", Some(Grade::Good), "met", rules),
-        (true, false) => card("Sizing rules", Some(Grade::Bad), "NOT met", rules),
+        (true, true) => card("Sizing rules", Some(News::Good), "met", rules),
+        (true, false) => card("Sizing rules", Some(News::Bad), "NOT met", rules),
     }
 }
 

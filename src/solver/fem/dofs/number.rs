@@ -151,9 +151,8 @@ impl Placed {
     fn of(scene: &Scene) -> Vec<Self> {
         let of = |plane: &RigidPlane| {
             let about = plane.point(&scene.mesh, &scene.mirrors);
-            let nodes = scene.mesh.surface(&plane.surface).map(|s| s.nodes());
-            let away = nodes.into_iter().flatten();
-            let away = away.map(|n| norm(sub(scene.mesh.points[n as usize], about)));
+            let nodes = scene.mesh.nodes_of_surface(&plane.surface).into_iter();
+            let away = nodes.map(|n| norm(sub(scene.mesh.points[n as usize], about)));
             let furthest = away.fold(0.0, f64::max);
             let length = if furthest > 0.0 { 0.5 * furthest } else { 1.0 };
             Self { about, length }

@@ -18,7 +18,7 @@ pub fn owners(scene: &Scene) -> Result<Owners, Conflict> {
     let mesh = &scene.mesh;
     let mut owner = vec![[None::<Owner>; 3]; mesh.points.len()];
     let mut claim = |mesh: &Mesh, surface: &str, axis: usize, owns: &dyn Fn(u32) -> Owner| {
-        for node in mesh.surface(surface).map(|s| s.nodes()).unwrap_or_default() {
+        for node in mesh.nodes_of_surface(surface) {
             let new = owns(node);
             let slot = &mut owner[node as usize][axis];
             match *slot {

@@ -1,9 +1,9 @@
 //! Stiffness of corners and bubbles, and the bubbles' elimination: K_uu − K_ua K_aa⁻¹ K_au.
 
 use super::{BUBBLES, Enhanced, NODES};
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 use crate::model::material::j2::Flow;
-use crate::solver::fem::bbar::ElementMatrix;
+use crate::solver::fem::bbar::{ElementMatrix, add_outer};
 use crate::solver::linear::small::SmallCholesky;
 
 const SIZE: usize = 3 * NODES;
@@ -20,14 +20,14 @@ pub(super) const SHIFT: f64 = 1e-9;
 
 impl Enhanced {
     /// Elastic stiffness of the corners.
-    pub fn stiffness(&self, elastic: &Elastic) -> ElementMatrix {
+    pub fn stiffness(&self, elastic: &Moduli) -> ElementMatrix {
         let mut whole = [[0.0; SIZE]; SIZE];
         self.add_elastic(elastic, &[1.0; 8], &mut whole);
         condense(&whole)
     }
 
     /// Consistent tangent minus the elastic stiffness, both of the corners.
-    pub fn tangent_change(&self, elastic: &Elastic, flows: &[Option<Flow>; 8]) -> ElementMatrix {
+    pub fn tangent_change(&self, elastic: &Moduli, flows: &[Option<Flow>; 8]) -> ElementMatrix {
         let mut whole = [[0.0; SIZE]; SIZE];
         let betas = flows.map(|f| f.map_or(1.0, |f| f.beta));
         self.add_elastic(elastic, &betas, &mut whole);
@@ -36,12 +36,7 @@ impl Enhanced {
             let factor = flow.softening * self.volumes[k];
             let b: [[f64; 3]; NODES] =
                 std::array::from_fn(|a| self.stress_force(k, a, &flow.direction));
-            let b = b.as_flattened();
-            for (row, bi) in whole.iter_mut().zip(b) {
-                for (value, bj) in row.iter_mut().zip(b) {
-                    *value -= factor * bi * bj;
-                }
-            }
+            add_outer(b.as_flattened(), -factor, &mut whole);
         }
         let elastic_inner = self.inner_stiffness(elastic);
         for (i, shift) in elastic_inner.iter().enumerate() {
@@ -59,54 +54,37 @@ impl Enhanced {
     }
 
     /// K_aa of the bubbles: elastic.
-    pub(super) fn inner_stiffness(&self, elastic: &Elastic) -> InnerMatrix {
+    pub(super) fn inner_stiffness(&self, elastic: &Moduli) -> InnerMatrix {
         self.inner_tangent(elastic, &[None; 8])
     }
 
     /// K_aa of the bubbles: consistent with `flows`.
-    pub(super) fn inner_tangent(
-        &self,
-        elastic: &Elastic,
-        flows: &[Option<Flow>; 8],
-    ) -> InnerMatrix {
+    pub(super) fn inner_tangent(&self, elastic: &Moduli, flows: &[Option<Flow>; 8]) -> InnerMatrix {
         let mut inner = [[0.0; INNER]; INNER];
         for (k, flow) in flows.iter().enumerate() {
             let beta = flow.map_or(1.0, |f| f.beta);
             for a in BUBBLES {
                 for b in BUBBLES.start..=a {
                     let block = self.couple(k, a, b, beta * elastic.shear, elastic.bulk);
-                    for (i, row) in block.iter().enumerate() {
-                        for (j, value) in row.iter().enumerate() {
-                            inner[3 * (a - 8) + i][3 * (b - 8) + j] += value;
-                        }
-                    }
+                    add_block(&block, [a - 8, b - 8], &mut inner);
                 }
             }
             let Some(flow) = flow else { continue };
             let factor = flow.softening * self.volumes[k];
             let b: [[f64; 3]; 3] =
                 std::array::from_fn(|m| self.stress_force(k, 8 + m, &flow.direction));
-            let b = b.as_flattened();
-            for (row, bi) in inner.iter_mut().zip(b) {
-                for (value, bj) in row.iter_mut().zip(b) {
-                    *value -= factor * bi * bj;
-                }
-            }
+            add_outer(b.as_flattened(), -factor, &mut inner);
         }
         inner
     }
 
     /// Adds the stiffness with the shear modulus times `betas` at each point.
-    fn add_elastic(&self, elastic: &Elastic, betas: &[f64; 8], whole: &mut Whole) {
+    fn add_elastic(&self, elastic: &Moduli, betas: &[f64; 8], whole: &mut Whole) {
         for (k, beta) in betas.iter().enumerate() {
             for a in 0..NODES {
                 for b in 0..=a {
                     let block = self.couple(k, a, b, beta * elastic.shear, elastic.bulk);
-                    for (i, row) in block.iter().enumerate() {
-                        for (j, value) in row.iter().enumerate() {
-                            whole[3 * a + i][3 * b + j] += value;
-                        }
-                    }
+                    add_block(&block, [a, b], whole);
                 }
             }
         }
@@ -125,6 +103,15 @@ impl Enhanced {
                 shear * deviatoric + bulk * va[i] * vb[j]
             })
         })
+    }
+}
+
+/// Adds what couples two nodes.
+fn add_block<const N: usize>(block: &[[f64; 3]; 3], [a, b]: [usize; 2], to: &mut [[f64; N]; N]) {
+    for (i, row) in block.iter().enumerate() {
+        for (j, value) in row.iter().enumerate() {
+            to[3 * a + i][3 * b + j] += value;
+        }
     }
 }
 

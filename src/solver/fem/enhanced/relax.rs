@@ -18,7 +18,7 @@
 use super::condense::{INNER, SHIFT};
 use super::{BUBBLES, Enhanced, Field, field};
 use crate::model::material::j2::{self, Flow, PlasticPoint};
-use crate::model::material::{Elastic, Steel};
+use crate::model::material::{Moduli, Steel};
 use crate::solver::fem::bbar::ElementVector;
 use crate::solver::linear::small::SmallCholesky;
 
@@ -50,7 +50,7 @@ impl Enhanced {
     pub fn answer(
         &self,
         steel: &Steel,
-        elastic: &Elastic,
+        elastic: &Moduli,
         u: &ElementVector,
         old: &[PlasticPoint; 8],
     ) -> Option<([PlasticPoint; 8], [Option<Flow>; 8])> {
@@ -77,7 +77,7 @@ impl Enhanced {
 
     /// Forces on the corners that the plastic strain of `points` takes off the elastic answer,
     /// the bubbles in balance: ∫ B_uᵀ C ε_p dV − K_ua K_aa⁻¹ ∫ B_aᵀ C ε_p dV.
-    pub fn relief(&self, elastic: &Elastic, points: &[PlasticPoint; 8]) -> ElementVector {
+    pub fn relief(&self, elastic: &Moduli, points: &[PlasticPoint; 8]) -> ElementVector {
         let moved = self.frozen(elastic, &[[0.0; 3]; 8], points);
         let mut force = [[0.0; 3]; super::NODES];
         for (k, point) in points.iter().enumerate() {
@@ -91,7 +91,7 @@ impl Enhanced {
     /// Stress at the integration points at corner displacements `u` and the history `points`.
     pub fn stress(
         &self,
-        elastic: &Elastic,
+        elastic: &Moduli,
         u: &ElementVector,
         points: &[PlasticPoint; 8],
     ) -> [[f64; 6]; 8] {
@@ -103,7 +103,7 @@ impl Enhanced {
     }
 
     /// Corners at `u`, bubbles in balance while the plastic strain stays at that of `points`: the frozen case.
-    fn frozen(&self, elastic: &Elastic, u: &ElementVector, points: &[PlasticPoint; 8]) -> Field {
+    fn frozen(&self, elastic: &Moduli, u: &ElementVector, points: &[PlasticPoint; 8]) -> Field {
         let mut field = field(u);
         let Some(inner) = SmallCholesky::new(self.inner_stiffness(elastic)) else {
             return field;
@@ -123,7 +123,7 @@ impl Enhanced {
     fn respond(
         &self,
         steel: &Steel,
-        elastic: &Elastic,
+        elastic: &Moduli,
         field: &Field,
         old: &[PlasticPoint; 8],
     ) -> Response {
@@ -165,7 +165,7 @@ impl Enhanced {
     fn step(
         &self,
         steel: &Steel,
-        elastic: &Elastic,
+        elastic: &Moduli,
         from: &Field,
         response: &Response,
         old: &[PlasticPoint; 8],

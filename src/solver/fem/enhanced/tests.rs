@@ -2,7 +2,7 @@
 
 use super::{BUBBLES, Enhanced, NODES};
 use crate::model::material::j2::PlasticPoint;
-use crate::model::material::{Elastic, Steel};
+use crate::model::material::{Moduli, Steel};
 use crate::model::mesh::block::{Block, uniform};
 use crate::model::mesh::hexahedron::CORNERS;
 use nalgebra::{DMatrix, DVector, SMatrix};
@@ -75,7 +75,7 @@ fn without_the_fit_it_is_the_published_element() {
 /// Without the fit there are four.
 #[test]
 fn one_mode_locks() {
-    let elastic = Elastic {
+    let elastic = Moduli {
         shear: 1.0,
         bulk: 1e8,
     };

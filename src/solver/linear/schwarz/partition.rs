@@ -1,6 +1,7 @@
 //! Subdomains: METIS partitions the vertex graph across weak couplings.
 
 use super::place::Place;
+use crate::ground::order::ascending;
 use crate::solver::linear::ordering::METIS;
 use crate::solver::linear::sparse::{Pattern, SymmetricMatrix};
 use rayon::prelude::*;
@@ -61,9 +62,7 @@ pub(super) fn divide(
 
 /// The vertices `all` of each body of `core`.
 fn pieces(body: &[u32], core: &[u32], all: &[u32]) -> Vec<Vec<u32>> {
-    let mut inside: Vec<u32> = core.iter().map(|v| body[*v as usize]).collect();
-    inside.sort_unstable();
-    inside.dedup();
+    let inside = ascending(core.iter().map(|v| body[*v as usize]));
     let of = |b: u32| all.iter().copied().filter(move |v| body[*v as usize] == b);
     inside.into_iter().map(|b| of(b).collect()).collect()
 }
@@ -111,13 +110,9 @@ impl Graph<'_> {
     }
 
     fn extended(&self, core: &[u32]) -> Vec<u32> {
-        let mut all = core.to_vec();
-        for v in core.iter().filter(|v| !self.is_shared(**v)) {
-            all.extend(self.near(*v));
-        }
-        all.sort_unstable();
-        all.dedup();
-        all
+        let inner = core.iter().filter(|v| !self.is_shared(**v));
+        let near = inner.flat_map(|v| self.near(*v));
+        ascending(core.iter().copied().chain(near))
     }
 
     /// Which body each vertex belongs to: what hangs together in the guide.

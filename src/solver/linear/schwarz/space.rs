@@ -3,6 +3,7 @@
 use super::partition::Division;
 use super::place::Place;
 use crate::ground::geometry::Vec3;
+use crate::ground::order::ascending;
 use crate::solver::linear::sparse::Pattern;
 use rayon::prelude::*;
 
@@ -55,14 +56,12 @@ impl Space {
     pub fn coupled(&self, pattern: &Pattern) -> Vec<[u32; 2]> {
         (self.pieces.par_iter().enumerate())
             .flat_map_iter(|(index, piece)| {
-                let mut near: Vec<u32> = (piece.vertices.iter())
+                let near = (piece.vertices.iter())
                     .flat_map(|v| pattern.neighbours(*v as usize))
-                    .flat_map(|v| &self.of_vertex[*v as usize])
-                    .copied()
-                    .collect();
-                near.sort_unstable();
-                near.dedup();
-                near.into_iter().map(move |other| [index as u32, other])
+                    .flat_map(|v| &self.of_vertex[*v as usize]);
+                ascending(near.copied())
+                    .into_iter()
+                    .map(move |other| [index as u32, other])
             })
             .filter(|pair| pair[0] != pair[1])
             .collect()

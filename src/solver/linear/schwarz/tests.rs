@@ -21,10 +21,11 @@ fn cube(n: usize) -> (Pattern, SymmetricMatrix, Vec<Place>) {
     for pair in &cliques {
         for axis in 0..3 {
             let equations = [3 * pair[0] + axis, 3 * pair[1] + axis];
-            pattern.add_block(&mut matrix, &equations, |i, j| match i == j {
-                true => 1.0,
-                false => -1.0,
-            });
+            pattern.add_block(
+                &mut matrix,
+                &equations,
+                |i, j| if i == j { 1.0 } else { -1.0 },
+            );
         }
     }
     for v in held {

@@ -1,6 +1,6 @@
 //! Elastic stiffness of elements on a sparsity pattern.
 
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::DofMap;
 use crate::solver::fem::element::Element;
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 pub struct Condensing<'a> {
     pub scene: &'a Scene,
     pub dofs: &'a DofMap,
-    pub elastic: &'a [Elastic],
+    pub elastic: &'a [Moduli],
     /// Vertices that must be kept.
     pub needed: &'a [bool],
     /// Elements that are expected to flow, ascending: never condensed.

@@ -1,5 +1,6 @@
 //! Groups of bodies that share vertices, each condensed by itself.
 
+use crate::ground::order::ascending;
 use crate::solver::fem::dofs::FIXED;
 use crate::solver::linear::sparse::Pattern;
 use crate::solver::solve::condensed::assembly::{Condensing, equations};
@@ -101,12 +102,7 @@ pub fn local_pattern(plan: &Condensing, vertex_of: &[u32], group: &Group) -> Pat
         .iter()
         .map(|e| {
             let free = equations(plan, *e as usize).filter(|e| *e != FIXED);
-            let mut list: Vec<u32> = free
-                .map(|e| local[vertex_of[e as usize] as usize])
-                .collect();
-            list.sort_unstable();
-            list.dedup();
-            list
+            ascending(free.map(|e| local[vertex_of[e as usize] as usize]))
         })
         .collect();
     Pattern::new(starts, cliques.iter().map(Vec::as_slice))

@@ -1,6 +1,7 @@
 //! What a model will cost, reckoned before it is made.
 
 use crate::ground::memory::available;
+use crate::ground::order::ascending;
 use crate::model::scene::{Scene, SolverKind};
 use crate::solver::fem::dofs::{DofMap, FIXED};
 use crate::solver::solve::condensed::cost::{
@@ -75,12 +76,8 @@ fn bodies(scene: &Scene, dofs: &DofMap, needed: &[bool], flow: &[u32]) -> Vec<Bo
     let vertex_of = dofs.vertices();
     let kept = |elements: &mut dyn Iterator<Item = usize>| {
         let equations = elements.flat_map(|e| dofs.of_element(&scene.mesh, e).all());
-        let mut kept: Vec<u32> = equations
-            .filter(|e| *e != FIXED && needed[vertex_of[*e as usize] as usize])
-            .collect();
-        kept.sort_unstable();
-        kept.dedup();
-        kept.len()
+        let kept = |e: &u32| *e != FIXED && needed[vertex_of[*e as usize] as usize];
+        ascending(equations.filter(kept)).len()
     };
     let elastic = |e: &usize| flow.binary_search(&(*e as u32)).is_err();
     let of = |elements: Range<usize>| BodyCount {

@@ -1,7 +1,7 @@
 //! Making the model of a scene.
 
 use crate::ground::memory::available;
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 use crate::model::scene::{Scene, SolverKind};
 use crate::solver::fem::tied::Tied;
 use crate::solver::linear::preconditioner::Preconditioner;
@@ -33,7 +33,7 @@ impl<'a> Model<'a> {
         if all.is_empty() {
             return Err(SolveError::NothingFree);
         }
-        let elastic: Vec<Elastic> = scene.materials.iter().map(|m| m.moduli()).collect();
+        let elastic: Vec<Moduli> = scene.materials.iter().map(|m| m.moduli()).collect();
         let (mut rows, spare) = expected.split(rows);
         let needed = needed(scene, &all, &rows, &expected.flow);
         let reckon = |large| Size::new(scene, &all, &needed, (&expected.flow, large));

@@ -1,5 +1,6 @@
 //! Which unknowns are kept, and how they hang together.
 
+use crate::ground::order::ascending;
 use crate::model::mesh::Mesh;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::DofMap;
@@ -65,13 +66,8 @@ pub fn needed(scene: &Scene, dofs: &DofMap, rows: &[ContactRow], flow: &[u32]) -
 fn pattern(mesh: &Mesh, bodies: &CondensedBodies, dofs: &DofMap, rows: &[ContactRow]) -> Pattern {
     let vertex_of = dofs.vertices();
     let vertices = |nodes: &mut dyn Iterator<Item = u32>| {
-        let mut list: Vec<u32> = nodes
-            .flat_map(|n| dofs.terms(n))
-            .map(|(e, ..)| vertex_of[e as usize])
-            .collect();
-        list.sort_unstable();
-        list.dedup();
-        list
+        let terms = nodes.flat_map(|n| dofs.terms(n));
+        ascending(terms.map(|(e, ..)| vertex_of[e as usize]))
     };
     let elements = bodies
         .sparse_elements

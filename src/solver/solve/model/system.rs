@@ -1,6 +1,6 @@
 //! A scene made ready to be solved: equations, elastic stiffness, contact rows, load vectors.
 
-use crate::model::material::Elastic;
+use crate::model::material::Moduli;
 use crate::model::scene::Scene;
 use crate::solver::fem::dofs::{DofMap, ElementTerms, FIXED, Source};
 use crate::solver::fem::element::Element;
@@ -21,7 +21,7 @@ pub struct Model<'a> {
     /// The kept ones; everything below is about these.
     pub dofs: DofMap,
     pub bodies: CondensedBodies,
-    pub elastic: Vec<Elastic>,
+    pub elastic: Vec<Moduli>,
     pub pattern: Pattern,
     pub preconditioner: Preconditioner,
     /// Stiffness of all bodies as long as they are elastic.

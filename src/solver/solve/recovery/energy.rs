@@ -10,7 +10,7 @@
 //! pressure does on closing gaps within an increment; like every error of the sum it vanishes with their size.
 
 use crate::ground::geometry::dot;
-use crate::model::material::{Elastic, mises};
+use crate::model::material::{Moduli, mises};
 use crate::model::mesh::hexahedron::gauss_volumes;
 use crate::model::scene::{PlaneMotion, PlaneTurn, Support};
 use crate::model::state::{Energy, State};
@@ -156,7 +156,7 @@ fn in_order(elements: &[(f64, f64)]) -> (f64, f64) {
 }
 
 /// Elastic energy by volume, q²/6G + p²/2K.
-fn density(elastic: &Elastic, stress: &[f64; 6]) -> f64 {
+fn density(elastic: &Moduli, stress: &[f64; 6]) -> f64 {
     let pressure = (stress[0] + stress[1] + stress[2]) / 3.0;
     mises(stress).powi(2) / (6.0 * elastic.shear) + pressure * pressure / (2.0 * elastic.bulk)
 }

@@ -17,8 +17,7 @@ impl RigidBodies {
         let (still, turning): (Vec<_>, Vec<_>) =
             (scene.rigid_planes.iter()).partition(|plane| !plane.turns_freely());
         for plane in still {
-            let nodes = scene.mesh.surface(&plane.surface).map(|s| s.nodes());
-            let nodes = nodes.unwrap_or_default();
+            let nodes = scene.mesh.nodes_of_surface(&plane.surface);
             for (axis, motion) in plane.motion.iter().enumerate() {
                 if let PlaneMotion::Driven(force) = motion {
                     let each = factor(&plane.name) * force / nodes.len().max(1) as f64;

@@ -56,9 +56,9 @@ impl Resistance {
     /// Supports: the displacement of each of their nodes along each axis that they hold.
     pub fn supports(&mut self, scene: &Scene, frames: &RigidBodies) {
         for support in &scene.supports {
-            let nodes = (scene.mesh.surface(&support.surface)).map(|s| s.nodes());
+            let nodes = scene.mesh.nodes_of_surface(&support.surface);
             for axis in (0..3).filter(|axis| support.components[*axis].is_some()) {
-                let nodes = nodes.iter().flatten();
+                let nodes = nodes.iter();
                 let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
                 self.add(&rows);
             }
@@ -72,9 +72,9 @@ impl Resistance {
                 self.add(&beside_turns(scene, plane, frames));
                 continue;
             }
-            let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
+            let nodes = scene.mesh.nodes_of_surface(&plane.surface);
             for axis in 0..3 {
-                let nodes = nodes.iter().flatten();
+                let nodes = nodes.iter();
                 let rows: Vec<ModeRow> = nodes.filter_map(|n| frames.of_node(*n, axis)).collect();
                 match plane.motion[axis] {
                     PlaneMotion::Free => {}
@@ -90,10 +90,7 @@ impl Resistance {
         for (axis, turned, sign) in [(0, 1, -1.0), (1, 0, -1.0), (2, 2, 1.0)] {
             let tied = scene.half_turn.iter().filter_map(|[node, image]| {
                 let mut row = frames.of_node(*node, axis)?;
-                for (body, values) in frames.of_node(*image, turned)? {
-                    let own = row.entry(body).or_insert([0.0; 6]);
-                    own.iter_mut().zip(values).for_each(|(o, v)| *o += sign * v);
-                }
+                add_row(&mut row, &frames.of_node(*image, turned)?, sign);
                 Some(row)
             });
             self.add(&tied.collect::<Vec<ModeRow>>());
@@ -170,9 +167,8 @@ impl Resistance {
 /// translation and its turns explain.
 fn beside_turns(scene: &Scene, plane: &RigidPlane, frames: &RigidBodies) -> Vec<ModeRow> {
     let about = plane.point(&scene.mesh, &scene.mirrors);
-    let nodes = (scene.mesh.surface(&plane.surface)).map(|s| s.nodes());
     let (mut rows, mut ways) = (Vec::new(), Vec::new());
-    for node in nodes.into_iter().flatten() {
+    for node in scene.mesh.nodes_of_surface(&plane.surface) {
         let arm = scale(sub(frames.points[node as usize], about), 1.0 / frames.size);
         for axis in (0..3).filter(|axis| plane.motion[*axis] != PlaneMotion::Free) {
             let Some(row) = frames.of_node(node, axis) else {
@@ -213,11 +209,15 @@ fn beside_turns(scene: &Scene, plane: &RigidPlane, frames: &RigidBodies) -> Vec<
 /// Adds `share` times `row`.
 fn add_row(sum: &mut ModeRow, row: &ModeRow, share: f64) {
     for (body, values) in row {
-        let own = sum.entry(*body).or_insert([0.0; 6]);
-        own.iter_mut()
-            .zip(values)
-            .for_each(|(s, v)| *s += share * v);
+        add_values(sum, *body, values, share);
     }
+}
+
+fn add_values(sum: &mut ModeRow, body: usize, values: &[f64; 6], share: f64) {
+    let own = sum.entry(body).or_insert([0.0; 6]);
+    own.iter_mut()
+        .zip(values)
+        .for_each(|(s, v)| *s += share * v);
 }
 
 /// Rows less their mean.
@@ -232,12 +232,7 @@ fn about_mean(rows: &[ModeRow]) -> Vec<ModeRow> {
     let less = |row: &ModeRow| {
         let mut less = mean.clone();
         less.values_mut().flatten().for_each(|v| *v = -*v);
-        for (body, values) in row {
-            let sum = less.entry(*body).or_insert([0.0; 6]);
-            for (sum, value) in sum.iter_mut().zip(values) {
-                *sum += value;
-            }
-        }
+        add_row(&mut less, row, 1.0);
         less
     };
     rows.iter().map(less).collect()
@@ -258,10 +253,7 @@ pub(in crate::solver::solve) fn relative(
         let along = std::array::from_fn(|axis| factors[axis] * direction[axis]);
         let at = frames.points[*node as usize];
         let values = frames.row(*body, at, along, 1.0);
-        let sum = row.entry(*body).or_insert([0.0; 6]);
-        for (sum, value) in sum.iter_mut().zip(values) {
-            *sum += value;
-        }
+        add_values(&mut row, *body, &values, 1.0);
     }
     row
 }

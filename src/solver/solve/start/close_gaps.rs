@@ -141,9 +141,9 @@ fn move_bodies(scene: &mut Scene, joined: &[usize], body: usize, shift: Vec3) {
         }
     }
     for plane in &mut scene.rigid_planes {
-        let face = (scene.mesh.surface(&plane.surface)).and_then(|s| s.faces.first());
-        let own =
-            face.is_some_and(|f| joined[scene.mesh.body_of(f.element as usize)] == joined[body]);
+        let surface = scene.mesh.surface(&plane.surface);
+        let bounded = surface.and_then(|s| s.body(&scene.mesh));
+        let own = bounded.is_some_and(|bounded| joined[bounded] == joined[body]);
         plane.about = plane.about.map(|at| if own { add(at, shift) } else { at });
     }
 }

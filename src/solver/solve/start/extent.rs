@@ -5,17 +5,8 @@ use crate::solver::solve::params::{FIRST_LIKELY_GAP, FIRST_REACH, REACH_OVER_TRA
 
 /// Diagonal of the box around the model.
 pub fn extent(scene: &Scene) -> f64 {
-    let span = |axis: usize| {
-        let (low, high) = scene
-            .mesh
-            .points
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
-                (l.min(p[axis]), h.max(p[axis]))
-            });
-        high - low
-    };
-    span(0).hypot(span(1)).hypot(span(2))
+    let [x, y, z] = [0, 1, 2].map(|axis| scene.mesh.extent(axis));
+    x.hypot(y).hypot(z)
 }
 
 /// The initial gap up to which contact is integrated: a little more than bodies approach each other

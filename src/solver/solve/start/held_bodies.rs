@@ -10,9 +10,7 @@ pub fn held_bodies(scene: &Scene, direction: Vec3) -> Vec<bool> {
         if direction[axis].abs() > 0.1
             && let Some(surface) = scene.mesh.surface(surface)
         {
-            for face in &surface.faces {
-                held[scene.mesh.body_of(face.element as usize)] = true;
-            }
+            surface.bodies(&scene.mesh).for_each(|b| held[b] = true);
         }
     };
     for support in &scene.supports {

@@ -1,6 +1,6 @@
 //! Ties beside contact.
 
-use crate::model::mesh::Surface;
+use crate::model::mesh::{Face, Surface};
 use crate::model::scene::{Scene, Tie};
 use crate::solver::fem::tied::Tied;
 use crate::solver::solve::ties::error::TieError;
@@ -31,14 +31,7 @@ pub fn beside_contact(scene: &Scene, tied: &Tied) -> Result<(), TieError> {
 
 /// Have the surfaces a facet in common?
 fn meet(one: &Surface, other: &Surface) -> bool {
-    let of = |s: &Surface| -> BTreeSet<(u32, [u32; 4])> {
-        let key = s.faces.iter().map(|face| {
-            let mut nodes = face.nodes;
-            nodes.sort_unstable();
-            (face.element, nodes)
-        });
-        key.collect()
-    };
+    let of = |s: &Surface| -> BTreeSet<_> { s.faces.iter().map(Face::key).collect() };
     !of(one).is_disjoint(&of(other))
 }
 

@@ -2,7 +2,7 @@
 
 use super::statics;
 use crate::analytic::sizing::PRESSURE_LIMIT;
-use crate::proof::verify::drawn::{DrawnBearing, End, INCH, METRIC, digits};
+use crate::proof::verify::drawn::{DrawnBearing, DrawnUnits, End, digits};
 use crate::proof::verify::random::kind::RandomKind;
 use crate::proof::verify::random::known::KnownOfCase;
 use crate::proof::verify::stream::Stream;
@@ -28,12 +28,7 @@ const PARTS: [&str; 5] = [
 /// Bearing `number` of a seed, on the mesh of the report.
 pub fn draw(seed: u64, number: usize) -> (DrawnBearing, KnownOfCase) {
     let mut stream = Stream::new(seed, number);
-    let inch = stream.of([true, false]);
-    let units = if inch { INCH } else { METRIC };
-    let diameter = match inch {
-        true => stream.between([1.0, 12.0]),
-        false => stream.scale([20.0, 400.0]),
-    };
+    let (units, diameter) = DrawnUnits::draw(&mut stream);
     let solid = stream.share() < 0.2;
     let wall = stream.between([0.08, 0.47]) * diameter;
     let wall = (!solid).then_some(wall);
@@ -41,10 +36,7 @@ pub fn draw(seed: u64, number: usize) -> (DrawnBearing, KnownOfCase) {
     let degrees = stream.between([0.5, 12.0]);
     let kind = stream.of([[0.0, 0.0], [0.005, 0.05], [0.05, 0.25], [0.25, 0.46]]);
     let offset = stream.between(kind) * length;
-    let (modulus, strengths) = match inch {
-        true => (29_500.0, [50.0, 100.0, 175.0, 250.0]),
-        false => (203_000.0, [350.0, 690.0, 1200.0, 1700.0]),
-    };
+    let (modulus, strengths) = units.steels();
     let strength = stream.of(strengths);
     let poisson = stream.of([0.28, 0.3, 0.33]);
     let soft = (stream.share() < 0.3).then_some(stream.of(PARTS));

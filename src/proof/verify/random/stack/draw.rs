@@ -7,7 +7,7 @@ use super::statics;
 use crate::ground::geometry::{Vec3, norm, scale};
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{Scene, Side, Traction, TractionValue};
+use crate::model::scene::{Scene, Side};
 use crate::proof::verify::random::kind::RandomKind;
 use crate::proof::verify::random::known::KnownOfCase;
 use crate::proof::verify::stream::Stream;
@@ -108,11 +108,8 @@ pub fn stack(seed: u64, number: usize) -> Result<Stack, VerifyError> {
     scene.materials = steels;
     scene.supports = vec![kit::support("lower_z_min", [Some(0.0); 3])];
     let loaded = BLOCK_NAMES[count - 1];
-    scene.tractions = vec![Traction {
-        name: "load".into(),
-        surface: format!("{loaded}_z_max"),
-        value: TractionValue::Vector(turned(traction)),
-    }];
+    let top = format!("{loaded}_z_max");
+    scene.tractions = vec![kit::traction("load", &top, turned(traction))];
     scene.contacts = (1..count)
         .map(|k| {
             let names = [

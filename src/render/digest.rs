@@ -268,10 +268,12 @@ fn checks(summary: &Summary) -> Option<String> {
 
 /// The widest of the bars that are known, relative to its figure, and how many are not.
 fn widest_bar(summary: &Summary) -> Option<String> {
-    let all = &summary.answer.certificate;
-    let bars = all.iter().filter_map(|f| Some((f.relative_bar()?, f)));
+    let (standing, _) = summary.answer.standing();
+    let bars = standing
+        .iter()
+        .filter_map(|f| Some((f.relative_bar()?, *f)));
     let (bar, widest) = bars.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let known = all.iter().filter(|f| f.is_resolved()).count();
+    let known = standing.iter().filter(|f| f.is_resolved()).count();
     let (what, place) = (widest.what.name(), &widest.place);
     // Of a figure that may be nothing a share says nothing.
     let size = if bar > 1.0 {
@@ -281,7 +283,7 @@ fn widest_bar(summary: &Summary) -> Option<String> {
     };
     Some(format!(
         "{size}, {what} of {place}; {known} of {} figures have one",
-        all.len()
+        standing.len()
     ))
 }
 

@@ -1,11 +1,10 @@
 //! How the Mises stress is around the node with the largest one: what tells whether the mesh resolves it.
 
 use super::curvature::{Curvature, curvature};
-use super::edges::bounds;
 use super::hex::GaussRule;
 use super::recovery::Recovered;
 use super::tensor::mises;
-use crate::ground::geometry::Vec3;
+use crate::ground::geometry::{Vec3, bounds};
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -46,7 +45,7 @@ pub(super) fn around(
     let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
     let mut extent = [0.0; 3];
     for (element, corner) in &elements {
-        let (least, most) = bounds(&scene.mesh, scene.mesh.hexes[*element].into_iter());
+        let [least, most] = bounds(scene.mesh.corners(*element));
         for k in 0..3 {
             extent[k] = f64::max(extent[k], most[k] - least[k]);
         }

@@ -4,13 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::fillet::ends;
 use super::super::hex::distance;
+use crate::ground::geometry::bounds;
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::Scene;
 
 /// The longest side of the box about some nodes and their images: as long whether mirror planes are made use of or not.
 pub fn longest_side(scene: &Scene, nodes: impl Iterator<Item = u32>) -> f64 {
-    let (mut low, mut high) = bounds(&scene.mesh, nodes);
+    let [mut low, mut high] = bounds(nodes.map(|node| scene.mesh.points[node as usize]));
     let size = distance(low, high);
     for axis in scene.mirrors.iter().copied().filter(|axis| *axis < 3) {
         // A surface apart from the plane is not the half of one.
@@ -24,20 +25,9 @@ pub fn longest_side(scene: &Scene, nodes: impl Iterator<Item = u32>) -> f64 {
 
 /// Diagonal of the box about a surface.
 fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
-    let (low, high) = bounds(mesh, surface.faces.iter().flat_map(|face| face.nodes));
+    let nodes = surface.faces.iter().flat_map(|face| face.nodes);
+    let [low, high] = bounds(nodes.map(|node| mesh.points[node as usize]));
     distance(low, high)
-}
-
-/// The corners of the box about some nodes.
-pub fn bounds(mesh: &Mesh, nodes: impl Iterator<Item = u32>) -> ([f64; 3], [f64; 3]) {
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for node in nodes {
-        for (axis, x) in mesh.points[node as usize].iter().enumerate() {
-            low[axis] = low[axis].min(*x);
-            high[axis] = high[axis].max(*x);
-        }
-    }
-    (low, high)
 }
 
 /// Edges where a surface ends, the nodes of each ascending.

@@ -8,8 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::fillet;
 use super::super::hex::distance;
-use super::boundary::{boundary, bounds, longest_side};
+use super::boundary::{boundary, longest_side};
 use super::reach::EdgeNodes;
+use crate::ground::geometry::bounds;
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::{ContactPair, EDGE_REACH, Scene};
@@ -186,7 +187,7 @@ impl Pressed {
 
     /// The largest pressure of those that reach the box about a face, or a side of it.
     fn at(&self, mesh: &Mesh, nodes: &[u32]) -> Option<f64> {
-        let (low, high) = bounds(mesh, nodes.iter().copied());
+        let [low, high] = bounds(nodes.iter().map(|node| mesh.points[*node as usize]));
         let reaches = |(at, size, _): &&([f64; 3], f64, f64)| {
             (0..3).all(|i| at[i] + size >= low[i] && at[i] - size <= high[i])
         };

@@ -7,7 +7,6 @@ mod loaded;
 mod reach;
 mod wedges;
 
-pub(super) use boundary::bounds;
 pub use loaded::{EVEN, LoadedEdges};
 
 use super::peaks::Peak;

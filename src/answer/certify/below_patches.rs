@@ -33,17 +33,16 @@ impl BelowPatches {
     pub fn new(scene: &Scene, state: &State, contacts: Contacts, claims: &[Figure]) -> Self {
         let mut nodes = BTreeSet::new();
         let mut coarse = Vec::new();
-        let pairs = scene.contacts.iter().zip(&state.contacts);
+        let pairs = scene.contacts.iter().zip(&state.contacts).enumerate();
         let known = contacts.interfaces.iter().zip(contacts.lines);
-        for ((pair, field), (interface, line)) in pairs.zip(known) {
+        for ((index, (pair, field)), (interface, line)) in pairs.zip(known) {
             let pressing = (0..field.nodes.len()).filter(|node| field.is_active(*node));
             let Some(top) =
                 (pressing.clone()).max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]))
             else {
                 continue;
             };
-            let is_flat = line.as_ref().is_none_or(|line| line.contact.is_none());
-            if is_flat {
+            if !contact::is_round(scene, index, line.as_ref()) {
                 nodes.extend(pressing.map(|node| field.nodes[node] as usize));
                 let [_, other] = pair.carrier_first();
                 let others = other.surface(&scene.mesh).map(|surface| surface.nodes());

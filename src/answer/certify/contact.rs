@@ -6,7 +6,8 @@ use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
 use crate::answer::results::recovery::Recovered;
-use crate::model::scene::Scene;
+use crate::model::mesh::shape::Shape;
+use crate::model::scene::{Partner, Scene};
 use crate::model::state::{ContactField, State};
 use std::collections::BTreeSet;
 
@@ -50,7 +51,11 @@ impl Contact<'_> {
         let mut claims = self.pressures(field);
         claims.extend(self.line.into_iter().flat_map(|line| self.along(line)));
         let copies = times(&cutting_pair(self.scene, self.pair));
-        let of_rim = if self.is_round() { RIM } else { FLAT_RIM };
+        let of_rim = if is_round(self.scene, self.pair, self.line) {
+            RIM
+        } else {
+            FLAT_RIM
+        };
         let band = of_rim * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
         claims.push(self.claim(
@@ -60,11 +65,6 @@ impl Contact<'_> {
             COARSE,
         ));
         claims
-    }
-
-    /// Does one side curve from the other, so that contact spreads from a line or a point?
-    pub(super) fn is_round(&self) -> bool {
-        self.line.is_some_and(|line| line.contact.is_some())
     }
 
     /// With a relative error, where that says anything.
@@ -88,6 +88,16 @@ impl Contact<'_> {
             ..figure_of(what, &self.interface.name, value)
         }
     }
+}
+
+/// Does one side of a pair curve from the other, so that contact spreads from a line or a point? `line` is the heaviest one.
+pub(super) fn is_round(scene: &Scene, pair: usize, line: Option<&HeaviestLine>) -> bool {
+    let curves = |side: &Partner| {
+        let shape = side.shape(&scene.mesh);
+        matches!(shape, Shape::Cylinder { .. } | Shape::Sphere { .. })
+    };
+    let pair = &scene.contacts[pair];
+    line.is_some_and(|line| line.contact.is_some()) || curves(&pair.upper) || curves(&pair.lower)
 }
 
 /// Area of the nodes in contact next to one that is not, and of those, modelled part.

@@ -4,7 +4,7 @@
 //! Hertz's, that load says how wide it is and how the pressure runs across; what the nodes make of such a profile can
 //! then be worked out for the very places where they stand, and what they read beyond that is an error that one sees.
 
-use super::contact::{COARSE, Contact, FILLET};
+use super::contact::{COARSE, Contact, FILLET, is_round};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
 use crate::answer::results::edges::EVEN;
@@ -34,7 +34,7 @@ const AT_EDGE: f64 = 0.25;
 const FALL: f64 = 0.6;
 /// Share of the distance between that pressure and the stress across the surface that is its error, at least, where contact
 /// spreads from a point,
-const OF_STRESS: f64 = 0.3;
+const OF_STRESS: f64 = 0.35;
 /// and where sides are flat: their pressure is even where other bodies spread the load, and falls to no neighbour.
 const OF_FLAT_STRESS: f64 = 0.5;
 /// Sagitta of the facets at the peak over the length by which the pressure there presses a facet's depth
@@ -115,7 +115,7 @@ impl Contact<'_> {
         }
         let fall = || {
             let fall = FALL * fall(self.scene, field, self.pair, top);
-            let share = if self.is_round() {
+            let share = if is_round(self.scene, self.pair, self.line) {
                 OF_STRESS
             } else {
                 OF_FLAT_STRESS

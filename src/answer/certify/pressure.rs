@@ -113,8 +113,8 @@ impl Contact<'_> {
         if self.shapelessness(field, top) > SHAPELESS {
             return self.claim(what, value, None, SHAPE);
         }
-        let fall = || {
-            let fall = FALL * fall(self.scene, field, self.pair, top);
+        let fall = FALL * fall(self.scene, field, self.pair, top);
+        let by_stress = || {
             let share = if is_round(self.scene, self.pair, self.line) {
                 OF_STRESS
             } else {
@@ -124,7 +124,7 @@ impl Contact<'_> {
         };
         let error = line
             .filter(|line| line.is_long())
-            .map_or_else(fall, |line| match (line.contact, line.departs) {
+            .map_or_else(by_stress, |line| match (line.contact, line.departs) {
                 // The pressure that the line load makes is known better than what few nodes read of it. That of many
                 // is off by the second order of their distance, and is right where the bodies are no half spaces.
                 (Some(hertz), None) => {
@@ -136,7 +136,8 @@ impl Contact<'_> {
                     let a = line.line.heaviest.half_width.max(hertz.half_width);
                     of_nodes(&line.line.heaviest, a) + self.load_error(line)
                 }
-                _ => fall(),
+                (Some(_), Some(_)) => fall,
+                (None, _) => by_stress(),
             });
         // Where loads alternate from row to row, so do pressures.
         let alternates = line.map_or(0.0, |line| line.alternates);

@@ -1,6 +1,6 @@
 //! Singular edges, where elastic stresses have no bound: a peak beside one grows with every refinement until plasticity
 //! bounds it. They are where a contact surface ends under pressure ([`LoadedEdges`]), and where a body has one by its
-//! shape, by what holds it or by what it is joined to ([`wedges`]).
+//! shape, by what holds it or by what it is joined to (`wedges`).
 
 mod boundary;
 mod loaded;

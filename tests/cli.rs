@@ -1072,8 +1072,8 @@ fn where_steel_flows_a_target_says_which_mesh_elastic_figures_are_of() {
         claims.into_iter().find(same).unwrap()
     };
     let [of_twin, taken] = [
-        claim(&twin, "peak_mises"),
-        claim(&own, "elastic_peak_mises"),
+        claim(&twin, "mises_away"),
+        claim(&own, "elastic_mises_away"),
     ];
     let mesh = |claim: &serde_json::Value| claim["causes"]["discretisation"].clone();
     assert_eq!(of_twin["value"], taken["value"]);

@@ -45,8 +45,8 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     let number = answer.certificate.iter().filter(unaware).count();
     if number > 0 {
         warn(format!(
-            "{number} bars are too narrow: no second solution tells what the size of the increments does to them \
-             (give a smaller `first_increment`, and leave `increment_error` on)"
+            "{number} bars are too narrow: no second solution tells what the size of the increments does \
+             (a smaller `first_increment` may)"
         ));
     }
     for (name, roller) in &answer.rollers.0 {

@@ -258,7 +258,12 @@ fn a_peak_elsewhere_is_not_the_largest_where_an_edge_presses() {
             .map(|b| b.away.map(|(by, _)| by))
             .collect::<Vec<_>>()
     };
-    // The block ends on the plate, which goes on.
+    // An even pressure is that of blocks of one size.
+    assert_eq!(by_edge(&state), [None; 2]);
+    let field = &mut state.contacts[0];
+    for (node, p) in field.nodes.iter().zip(&mut field.pressure) {
+        *p *= 1.0 + scene.mesh.points[*node as usize][0];
+    }
     assert_eq!(by_edge(&state), [Some(ByEdge::OnFinerMeshes); 2]);
     let field = &mut state.contacts[0];
     for (node, p) in field.nodes.iter().zip(&mut field.pressure) {

@@ -105,7 +105,10 @@ pub fn peaks(
     let nodal = nodal_peaks(scene, recovered, |_| true);
     let far = |at: &[f64; 3]| !edges.are_near(at);
     // Few scenes have a peak at an edge, and then it is worth a second look.
-    let by_edge = |(body, peak): (usize, &Option<Peak>)| edges.decide(scene, body, peak.as_ref()?);
+    let by_edge = |(body, peak): (usize, &Option<Peak>)| {
+        let peak = peak.as_ref()?;
+        edges.decide(scene, body, (peak.value, &peak.at))
+    };
     let by_edge: Vec<Option<ByEdge>> = nodal.iter().enumerate().map(by_edge).collect();
     let away = if by_edge.iter().any(Option::is_some) {
         nodal_peaks(scene, recovered, far)

@@ -9,7 +9,7 @@ mod wedges;
 
 pub use loaded::{EVEN, LoadedEdges};
 
-use super::peaks::Peak;
+use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use reach::EdgeNodes;
@@ -52,9 +52,9 @@ impl SingularEdges {
         self.loaded.end_at(at) || self.of_bodies.end_at(at)
     }
 
-    /// Does a nodal peak of the Mises stress, of the body with that index, belong to an edge?
-    pub fn decide(&self, scene: &Scene, body: usize, peak: &Peak) -> Option<ByEdge> {
-        if self.are_near(&peak.at) || self.loaded.unseen_mises(scene, body) > peak.value {
+    /// Does a nodal peak of the Mises stress of the body with that index, its value and its place, belong to an edge?
+    pub fn decide(&self, scene: &Scene, body: usize, (mises, at): (f64, &Vec3)) -> Option<ByEdge> {
+        if self.are_near(at) || self.loaded.unseen_mises(scene, body) > mises {
             return Some(ByEdge::Here);
         }
         self.loaded.press(body).then_some(ByEdge::OnFinerMeshes)

@@ -248,8 +248,10 @@ fn the_table_shows_the_figures_and_what_to_beware_of() {
     ] {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
+    // Warnings are sentences, as long as they are.
     let widest = text
         .lines()
+        .filter(|line| !line.starts_with("  - "))
         .map(|l| l.chars().count())
         .filter(|n| *n < 150)
         .max();

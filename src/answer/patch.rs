@@ -73,7 +73,7 @@ impl PatchFigures {
         let radii = sides.iter().filter_map(Shape::radius);
         let radius = radii.fold(f64::INFINITY, f64::min);
         let ellipse = std::f64::consts::PI * a * b;
-        let bodies = [&contact.upper, &contact.lower].map(|side| side.body(&scene.mesh));
+        let bodies = contact.bodies(&scene.mesh);
         let departs = match () {
             () if flows_below(scene, state, contact, (at, a)) => Some(FLOWS),
             () if b > SMALL * radius => Some(LARGE),

@@ -1,9 +1,9 @@
 //! Contacts that are no strips, and what they do to the stress below them.
 
 use super::contact;
-use super::descent::Contacts;
 use super::figure::{Figure, Quantity};
 use crate::answer::results::hex::distance;
+use crate::answer::results::interface::Interface;
 use crate::answer::results::peaks::{Peak, Place};
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -30,19 +30,24 @@ struct CoarsePatch {
 
 impl BelowPatches {
     /// Of all contacts of `state`, with what is claimed of them.
-    pub fn new(scene: &Scene, state: &State, contacts: Contacts, claims: &[Figure]) -> Self {
+    /// `round` says which pairs have a side that curves from the other.
+    pub fn new(
+        (scene, state): (&Scene, &State),
+        interfaces: &[Interface],
+        round: &[bool],
+        claims: &[Figure],
+    ) -> Self {
         let mut nodes = BTreeSet::new();
         let mut coarse = Vec::new();
-        let pairs = scene.contacts.iter().zip(&state.contacts).enumerate();
-        let known = contacts.interfaces.iter().zip(contacts.lines);
-        for ((index, (pair, field)), (interface, line)) in pairs.zip(known) {
+        let pairs = scene.contacts.iter().zip(&state.contacts);
+        for ((pair, field), (interface, is_round)) in pairs.zip(interfaces.iter().zip(round)) {
             let pressing = (0..field.nodes.len()).filter(|node| field.is_active(*node));
             let Some(top) =
                 (pressing.clone()).max_by(|a, b| field.pressure[*a].total_cmp(&field.pressure[*b]))
             else {
                 continue;
             };
-            if !contact::is_round(scene, index, line.as_ref()) {
+            if !is_round {
                 nodes.extend(pressing.map(|node| field.nodes[node] as usize));
                 let [_, other] = pair.carrier_first();
                 let others = other.surface(&scene.mesh).map(|surface| surface.nodes());
@@ -55,7 +60,7 @@ impl BelowPatches {
             let mut own = claims.iter().filter(|claim| claim.place == interface.name);
             if own.any(is_coarse) {
                 coarse.push(CoarsePatch {
-                    bodies: [&pair.upper, &pair.lower].map(|side| side.body(&scene.mesh)),
+                    bodies: pair.bodies(&scene.mesh),
                     at: scene.mesh.points[field.nodes[top] as usize],
                     radius: (interface.area / PI).sqrt(),
                 });

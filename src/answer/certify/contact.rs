@@ -33,6 +33,8 @@ pub(super) struct Contact<'a> {
     pub pair: usize,
     pub interface: &'a Interface,
     pub line: Option<&'a HeaviestLine>,
+    /// Does one side curve from the other? See [`is_round`].
+    pub is_round: bool,
     pub edges: &'a LoadedEdges,
     /// By which share the mesh makes the load too large, where a prescribed motion makes it; infinite where that is not
     /// known.
@@ -51,11 +53,7 @@ impl Contact<'_> {
         let mut claims = self.pressures(field);
         claims.extend(self.line.into_iter().flat_map(|line| self.along(line)));
         let copies = times(&cutting_pair(self.scene, self.pair));
-        let of_rim = if is_round(self.scene, self.pair, self.line) {
-            RIM
-        } else {
-            FLAT_RIM
-        };
+        let of_rim = if self.is_round { RIM } else { FLAT_RIM };
         let band = of_rim * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
         claims.push(self.claim(

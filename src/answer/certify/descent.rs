@@ -22,7 +22,7 @@ const SPREAD: f64 = 0.5;
 
 /// Of the same and of the share of the energy that plastic flow has spent, how much farther off it may be: flow begins element
 /// by element, too early in some and too late in others. Of 84 plane strips and 20 spheres that flow, with p0 of 2 to 3.5
-/// times yield and 0 to 58 % of the energy, 93 travels are within.
+/// times yield and 0 to 58 % of the energy, 96 travels are within.
 const OF_FLOW: f64 = 2.0;
 
 /// Of the overlap that bodies are brought into touch with, where no long strip tells, over [`LIKELY`]: of 126 spheres, crossed

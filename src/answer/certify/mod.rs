@@ -86,8 +86,11 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let horizontal = other::horizontal_forces(scene, contacts, missed_travel);
+    let mut round = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
+        let is_round = contact::is_round(scene, pair, line);
+        round.push(is_round);
         let contact = Contact {
             scene,
             state,
@@ -95,6 +98,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             pair,
             interface,
             line,
+            is_round,
             edges: evidence.edges,
             too_stiff: match moved {
                 true => too_stiff.unwrap_or(f64::INFINITY),
@@ -108,7 +112,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         }
     }
     let strips = StripBelow::all(scene, evidence.lines);
-    let patches = BelowPatches::new(scene, state, contacts, &claims);
+    let patches = BelowPatches::new((scene, state), interfaces, &round, &claims);
     let elastic = (evidence.elastic, evidence.elastic_claims);
     let flowing = mises::claims(peaks, elastic, (&strips, &patches));
     claims.extend(other::dents(evidence.dents, &flowing));

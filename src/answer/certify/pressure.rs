@@ -4,7 +4,7 @@
 //! Hertz's, that load says how wide it is and how the pressure runs across; what the nodes make of such a profile can
 //! then be worked out for the very places where they stand, and what they read beyond that is an error that one sees.
 
-use super::contact::{COARSE, Contact, FILLET, is_round};
+use super::contact::{COARSE, Contact, FILLET};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
 use crate::answer::results::edges::EVEN;
@@ -113,14 +113,14 @@ impl Contact<'_> {
         if self.shapelessness(field, top) > SHAPELESS {
             return self.claim(what, value, None, SHAPE);
         }
-        let fall = FALL * fall(self.scene, field, self.pair, top);
+        let fall = || FALL * fall(self.scene, field, self.pair, top);
         let by_stress = || {
-            let share = if is_round(self.scene, self.pair, self.line) {
+            let share = if self.is_round {
                 OF_STRESS
             } else {
                 OF_FLAT_STRESS
             };
-            fall.max(share * self.off_stress(field, top))
+            fall().max(share * self.off_stress(field, top))
         };
         let error = line
             .filter(|line| line.is_long())
@@ -136,7 +136,7 @@ impl Contact<'_> {
                     let a = line.line.heaviest.half_width.max(hertz.half_width);
                     of_nodes(&line.line.heaviest, a) + self.load_error(line)
                 }
-                (Some(_), Some(_)) => fall,
+                (Some(_), Some(_)) => fall(),
                 (None, _) => by_stress(),
             });
         // Where loads alternate from row to row, so do pressures.

@@ -8,9 +8,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::ground::geometry::{cross, dot, norm, sub, unit};
+use super::seams::Seams;
 use crate::model::mesh::shape::{Shape, fit};
-use crate::model::mesh::{Face, Mesh, Surface};
+use crate::model::mesh::{Mesh, Surface};
 
 /// Curvature on one side of an edge, over that at the edge, up to which it jumps there. Along a fillet that
 /// facets follow it is one, next to its beginning a half.
@@ -25,52 +25,21 @@ pub fn beginnings(mesh: &Mesh, surface: &Surface) -> BTreeMap<[u32; 2], f64> {
     if fit(mesh, surface) != Shape::Facets {
         return BTreeMap::new();
     }
-    let mut sharing: BTreeMap<[u32; 2], Vec<(usize, usize)>> = BTreeMap::new();
-    for (index, face) in surface.faces.iter().enumerate() {
-        for side in 0..4 {
-            sharing
-                .entry(ends(face.nodes, side))
-                .or_default()
-                .push((index, side));
-        }
-    }
-    let turn = |ends: &[u32; 2]| {
-        let [(a, _), (b, _)] = sharing.get(ends)?.as_slice() else {
-            return None;
-        };
-        turn(mesh, [&surface.faces[*a], &surface.faces[*b]])
-    };
-    let beginning = |(nodes, shared): (&[u32; 2], &Vec<(usize, usize)>)| {
-        let (bend, apart) = turn(nodes)?;
+    let seams = Seams::of(&surface.faces);
+    let beginning = |(nodes, shared): ([u32; 2], &[(usize, usize)])| {
+        let (bend, apart) = seams.turn(mesh, nodes)?;
         if bend < ROUNDING {
             return None;
         }
         let curvature = bend / apart;
-        let beyond = shared.iter().filter_map(|(face, side)| {
-            let (bend, apart) = turn(&ends(surface.faces[*face].nodes, side + 2))?;
+        let beyond = shared.iter().filter_map(|side| {
+            let (bend, apart) = seams.turn_opposite(mesh, *side)?;
             Some(bend / apart)
         });
         let least = beyond.fold(curvature, f64::min);
-        (least < JUMP * curvature).then_some((*nodes, bend))
+        (least < JUMP * curvature).then_some((nodes, bend))
     };
-    sharing.iter().filter_map(beginning).collect()
-}
-
-/// The angle that the second of two neighbouring faces is turned by from the first, in radians, outwards positive, and the
-/// distance of their middles; `None` where one has no area.
-pub fn turn(mesh: &Mesh, faces: [&Face; 2]) -> Option<(f64, f64)> {
-    let [m, n] = faces.map(|face| unit(face.area_vector(mesh)));
-    let (m, n) = (m?, n?);
-    let [from, to] = faces.map(|face| face.centre(mesh));
-    let apart = sub(to, from);
-    let angle = norm(cross(m, n)).atan2(dot(m, n));
-    Some((angle.copysign(dot(sub(n, m), apart)), norm(apart)))
-}
-
-/// The ends of a side of a face, ascending.
-pub fn ends(face: [u32; 4], side: usize) -> [u32; 2] {
-    let (a, b) = (face[side % 4], face[(side + 1) % 4]);
-    [a.min(b), a.max(b)]
+    seams.all().filter_map(beginning).collect()
 }
 
 /// The largest pressure that may be where a surface bends by `bend` and the mesh reads `pressure`; `None` where it is

@@ -25,6 +25,7 @@ pub mod load;
 pub mod peaks;
 pub mod quad;
 pub mod recovery;
+pub mod seams;
 pub mod strain;
 pub mod strip;
 pub mod strip_profile;

@@ -35,6 +35,11 @@ impl ContactPair {
             Side::Lower => [&self.lower, &self.upper],
         }
     }
+
+    /// The bodies of `mesh` that the upper and the lower partner bound; `None` for a plane.
+    pub fn bodies(&self, mesh: &Mesh) -> [Option<usize>; 2] {
+        [&self.upper, &self.lower].map(|side| side.body(mesh))
+    }
 }
 
 /// One side of a contact pair.

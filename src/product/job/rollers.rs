@@ -27,7 +27,7 @@ pub fn roller(
     scene: &Scene,
     (pair, line): (&ContactPair, &LineFigures),
 ) -> Result<Option<RuledLine>, CaseError> {
-    let sides = [&pair.upper, &pair.lower].map(|side| side.body(&scene.mesh));
+    let sides = pair.bodies(&scene.mesh);
     let [Some(upper), Some(lower)] = sides else {
         return Ok(None);
     };

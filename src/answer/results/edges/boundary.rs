@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::fillet::ends;
 use super::super::hex::distance;
+use super::super::seams::ends;
 use crate::ground::geometry::bounds;
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Mesh, Surface};

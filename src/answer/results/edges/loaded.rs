@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::fillet;
 use super::super::hex::distance;
+use super::super::seams::ends;
 use super::boundary::{boundary, longest_side};
 use super::reach::EdgeNodes;
 use crate::ground::geometry::bounds;
-use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::{ContactPair, EDGE_REACH, Scene};
 use crate::model::state::State;
@@ -90,23 +90,22 @@ impl LoadedEdges {
         let fillets = fillet::beginnings(mesh, surface);
         for face in &surface.faces {
             for k in 0..4 {
-                let side = [face.nodes[k], face.nodes[(k + 1) % 4]];
-                let bend = fillets.get(&fillet::ends(face.nodes, k));
+                let side = ends(face.nodes, k);
+                let bend = fillets.get(&side);
                 // At the last node that presses a part of the pressure is lost.
                 let unseen =
                     bend.and_then(|bend| fillet::unseen(*bend, pressure(&face.nodes)?, compliance));
-                let is_loaded = || ends_at.contains(&sorted(side)) && pressure(&side).is_some();
+                let is_loaded = || ends_at.contains(&side) && pressure(&side).is_some();
                 if unseen.is_none() && !is_loaded() {
                     continue;
                 }
                 self.unseen[pair] = self.unseen[pair].max(unseen.unwrap_or(0.0));
                 self.nodes.add(mesh, face, k, whole);
-                let inner = [2, 3].map(|next| face.nodes[(k + next) % 4]);
+                let inner = ends(face.nodes, k + 2);
                 let at_edge = pressure(&side).unwrap_or(0.0);
                 let varies = (at_edge / pressure(&inner).unwrap_or(0.0) - 1.0).abs() > EVEN;
                 if unseen.is_none() && varies && at_edge > HEAVY * most {
-                    let pair = &scene.contacts[pair];
-                    let bodies = [&pair.upper, &pair.lower].map(|side| side.body(mesh));
+                    let bodies = scene.contacts[pair].bodies(mesh);
                     self.pressed.extend(bodies.into_iter().flatten());
                 }
             }
@@ -123,12 +122,7 @@ impl LoadedEdges {
     /// below a sphere (Johnson, Contact Mechanics, sections 3.4 and 4.2).
     pub fn unseen_mises(&self, scene: &Scene, body: usize) -> f64 {
         const BELOW: f64 = 0.6;
-        let on_body = |pair: &ContactPair| {
-            let sides = [&pair.upper, &pair.lower];
-            sides
-                .iter()
-                .any(|side| side.body(&scene.mesh) == Some(body))
-        };
+        let on_body = |pair: &ContactPair| pair.bodies(&scene.mesh).contains(&Some(body));
         let pairs = scene.contacts.iter().enumerate();
         let pressures = pairs
             .filter(|(_, pair)| on_body(pair))

@@ -10,8 +10,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
-use super::super::fillet::{ends, turn};
 use super::super::hex::distance;
+use super::super::seams::Seams;
 use super::boundary::longest_side;
 use super::reach::EdgeNodes;
 use crate::ground::geometry::{Vec3, add, dot, scale, sub, unit};
@@ -152,31 +152,19 @@ fn wedges(scene: &Scene) -> Vec<Wedge> {
     let bounds = Bounds::new(scene, &outer);
     let mut found = Vec::new();
     for (body, faces) in outer.iter().enumerate() {
-        let mut sharing: BTreeMap<[u32; 2], Vec<(usize, usize)>> = BTreeMap::new();
-        for (index, face) in faces.iter().enumerate() {
-            for side in 0..4 {
-                let at = sharing.entry(ends(face.nodes, side)).or_default();
-                at.push((index, side));
-            }
-        }
-        let bend = |nodes: [u32; 2]| match sharing.get(&nodes)?.as_slice() {
-            [(a, _), (b, _)] => Some(turn(mesh, [&faces[*a], &faces[*b]])?.0),
-            _ => None,
-        };
+        let seams = Seams::of(faces);
         let kinds: Vec<Bound> = faces.iter().map(|face| bounds.of(mesh, face)).collect();
-        for (nodes, shared) in &sharing {
-            let [(a, side), (b, other_side)] = *shared.as_slice() else {
+        for (nodes, shared) in seams.all() {
+            let (&[first, second], Some((own, _))) = (shared, seams.turn(mesh, nodes)) else {
                 continue;
             };
-            let Some(own) = bend(*nodes) else { continue };
-            let pair = [kinds[a], kinds[b]];
+            let (a, side) = first;
+            let pair = [kinds[a], kinds[second.0]];
             if pair[0] == pair[1] {
                 // Along a round surface the next facets turn as much.
-                let opposite = [(a, side), (b, other_side)]
-                    .map(|(face, side)| bend(ends(faces[face].nodes, side + 2)).unwrap_or(0.0));
-                let next = opposite
-                    .into_iter()
-                    .fold(0.0, |least: f64, turn| least.min(turn));
+                let opposite = [first, second].map(|side| seams.turn_opposite(mesh, side));
+                let turns = opposite.into_iter().flatten().map(|(turn, _)| turn);
+                let next = turns.fold(0.0, f64::min);
                 if own >= SHARP * next {
                     continue;
                 }
@@ -185,7 +173,7 @@ fn wedges(scene: &Scene) -> Vec<Wedge> {
                 body,
                 angle: PI - own,
                 bounds: pair,
-                nodes: *nodes,
+                nodes,
                 face: faces[a],
                 side,
             });

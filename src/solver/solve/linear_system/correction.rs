@@ -1,6 +1,8 @@
 //! A correction, and what is left to be solved for while it is sought.
 
 use crate::solver::linear::krylov::KrylovOutcome;
+use crate::solver::solve::equilibrium::evaluation::Evaluation;
+use crate::solver::solve::model::system::Model;
 
 /// How a correction was found.
 pub struct Correction {
@@ -18,6 +20,19 @@ pub struct Sought {
 }
 
 impl Sought {
+    /// For the residual of `evaluation`, nothing found yet.
+    pub fn new(evaluation: &Evaluation, (model, tolerance): (&Model, f64)) -> Self {
+        Self {
+            residual: evaluation.residual.clone(),
+            tolerance,
+            found: Correction {
+                dx: vec![0.0; model.dofs.len()],
+                directions: 0,
+                refactored: false,
+            },
+        }
+    }
+
     /// Takes what was found for the residual. Is it enough?
     pub fn take(
         &mut self,

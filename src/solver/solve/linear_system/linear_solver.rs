@@ -8,6 +8,7 @@ use crate::solver::linear::krylov;
 use crate::solver::linear::preconditioner::{Precision, Prepared};
 use crate::solver::linear::sparse::SymmetricMatrix;
 use crate::solver::solve::checkpoint::counters::Counters;
+use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::checkpoint::timers::Phase;
 use crate::solver::solve::equilibrium::evaluation::{Evaluation, flowing_points};
 use crate::solver::solve::linear_system::correction::{Correction, Sought};
@@ -17,7 +18,7 @@ use crate::solver::solve::linear_system::shifted_diagonal::{set_diagonal, shift_
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
     AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR,
-    FACTOR_DIRECTIONS, SINGLE_FACTOR_DIRECTIONS,
+    FACTOR_DIRECTIONS, FLOWING_CORRECTION, SINGLE_FACTOR_DIRECTIONS,
 };
 
 /// The linear solver with the factor that it carries from iteration to iteration.
@@ -34,6 +35,8 @@ pub struct LinearSolver {
     distrust: usize,
     /// Of the factor: double once single has not been enough.
     precision: Precision,
+    /// Step and unknowns of the balance that the last tangent belongs to, if it does to one.
+    balanced: Option<(usize, Vec<f64>)>,
 }
 
 impl LinearSolver {
@@ -48,6 +51,7 @@ impl LinearSolver {
         (tolerance, springs): (f64, Option<&ProximalSprings>),
         counters: &mut Counters,
     ) -> Result<Correction, FactorError> {
+        self.balanced = None;
         let last = std::mem::take(&mut self.matrix);
         let assemble = || model.tangent(evaluation, last);
         let mut matrix = counters.timers.time(Phase::Assemble, assemble);
@@ -55,6 +59,35 @@ impl LinearSolver {
         let correction = self.correct(model, evaluation, (&mut matrix, tolerance), counters);
         self.matrix = matrix;
         correction.inspect(|found| counters.krylov_directions += found.directions)
+    }
+
+    /// Takes note that the last tangent was that of a balance.
+    pub fn balanced(&mut self, point: &Point) {
+        self.balanced = Some((point.step, point.x.clone()));
+    }
+
+    /// The first correction of an increment that goes on from a balance in which steel flowed, with the tangent of that
+    /// balance. `None` where there is no such tangent.
+    ///
+    /// Where the increment starts, all that has flowed is just at yield, and only rounding says whether it flows.
+    pub fn predict(
+        &mut self,
+        model: &Model,
+        (point, evaluation): (&Point, &Evaluation),
+        tolerance: f64,
+        counters: &mut Counters,
+    ) -> Option<Correction> {
+        let (step, x) = self.balanced.take()?;
+        let goes_on = step == point.step && x == point.x;
+        if self.flowing == 0 || !goes_on || model.is_divided() {
+            return None;
+        }
+        let factor = self.factor.as_ref()?;
+        let mut sought = Sought::new(evaluation, (model, tolerance.max(FLOWING_CORRECTION)));
+        counters.linear_solves += 1;
+        self.with_aged(model, (factor, &self.matrix), &mut sought, counters);
+        counters.krylov_directions += sought.found.directions;
+        Some(sought.found)
     }
 
     /// The same with the tangent `matrix`.
@@ -67,15 +100,7 @@ impl LinearSolver {
     ) -> Result<Correction, FactorError> {
         counters.linear_solves += 1;
         counters.element_tangents += (evaluation.plastic.iter().filter(|a| a.flows())).count();
-        let mut sought = Sought {
-            residual: evaluation.residual.clone(),
-            tolerance,
-            found: Correction {
-                dx: vec![0.0; model.dofs.len()],
-                directions: 0,
-                refactored: false,
-            },
-        };
+        let mut sought = Sought::new(evaluation, (model, tolerance));
         if self.try_aged(model, evaluation, matrix, &mut sought, counters) {
             return Ok(sought.found);
         }
@@ -130,7 +155,6 @@ impl LinearSolver {
         sought: &mut Sought,
         counters: &mut Counters,
     ) -> bool {
-        let timers = &mut counters.timers;
         let little_flow =
             flowing_points(evaluation).abs_diff(self.flowing) <= AGED_FACTOR_FLOW_CHANGES;
         let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
@@ -141,30 +165,34 @@ impl LinearSolver {
         let update = &mut self.update;
         let solve = |x: &mut [f64], count| model.preconditioner.solve_many(factor, x, count);
         let prepare = || update.prepare(model, evaluation, (solve, factor.precision()));
-        if !timers.time(Phase::LinearSolve, prepare) {
+        if !counters.timers.time(Phase::LinearSolve, prepare) {
             return false;
         }
-        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
-        let precondition = |x: &mut [f64]| {
-            (model.preconditioner).apply(&model.pattern, factor, multiply, x);
-            update.correct(model, x);
-        };
-        let (residual, tolerance) = (&sought.residual, sought.tolerance);
-        let solve = || {
-            krylov::solve(
-                multiply,
-                precondition,
-                residual,
-                tolerance,
-                AGED_FACTOR_DIRECTIONS,
-            )
-        };
-        let (dx, outcome) = timers.time(Phase::LinearSolve, solve);
-        let enough = sought.take(&dx, &outcome, multiply);
+        let enough = self.with_aged(model, (factor, matrix), sought, counters);
         if !enough {
             self.distrust = AGED_FACTOR_PAUSE;
         }
         enough
+    }
+
+    /// Solves for what is sought with the tangent `matrix` and the aged `factor`. Returns whether that is enough.
+    fn with_aged(
+        &self,
+        model: &Model,
+        (factor, matrix): (&Prepared, &SymmetricMatrix),
+        sought: &mut Sought,
+        counters: &mut Counters,
+    ) -> bool {
+        let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
+        let precondition = |x: &mut [f64]| {
+            (model.preconditioner).apply(&model.pattern, factor, multiply, x);
+            self.update.correct(model, x);
+        };
+        let (residual, tolerance) = (&sought.residual, sought.tolerance);
+        let limit = AGED_FACTOR_DIRECTIONS;
+        let solve = || krylov::solve(multiply, precondition, residual, tolerance, limit);
+        let (dx, outcome) = counters.timers.time(Phase::LinearSolve, solve);
+        sought.take(&dx, &outcome, multiply)
     }
 
     /// A factor of `matrix`, with a diagonal that is a trifle larger.

@@ -95,13 +95,21 @@ pub fn balance_increment(
         if !flowing.is_empty() && !model.is_divided() {
             tolerance = tolerance.max(FLOWING_CORRECTION);
         }
+        let predicted = if last.iteration == 0 && springs.is_none() && !unloads {
+            solver.predict(model, (&*point, &evaluation), tolerance, counters)
+        } else {
+            None
+        };
         let Correction {
             dx,
             directions,
             refactored,
-        } = solver
-            .solve(model, &evaluation, (tolerance, springs), counters)
-            .map_err(|error| stop(Failure::Factor(error)))?;
+        } = match predicted {
+            Some(correction) => correction,
+            None => solver
+                .solve(model, &evaluation, (tolerance, springs), counters)
+                .map_err(|error| stop(Failure::Factor(error)))?,
+        };
         // 2. How far to follow it.
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
@@ -139,6 +147,7 @@ pub fn balance_increment(
         }
         let balanced = last.changed == 0 && last.residual <= controls.residual;
         if balanced && last.penetration <= controls.penetration {
+            solver.balanced(point);
             return Ok(evaluation);
         }
         // A soft penalty is raised where multipliers come on slowly.

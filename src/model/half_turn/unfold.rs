@@ -32,6 +32,14 @@ impl HalfTurn {
         self.nodes.iter().map(of).collect()
     }
 
+    /// Displacements that stay in the whole from those of the half, whose top has moved.
+    pub fn unfold_stays(&self, half: &[Vec3]) -> Vec<Vec3> {
+        let top = self.half.rigid_planes.first().map(|plane| &plane.surface);
+        let node = top.and_then(|top| self.half.mesh.surface(top)?.faces.first());
+        let travel = node.map_or(0.0, |face| half[face.nodes[0] as usize][2]);
+        self.unfold_displacement(half, travel)
+    }
+
     /// Displacements, stresses and plastic strains of the half in a state of the whole. The half is displaced as in the
     /// whole: seen from the bottom.
     pub fn fold(&self, whole: &State) -> State {

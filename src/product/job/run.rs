@@ -9,7 +9,7 @@ use super::options::Options;
 use super::outcome::{Outcome, reported};
 use super::record::Recorder;
 use super::report;
-use super::second::{Twin, elastic_peaks, stays};
+use super::second::{Twin, elastic_peaks};
 use super::strips::{self, Watch};
 use super::summarise::{Second, phases, summarise};
 use crate::answer::results::recovery::recover;
@@ -175,7 +175,6 @@ fn solve_on(
     if !solution.complete && solution.last.displacement.is_empty() {
         return Err(JobError::Interrupted);
     }
-    let stays = stays(&scene, &solution, observer);
     let clock = Clock::start();
     let elastic = match twin {
         Some(twin) => Some(twin.peaks.clone()),
@@ -194,7 +193,7 @@ fn solve_on(
     let second = Second {
         elastic: elastic.as_ref(),
         twin,
-        stays: stays.as_deref(),
+        stays: solution.stays.as_deref(),
     };
     let recovered = recover(&scene, reported(&scene, &solution));
     let fields = (&solution, &recovered);

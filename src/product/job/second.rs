@@ -1,24 +1,12 @@
-//! What is solved beside the case itself: what stays without load, and the peaks without plasticity.
+//! What is solved beside the case itself: the peaks without plasticity.
 
-use super::outcome::{Outcome, reported, unloaded};
+use super::outcome::{Outcome, reported};
 use crate::answer::certify::Figure;
 use crate::answer::results::peaks::{BodyPeaks, peaks_in};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::render::summary::ElasticTwin;
 use crate::solver::solve::{self, Observer, Solution};
-
-/// The displacement that stays after unloading, where there is unloading. Dents can be told without
-/// it, so what goes wrong here is told and no error.
-pub fn stays(
-    scene: &Scene,
-    solution: &Solution,
-    observer: &mut dyn Observer,
-) -> Option<Vec<[f64; 3]>> {
-    let stays = solve::spring_back(scene, unloaded(scene, solution)?);
-    let told = |error| observer.message(&format!("dents keep an elastic part: {error}"));
-    stays.map_err(told).ok()
-}
 
 /// Peaks of the same scene without plasticity, where it has yielded. The answer stands without
 /// them, so what goes wrong here is told and no error.

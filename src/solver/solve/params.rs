@@ -62,6 +62,9 @@ pub const REACH_MARGIN: f64 = 2.0;
 pub const CLOSING_MARGIN: f64 = 1.5;
 /// and its least growth.
 pub const CLOSING_GROWTH: f64 = 2.0;
+/// Initial gap up to which contact may close where steel flows, over that at which it closes if none does: strips that
+/// become twice as wide. A displaced bearing with p0 of 3.3 times yield needs 2.8.
+pub const CONTACT_OF_FLOW: f64 = 4.0;
 /// Initial gap up to which contact is integrated before anything is known, as a share of the model: a little more than
 /// bodies approach each other in small-strain contact;
 pub const FIRST_REACH: f64 = 1e-3;
@@ -146,6 +149,10 @@ pub const FACTOR_SHIFT: f64 = 1e-10;
 /// this bound a displaced bearing of 116 thousand unknowns takes 11 factors in place of 30 and next to no less time (124 and
 /// 127 s), and the punch of enhanced elements at its limit load (`verify --suite punch`) does not converge.
 pub const AGED_FACTOR_FLOW_CHANGES: usize = 48;
+/// The same as a share of those that flow, one in so many.
+pub const AGED_FACTOR_FLOW_SHARE: usize = 100;
+/// Krylov directions with a factor that has not aged, to the precision that is asked for last.
+pub const FRESH_FACTOR_DIRECTIONS: usize = 4;
 /// Krylov directions with an aged factor: about what a new factor costs.
 pub const AGED_FACTOR_DIRECTIONS: usize = 12;
 /// Corrections with new factors after an aged one was not good enough: nodes that slip change the matrix though their

@@ -35,25 +35,13 @@ use rayon::prelude::*;
 /// [`SolveError`] where memory runs out or the linear system resists.
 pub fn spring_back(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveError> {
     let Ok(half_turn) = HalfTurn::of(scene) else {
-        return spring_back_of(scene, state);
+        return spring_back_alone(scene, state);
     };
-    let half = spring_back_of(&half_turn.half, &half_turn.fold(state))?;
-    let top = scene.rigid_planes.first().map(|plane| &plane.surface);
-    let node = top.and_then(|top| half_turn.half.mesh.surface(top)?.faces.first());
-    let travel = node.map_or(0.0, |face| half[face.nodes[0] as usize][2]);
-    Ok(half_turn.unfold_displacement(&half, travel))
+    let half = spring_back_alone(&half_turn.half, &half_turn.fold(state))?;
+    Ok(half_turn.unfold_stays(&half))
 }
 
-fn spring_back_of(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveError> {
-    let mut stays = vec![[0.0; 3]; scene.mesh.points.len()];
-    let yielded = |points: &[f64; 8]| points.iter().any(|p| *p > 0.0);
-    let flow: Vec<u32> = (0..)
-        .zip(&state.peeq)
-        .filter_map(|(element, points)| yielded(points).then_some(element))
-        .collect();
-    if flow.is_empty() {
-        return Ok(stays);
-    }
+fn spring_back_alone(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveError> {
     let mut alone = scene.clone();
     alone.contacts.clear();
     alone.tractions.clear();
@@ -61,15 +49,37 @@ fn spring_back_of(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveEr
     let expected = Expected {
         reach: 0.0,
         contact: 0.0,
-        flow,
+        flow: yielded(state),
         divided: false,
     };
     let model = Model::new(&alone, &expected, (Vec::new(), tied(&alone)?))?;
-    let (forces, elastic) = plastic_forces(&model, state, &expected.flow);
+    spring_back_of(&model, state)
+}
+
+/// Elements in which something has yielded.
+fn yielded(state: &State) -> Vec<u32> {
+    let yielded = |points: &[f64; 8]| points.iter().any(|p| *p > 0.0);
+    (0..)
+        .zip(&state.peeq)
+        .filter_map(|(element, points)| yielded(points).then_some(element))
+        .collect()
+}
+
+/// The same of a model that is at hand: its stiffness knows of no contact and of no flow.
+pub(in crate::solver::solve) fn spring_back_of(
+    model: &Model,
+    state: &State,
+) -> Result<Vec<[f64; 3]>, SolveError> {
+    let mut stays = vec![[0.0; 3]; model.scene.mesh.points.len()];
+    let yielded = yielded(state);
+    if yielded.is_empty() {
+        return Ok(stays);
+    }
+    let (forces, elastic) = plastic_forces(model, state, &yielded);
     let mut all = model.all.gather(&forces);
     model.bodies.reduce(&mut all);
     let forces = model.bodies.restrict(&all);
-    let kept = solve(&model, &forces, ELASTIC_FORCE_ROUNDING * elastic)?;
+    let kept = solve(model, &forces, ELASTIC_FORCE_ROUNDING * elastic)?;
     model.bodies.recover(&kept, &mut all);
     model.all.scatter_add(&all, 1.0, &mut stays);
     model.all.tied.spread(&mut stays);

@@ -47,6 +47,10 @@ impl Solution {
         if !self.last.displacement.is_empty() {
             self.last = half_turn.unfold(&self.last);
         }
+        let stays = self.stays.as_mut();
+        stays
+            .into_iter()
+            .for_each(|stays| *stays = half_turn.unfold_stays(stays));
         self.half_turn = true;
         self
     }

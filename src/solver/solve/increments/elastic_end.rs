@@ -14,9 +14,10 @@ use crate::solver::solve::increments::flow_plan::{Growth, flow_ends};
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
-use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT};
+use crate::solver::solve::params::{CONTACT_OF_FLOW, INCREMENT_GROWTH, LARGEST_INCREMENT};
 use crate::solver::solve::recovery::state::recovered_state;
 use crate::solver::solve::working_set::flow::{Ahead, flow_to_come};
+use crate::solver::solve::working_set::overlap::farthest_closed;
 use crate::solver::solve::working_set::shares_of_yield::shares_of_yield;
 use crate::solver::solve::working_set::unforeseen::Unforeseen;
 use std::mem::{swap, take};
@@ -68,6 +69,9 @@ impl Run<'_, '_> {
                 let now = shares(trial, &model.displacement(trial, settled));
                 let then = shares(&end, &u);
                 unforeseen.flow = flow_to_come(&then);
+                // The model is prepared anew for the flow: then for the contact, too, that it will make.
+                let closes = CONTACT_OF_FLOW * farthest_closed(model, &end);
+                self.expected.contact = self.expected.contact.max(closes);
                 let corners = |element| model.scene.mesh.corners(element as usize);
                 let growth = now.iter().zip(&then).map(|((element, now), (_, then))| {
                     Growth::new(volume(&corners(*element)), (trial.time, *now), *then)

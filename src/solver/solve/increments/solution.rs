@@ -19,6 +19,9 @@ pub struct Solution {
     pub elastic_doubled: Option<State>,
     /// The ends of steps in increments twice as large, where something has rubbed or yielded.
     pub doubled: Vec<State>,
+    /// Displacement of every node that stays once all loads are off, where they were taken off to the end
+    /// ([`spring_back`](crate::solver::solve::spring_back())).
+    pub stays: Option<Vec<[f64; 3]>>,
     /// How often the expensive parts ran, and the sizes of the model.
     pub counters: Counters,
     /// Bodies that were moved into touch before the load.

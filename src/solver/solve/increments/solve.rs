@@ -106,6 +106,7 @@ fn solve_touching(
     let ended = run.all_steps();
     let stuck = ended.as_ref().err().and_then(|error| run.stuck(error));
     let ended = if stuck.is_some() { Ok(true) } else { ended };
+    let stays = run.stays();
     let solution = Solution {
         states: run.states,
         last: run.last,
@@ -118,6 +119,7 @@ fn solve_touching(
             .map(|kept| kept.restore(&run.model)))
         .collect(),
         laborious: (run.counters.effort).reason(run.counters.iterations, run.counters.cut_backs),
+        stays,
         counters: run.counters,
         closings,
         half_turn: false,

@@ -1,10 +1,27 @@
 //! A load that could not be taken off to the end.
 
+use crate::ground::geometry::Vec3;
 use crate::model::scene::UNLOADED_SHARE;
+use crate::solver::solve::checkpoint::timers::Phase;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::spring_back::spring_back_of;
 
 impl Run<'_, '_> {
+    /// What stays once all loads are off, where the steps that take them off are done. Dents can be told without
+    /// it, so what goes wrong here is told and no error.
+    pub(super) fn stays(&mut self) -> Option<Vec<Vec3>> {
+        let steps = self.model.scene.steps.len();
+        let unloaded = self.model.scene.before_unloading().is_some() && self.states.len() == steps;
+        let state = self.states.last().filter(|_| unloaded)?;
+        // The factor of the last tangent would be memory beside that of the bodies alone.
+        self.solver.forget();
+        let stays = || spring_back_of(&self.model, state);
+        let stays = self.counters.timers.time(Phase::Recover, stays);
+        let told = |error| (self.observer).message(&format!("dents keep an elastic part: {error}"));
+        stays.map_err(told).ok()
+    }
+
     /// What went wrong, if only the taking off of the load did. What is left of the answer stands; where next to
     /// no load was left, it counts as taken off.
     pub(super) fn stuck(&mut self, error: &SolveError) -> Option<String> {

@@ -17,8 +17,9 @@ use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
 use crate::solver::solve::linear_system::shifted_diagonal::{set_diagonal, shift_diagonal};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
-    AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR,
-    FACTOR_DIRECTIONS, FLOWING_CORRECTION, SINGLE_FACTOR_DIRECTIONS,
+    AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_FLOW_SHARE, AGED_FACTOR_PAUSE,
+    DIVIDED_CORRECTION_ERROR, FACTOR_DIRECTIONS, FLOWING_CORRECTION, FRESH_FACTOR_DIRECTIONS,
+    SINGLE_FACTOR_DIRECTIONS,
 };
 
 /// The linear solver with the factor that it carries from iteration to iteration.
@@ -31,6 +32,8 @@ pub struct LinearSolver {
     matrix: SymmetricMatrix,
     /// Contact that has changed since.
     update: LowRankUpdate,
+    /// Directions that its age has cost.
+    spent: usize,
     /// Corrections for which an aged factor is not tried, after it was not good enough.
     distrust: usize,
     /// Of the factor: double once single has not been enough.
@@ -142,6 +145,7 @@ impl LinearSolver {
             self.factor = Some(factor);
         }
         self.flowing = flowing_points(evaluation);
+        self.spent = 0;
         self.update = LowRankUpdate::new(model, evaluation);
         Ok(sought.found)
     }
@@ -155,9 +159,11 @@ impl LinearSolver {
         sought: &mut Sought,
         counters: &mut Counters,
     ) -> bool {
-        let little_flow =
-            flowing_points(evaluation).abs_diff(self.flowing) <= AGED_FACTOR_FLOW_CHANGES;
-        let trusted = self.distrust == 0 && !model.is_divided() && little_flow;
+        let flowing = flowing_points(evaluation);
+        let changes = AGED_FACTOR_FLOW_CHANGES.max(flowing / AGED_FACTOR_FLOW_SHARE);
+        let little_flow = flowing.abs_diff(self.flowing) <= changes;
+        let is_worth_it = self.spent <= AGED_FACTOR_DIRECTIONS && little_flow;
+        let trusted = self.distrust == 0 && !model.is_divided() && is_worth_it;
         // Renewing the parts that changed costs next to nothing.
         let Some(factor) = self.factor.as_ref().filter(|_| trusted) else {
             return false;
@@ -169,6 +175,7 @@ impl LinearSolver {
             return false;
         }
         let enough = self.with_aged(model, (factor, matrix), sought, counters);
+        self.spent += (sought.found.directions).saturating_sub(FRESH_FACTOR_DIRECTIONS);
         if !enough {
             self.distrust = AGED_FACTOR_PAUSE;
         }

@@ -74,3 +74,12 @@ pub fn closed_throughout<'m>(model: &'m Model, x: &Point) -> Option<&'m ContactR
     let rows = model.spare.iter().filter(|r| !open[r.pair]);
     rows.min_by(|a, b| a.row.gap.total_cmp(&b.row.gap))
 }
+
+/// The largest initial gap, over the least one of its pair, of the rows that are closed.
+pub fn farthest_closed(model: &Model, x: &Point) -> f64 {
+    let least = least_gaps(model.rows.iter());
+    let closed = model.rows.iter().zip(&x.nodes).filter(|(_, n)| n.closed);
+    closed
+        .map(|(r, _)| r.row.gap - least[r.pair])
+        .fold(0.0, f64::max)
+}

@@ -55,12 +55,14 @@ impl Run<'_, '_> {
         held.is_ok()
     }
 
-    /// First guess at `target`: where things stand, or the elastic end of the step where that is nearer.
+    /// First guess at `target`: where things stand, or the elastic end of the step where that is nearer and
+    /// nothing has flowed yet.
     /// On along the last increment would be worse: as contact grows bodies turn towards each other, and
     /// nodes that were closing part again.
     pub(super) fn predict(&mut self, step: usize, target: f64) -> Point {
         let stands = self.stands(step);
-        let nearer = |end: &mut Point| end.step == step && 1.0 - target < target - stands;
+        let virgin = self.history.is_virgin();
+        let nearer = |end: &mut Point| virgin && end.step == step && 1.0 - target < target - stands;
         let guess = self.guess.take();
         let guess = guess.or_else(|| self.end.take_if(nearer));
         Point {

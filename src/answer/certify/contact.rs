@@ -6,8 +6,9 @@ use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
 use crate::answer::results::recovery::Recovered;
+use crate::ground::geometry::dot;
 use crate::model::mesh::shape::Shape;
-use crate::model::scene::{Partner, Scene};
+use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 use std::collections::BTreeSet;
 
@@ -33,8 +34,7 @@ pub(super) struct Contact<'a> {
     pub pair: usize,
     pub interface: &'a Interface,
     pub line: Option<&'a HeaviestLine>,
-    /// Does one side curve from the other? See [`is_round`].
-    pub is_round: bool,
+    pub touch: Touch,
     pub edges: &'a LoadedEdges,
     /// By which share the mesh makes the load too large, where a prescribed motion makes it; infinite where that is not
     /// known.
@@ -53,7 +53,10 @@ impl Contact<'_> {
         let mut claims = self.pressures(field);
         claims.extend(self.line.into_iter().flat_map(|line| self.along(line)));
         let copies = times(&cutting_pair(self.scene, self.pair));
-        let of_rim = if self.is_round { RIM } else { FLAT_RIM };
+        let of_rim = match self.touch {
+            Touch::Flat => FLAT_RIM,
+            Touch::Line | Touch::Point => RIM,
+        };
         let band = of_rim * copies * rim(self.scene, field, self.pair);
         let area = self.interface.area;
         claims.push(self.claim(
@@ -88,14 +91,46 @@ impl Contact<'_> {
     }
 }
 
-/// Does one side of a pair curve from the other, so that contact spreads from a line or a point? `line` is the heaviest one.
-pub(super) fn is_round(scene: &Scene, pair: usize, line: Option<&HeaviestLine>) -> bool {
-    let curves = |side: &Partner| {
-        let shape = side.shape(&scene.mesh);
-        matches!(shape, Shape::Cylinder { .. } | Shape::Sphere { .. })
-    };
-    let pair = &scene.contacts[pair];
-    line.is_some_and(|line| line.contact.is_some()) || curves(&pair.upper) || curves(&pair.lower)
+/// From where contact of a pair spreads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Touch {
+    /// Neither side curves from the other.
+    Flat,
+    /// A line, or what is not known to be a point.
+    Line,
+    /// As of spheres and of cylinders that cross.
+    Point,
+}
+
+impl Touch {
+    /// Of a pair; `line` is the heaviest one.
+    pub fn of(scene: &Scene, pair: usize, line: Option<&HeaviestLine>) -> Self {
+        let pair = &scene.contacts[pair];
+        let shapes = [&pair.upper, &pair.lower].map(|side| side.shape(&scene.mesh));
+        let curves = |shape: &Shape| matches!(shape, Shape::Cylinder { .. } | Shape::Sphere { .. });
+        if line.is_none_or(|line| line.contact.is_none()) && !shapes.iter().any(curves) {
+            return Self::Flat;
+        }
+        if line.is_some_and(HeaviestLine::is_long) || is_along_cylinder(&shapes) {
+            Self::Line
+        } else {
+            Self::Point
+        }
+    }
+}
+
+/// Do two sides touch along a cylinder, as far as shapes tell?
+fn is_along_cylinder(sides: &[Shape; 2]) -> bool {
+    const PARALLEL: f64 = 0.99;
+    match sides {
+        [
+            Shape::Cylinder { axis, .. },
+            Shape::Cylinder { axis: other, .. },
+        ] => dot(*axis, *other).abs() > PARALLEL,
+        [Shape::Sphere { .. }, _] | [_, Shape::Sphere { .. }] => false,
+        [Shape::Cylinder { .. }, _] | [_, Shape::Cylinder { .. }] => true,
+        _ => false,
+    }
 }
 
 /// Area of the nodes in contact next to one that is not, and of those, modelled part.
@@ -115,4 +150,39 @@ fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
         }
     }
     rim.iter().map(|i| field.area[*i]).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cylinders_that_cross_and_spheres_touch_at_points() {
+        let cylinder = |axis| Shape::Cylinder {
+            point: [0.0; 3],
+            axis,
+            radius: 1.0,
+            convex: true,
+        };
+        let plane = || Shape::Plane {
+            point: [0.0; 3],
+            normal: [0.0, 0.0, 1.0],
+        };
+        let sphere = || Shape::Sphere {
+            centre: [0.0; 3],
+            radius: 1.0,
+            convex: true,
+        };
+        let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        assert!(is_along_cylinder(&[cylinder(x), plane()]));
+        assert!(is_along_cylinder(&[Shape::Facets, cylinder(x)]));
+        assert!(is_along_cylinder(&[
+            cylinder(x),
+            cylinder([-1.0, 0.0, 0.0])
+        ]));
+        assert!(!is_along_cylinder(&[cylinder(x), cylinder(y)]));
+        assert!(!is_along_cylinder(&[cylinder(x), sphere()]));
+        assert!(!is_along_cylinder(&[sphere(), plane()]));
+        assert!(!is_along_cylinder(&[Shape::Facets, plane()]));
+    }
 }

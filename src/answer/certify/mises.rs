@@ -66,7 +66,7 @@ const BESIDE: f64 = 0.5;
 /// overshoots by the curvature of the stress over an element, while a centre lies close to it; the largest value at
 /// an integration point overshoots most; the elements that meet at a node differ by what none of them resolves. These
 /// differences are the
-/// estimate, the largest of them. Beside a loaded edge there is none, and the peak away
+/// estimate, the largest of them; below a point of contact the first counts the less the better its pressure is known. Beside a loaded edge there is none, and the peak away
 /// from such edges is claimed, too; where it lies next to what is left out, the stress there counts in place of that of
 /// element centres.
 ///
@@ -173,15 +173,17 @@ fn mises(
             is_on_border,
         } = read;
         let is_next_to_edge = around.border > 0.0;
+        let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
+        let counts = strip.map_or_else(|| below.share(index, &nodal.at), |_| 1.0);
+        let above = nodal.value - centroid.value;
         // The centres that count are then farther from the edge than the node is.
         let spread = match is_next_to_edge {
             true => BESIDE * around.jump,
-            false => (nodal.value - centroid.value)
-                .abs()
+            false => (counts * above)
+                .max(-above)
                 .max(OVERSHOOT * at_points)
                 .max(JUMP * around.jump),
         };
-        let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
         let share = strip.map_or(1.0, |strip| strip.share(&nodal.at));
         // Elsewhere away from a loaded edge it matters more how near to it nodes lie.
         let corrected = strip

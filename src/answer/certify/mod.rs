@@ -26,7 +26,7 @@ use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
 use below_patches::BelowPatches;
-use contact::Contact;
+use contact::{Contact, Touch};
 use increments::Memory;
 use strip_below::StripBelow;
 
@@ -86,11 +86,11 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let horizontal = other::horizontal_forces(scene, contacts, missed_travel);
-    let mut round = Vec::new();
+    let mut touches = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
-        let is_round = contact::is_round(scene, pair, line);
-        round.push(is_round);
+        let touch = Touch::of(scene, pair, line);
+        touches.push(touch);
         let contact = Contact {
             scene,
             state,
@@ -98,7 +98,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             pair,
             interface,
             line,
-            is_round,
+            touch,
             edges: evidence.edges,
             too_stiff: match moved {
                 true => too_stiff.unwrap_or(f64::INFINITY),
@@ -112,7 +112,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         }
     }
     let strips = StripBelow::all(scene, evidence.lines);
-    let patches = BelowPatches::new((scene, state), interfaces, &round, &claims);
+    let patches = BelowPatches::new((scene, state), interfaces, &touches, &claims);
     let elastic = (evidence.elastic, evidence.elastic_claims);
     let flowing = mises::claims(peaks, elastic, (&strips, &patches));
     claims.extend(other::dents(evidence.dents, &flowing));

@@ -23,15 +23,20 @@ impl PlasticAnswer {
         self.flows.iter().any(Option::is_some)
     }
 
-    /// For displacements so far off that the element has no answer: no force either, so that the
-    /// step there is not taken.
-    pub fn lost(index: usize, points: [PlasticPoint; 8]) -> Self {
+    /// With plastic strains that stay what they are.
+    pub fn at_rest(index: usize, points: [PlasticPoint; 8], relief: ElementVector) -> Self {
         Self {
             index,
             points: Box::new(points),
             flows: [None; 8],
-            relief: [[f64::NAN; 3]; 8],
+            relief,
         }
+    }
+
+    /// For displacements so far off that the element has no answer: no force either, so that the
+    /// step there is not taken.
+    pub fn lost(index: usize, points: [PlasticPoint; 8]) -> Self {
+        Self::at_rest(index, points, [[f64::NAN; 3]; 8])
     }
 }
 
@@ -52,6 +57,8 @@ pub struct Trial<'t> {
     pub external: &'t [f64],
     pub step: usize,
     pub time: f64,
+    /// May steel flow? Else plastic strains stay what they were.
+    pub flows: bool,
 }
 
 /// Integration points that flow.

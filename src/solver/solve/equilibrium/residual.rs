@@ -65,6 +65,10 @@ impl Model<'_> {
                 let (steel, elastic) = (&self.scene.materials[body], &self.elastic[body]);
                 let shape = self.element(element);
                 let old = history.plastic[index].as_deref();
+                if !trial.flows {
+                    let relief = shape.relief(elastic, old?);
+                    return Some(PlasticAnswer::at_rest(index, *old?, relief));
+                }
                 let start = old.copied().unwrap_or_default();
                 let free = self.free_strains(element, start, moment);
                 let Some(answer) = shape.answer(steel, elastic, &local, &free) else {

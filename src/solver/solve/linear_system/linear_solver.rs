@@ -17,9 +17,9 @@ use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
 use crate::solver::solve::linear_system::shifted_diagonal::{set_diagonal, shift_diagonal};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
-    AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_FLOW_SHARE, AGED_FACTOR_PAUSE,
-    DIVIDED_CORRECTION_ERROR, FACTOR_DIRECTIONS, FLOWING_CORRECTION, FRESH_FACTOR_DIRECTIONS,
-    SINGLE_FACTOR_DIRECTIONS,
+    AGED_CORRECTION, AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_FLOW_SHARE,
+    AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR, FACTOR_DIRECTIONS, FLOWING_CORRECTION,
+    FRESH_FACTOR_DIRECTIONS, SINGLE_FACTOR_DIRECTIONS,
 };
 
 /// The linear solver with the factor that it carries from iteration to iteration.
@@ -88,8 +88,10 @@ impl LinearSolver {
         let factor = self.factor.as_ref()?;
         let mut sought = Sought::new(evaluation, (model, tolerance.max(FLOWING_CORRECTION)));
         counters.linear_solves += 1;
-        self.with_aged(model, (factor, &self.matrix), &mut sought, counters);
+        self.solve_with_aged(model, (factor, &self.matrix), &mut sought, counters);
         counters.krylov_directions += sought.found.directions;
+        // It leads far from where its factor was made.
+        self.spent = AGED_FACTOR_DIRECTIONS + 1;
         Some(sought.found)
     }
 
@@ -174,7 +176,7 @@ impl LinearSolver {
         if !counters.timers.time(Phase::LinearSolve, prepare) {
             return false;
         }
-        let enough = self.with_aged(model, (factor, matrix), sought, counters);
+        let enough = self.solve_with_aged(model, (factor, matrix), sought, counters);
         self.spent += (sought.found.directions).saturating_sub(FRESH_FACTOR_DIRECTIONS);
         if !enough {
             self.distrust = AGED_FACTOR_PAUSE;
@@ -182,8 +184,9 @@ impl LinearSolver {
         enough
     }
 
-    /// Solves for what is sought with the tangent `matrix` and the aged `factor`. Returns whether that is enough.
-    fn with_aged(
+    /// Solves for what is sought with the tangent `matrix` and the aged `factor`, to [`AGED_CORRECTION`] at least.
+    /// Returns whether that is enough.
+    fn solve_with_aged(
         &self,
         model: &Model,
         (factor, matrix): (&Prepared, &SymmetricMatrix),
@@ -195,11 +198,16 @@ impl LinearSolver {
             (model.preconditioner).apply(&model.pattern, factor, multiply, x);
             self.update.correct(model, x);
         };
+        let wanted = sought.tolerance;
+        sought.tolerance = wanted.min(AGED_CORRECTION);
+        let share = wanted / sought.tolerance;
         let (residual, tolerance) = (&sought.residual, sought.tolerance);
         let limit = AGED_FACTOR_DIRECTIONS;
         let solve = || krylov::solve(multiply, precondition, residual, tolerance, limit);
         let (dx, outcome) = counters.timers.time(Phase::LinearSolve, solve);
-        sought.take(&dx, &outcome, multiply)
+        let enough = sought.take(&dx, &outcome, multiply);
+        sought.tolerance *= share;
+        enough
     }
 
     /// A factor of `matrix`, with a diagonal that is a trifle larger.

@@ -27,10 +27,10 @@ use crate::solver::solve::newton::progress::Progress;
 use crate::solver::solve::newton::violation::{count_statuses, violation, violations};
 use crate::solver::solve::observer::{Iteration, Observer};
 use crate::solver::solve::params::{
-    CAUTIOUS_SHEAR_RESIDUAL, CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE,
-    FLOWING_CORRECTION, ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION,
-    LOOSEST_DIVIDED_CORRECTION, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, RUNAWAY_EXTENTS,
-    TIGHTEST_CORRECTION,
+    CAUTIOUS_SHEAR_RESIDUAL, CONTACT_HAS_OPENED, CONVERGING_ITERATIONS_FACTOR,
+    CORRECTION_TOLERANCE, FLOWING_CORRECTION, ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION,
+    LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL,
+    RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
 
@@ -74,12 +74,14 @@ pub fn balance_increment(
     } else {
         LOOSEST_CORRECTION
     };
-    let evaluate = |point: &Point, x: &[f64], counters: &mut Counters| {
-        let mut evaluation = evaluate_at(model, history, point, x, &external, counters);
+    // While a load is taken off contact opens first, then what is left to flow does.
+    let mut flows = !unloads || model.yielding.is_empty();
+    let evaluate = |point: &Point, (x, flows): (&[f64], bool), counters: &mut Counters| {
+        let mut evaluation = evaluate_at(model, history, point, (x, flows, &external), counters);
         springs.inspect(|springs| springs.pull(&mut evaluation.residual, x));
         evaluation
     };
-    let mut evaluation = evaluate(point, &point.x, counters);
+    let mut evaluation = evaluate(point, (&point.x, flows), counters);
     let mut progress = Progress::default();
     loop {
         let flowing = flowing_elements(model, &evaluation);
@@ -114,10 +116,10 @@ pub fn balance_increment(
         let step =
             |s: f64| -> Vec<f64> { point.x.iter().zip(&dx).map(|(x, d)| x + s * d).collect() };
         let start = dot(&evaluation.residual, &dx);
-        evaluation = evaluate(point, &step(1.0), counters);
+        evaluation = evaluate(point, (&step(1.0), flows), counters);
         let full = dot(&evaluation.residual, &dx);
         last.line_search = search_line(start, full, |s| {
-            evaluation = evaluate(point, &step(s), counters);
+            evaluation = evaluate(point, (&step(s), flows), counters);
             dot(&evaluation.residual, &dx)
         });
         point.x = step(last.line_search);
@@ -146,7 +148,7 @@ pub fn balance_increment(
             return Ok(evaluation);
         }
         let balanced = last.changed == 0 && last.residual <= controls.residual;
-        if balanced && last.penetration <= controls.penetration {
+        if balanced && flows && last.penetration <= controls.penetration {
             solver.balanced(point);
             return Ok(evaluation);
         }
@@ -171,7 +173,8 @@ pub fn balance_increment(
         {
             return Err(stop(gave_up(model, point, &evaluation, &last)));
         }
-        evaluation = evaluate(point, &point.x, counters);
+        flows |= balanced || last.energy <= CONTACT_HAS_OPENED;
+        evaluation = evaluate(point, (&point.x, flows), counters);
     }
 }
 
@@ -191,13 +194,12 @@ fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iterati
     }
 }
 
-/// Evaluates the model at the unknowns `x`, and counts what that takes.
+/// Evaluates the model at the unknowns `x`, where steel `flows` or may not, and counts what that takes.
 fn evaluate_at(
     model: &Model,
     history: &History,
     point: &Point,
-    x: &[f64],
-    external: &[f64],
+    (x, flows, external): (&[f64], bool, &[f64]),
     counters: &mut Counters,
 ) -> Evaluation {
     counters.evaluations += 1;
@@ -210,6 +212,7 @@ fn evaluate_at(
         external,
         step: point.step,
         time: point.time,
+        flows,
     };
     counters
         .timers

@@ -23,8 +23,9 @@ pub const NO_LOAD_LEFT: f64 = 1e-3;
 /// Gap over the least one of its pair, as a share of the reach of contact, up to which a row carries in the first
 /// guess of a pair that nothing presses yet.
 pub const FIRST_TOUCH_REACH: f64 = 0.02;
-/// Energy of a correction, over that of the load and all displacements, from which on steel may flow while a load is taken off. It hardly
-/// does, but on the way to where contact opens it would: the increments of a displaced bearing take 4 to 9 iterations in place of 7 to 13.
+/// Energy of a correction, over that of the load and all displacements, from which on steel may flow while a load is
+/// taken off. On the way to where contact opens it would flow where it does not in the end: an increment of a displaced
+/// bearing wandered for 13 iterations, or failed, by the last digit of a correction.
 pub const CONTACT_HAS_OPENED: f64 = 1e-6;
 /// Iterations that taking a load off may cost: where more are needed, bodies that all but float are left.
 pub const UNLOADING_ITERATIONS: usize = 400;

@@ -28,7 +28,7 @@ pub struct LinearSolver {
     factor: Option<Prepared>,
     /// Number of flowing points that the factor was made for.
     flowing: usize,
-    /// The last tangent, for its memory.
+    /// The last tangent: an increment may go on with it, and the next one takes its memory.
     matrix: SymmetricMatrix,
     /// Contact that has changed since.
     update: LowRankUpdate,
@@ -95,7 +95,7 @@ impl LinearSolver {
         Some(sought.found)
     }
 
-    /// The same with the tangent `matrix`.
+    /// [`Self::solve`] with the tangent `matrix`.
     fn correct(
         &mut self,
         model: &Model,

@@ -120,10 +120,6 @@ pub const LOOSEST_CORRECTION: f64 = 1e-4;
 /// where steel flows, iterations leave more than this themselves until the last few, and solving closer is lost work: a
 /// displaced bearing of 136 thousand unknowns takes 298 iterations instead of 293, and 79 s instead of 94 (1e-2: 324);
 pub const FLOWING_CORRECTION: f64 = 1e-3;
-/// and with a factor that has aged no more than this, at any time: beside stiff contact the residual does not show what
-/// is missing of soft motions. The centre bearing with 0.01 to 100 times the penalty takes 68 to 73 iterations (1e-5: 68 to
-/// 71; without this bound 72 to 85, and an increment that fails).
-pub const AGED_CORRECTION: f64 = 1e-4;
 /// parts of a divided model that are put together leave what hardly resists.
 pub const LOOSEST_DIVIDED_CORRECTION: f64 = 1e-6;
 /// Share of all elements that flow from which a failure is one of the plastic limit, and not of a body that is free.
@@ -163,6 +159,10 @@ pub const AGED_FACTOR_FLOW_SHARE: usize = 100;
 pub const FRESH_FACTOR_DIRECTIONS: usize = 4;
 /// Krylov directions with an aged factor: about what a new factor costs.
 pub const AGED_FACTOR_DIRECTIONS: usize = 12;
+/// Share of its residual that a correction with an aged factor may leave, at any time: beside stiff contact the residual
+/// does not show what is missing of soft motions. The centre bearing with 0.01 to 100 times the penalty takes 68 to 82
+/// iterations; without this bound up to 240, and increments fail.
+pub const AGED_CORRECTION: f64 = 1e-4;
 /// Corrections with new factors after an aged one was not good enough: nodes that slip change the matrix though their
 /// statuses stay.
 pub const AGED_FACTOR_PAUSE: usize = 3;

@@ -42,6 +42,10 @@ pub fn spring_back(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveE
 }
 
 fn spring_back_alone(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, SolveError> {
+    let flow = yielded(state);
+    if flow.is_empty() {
+        return Ok(vec![[0.0; 3]; scene.mesh.points.len()]);
+    }
     let mut alone = scene.clone();
     alone.contacts.clear();
     alone.tractions.clear();
@@ -49,7 +53,7 @@ fn spring_back_alone(scene: &Scene, state: &State) -> Result<Vec<[f64; 3]>, Solv
     let expected = Expected {
         reach: 0.0,
         contact: 0.0,
-        flow: yielded(state),
+        flow,
         divided: false,
     };
     let model = Model::new(&alone, &expected, (Vec::new(), tied(&alone)?))?;

@@ -1,4 +1,4 @@
-//! A load that could not be taken off to the end.
+//! What stays when a load has been taken off, and a load that could not be taken off to the end.
 
 use crate::ground::geometry::Vec3;
 use crate::model::scene::UNLOADED_SHARE;

@@ -18,8 +18,8 @@ use crate::solver::solve::linear_system::shifted_diagonal::{set_diagonal, shift_
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{
     AGED_CORRECTION, AGED_FACTOR_DIRECTIONS, AGED_FACTOR_FLOW_CHANGES, AGED_FACTOR_FLOW_SHARE,
-    AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR, FACTOR_DIRECTIONS, FLOWING_CORRECTION,
-    FRESH_FACTOR_DIRECTIONS, SINGLE_FACTOR_DIRECTIONS,
+    AGED_FACTOR_PAUSE, DIVIDED_CORRECTION_ERROR, FACTOR_DIRECTIONS, FRESH_FACTOR_DIRECTIONS,
+    SINGLE_FACTOR_DIRECTIONS,
 };
 
 /// The linear solver with the factor that it carries from iteration to iteration.
@@ -77,7 +77,6 @@ impl LinearSolver {
         &mut self,
         model: &Model,
         (point, evaluation): (&Point, &Evaluation),
-        tolerance: f64,
         counters: &mut Counters,
     ) -> Option<Correction> {
         let (step, x) = self.balanced.take()?;
@@ -86,7 +85,7 @@ impl LinearSolver {
             return None;
         }
         let factor = self.factor.as_ref()?;
-        let mut sought = Sought::new(evaluation, (model, tolerance.max(FLOWING_CORRECTION)));
+        let mut sought = Sought::new(evaluation, (model, AGED_CORRECTION));
         counters.linear_solves += 1;
         self.solve_with_aged(model, (factor, &self.matrix), &mut sought, counters);
         counters.krylov_directions += sought.found.directions;

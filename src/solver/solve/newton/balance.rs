@@ -97,11 +97,9 @@ pub fn balance_increment(
         if !flowing.is_empty() && !model.is_divided() {
             tolerance = tolerance.max(FLOWING_CORRECTION);
         }
-        let predicted = if last.iteration == 0 && springs.is_none() && !unloads {
-            solver.predict(model, (&*point, &evaluation), tolerance, counters)
-        } else {
-            None
-        };
+        let goes_on = springs.is_none() && !unloads;
+        let predict = || solver.predict(model, (&*point, &evaluation), counters);
+        let predicted = goes_on.then(predict).flatten();
         let Correction {
             dx,
             directions,

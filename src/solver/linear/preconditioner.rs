@@ -1,6 +1,6 @@
 //! What a Krylov method is preconditioned with: a factor of the whole, or of many small parts.
 
-use super::cholesky::{Factor, FactorError, Symbolic};
+use super::cholesky::{Factor, FactorError, ReachedColumns, SparseColumn, Symbolic};
 use super::schwarz::{Schwarz, SchwarzFactor};
 use super::sparse::{Pattern, SymmetricMatrix};
 
@@ -104,16 +104,39 @@ impl Preconditioner {
         }
     }
 
-    /// Replaces the columns of a matrix by A⁻¹ times these, where there is a factor of the whole.
-    pub fn solve_many(&self, prepared: &Prepared, x: &mut [f64], count: usize) {
+    /// [`Symbolic::solve_updated`], where there is a factor of the whole.
+    pub fn solve_updated(
+        &self,
+        prepared: &Prepared,
+        x: &mut [f64],
+        update: Option<&dyn Fn(&mut [f64])>,
+    ) {
         match (self, prepared) {
             (Self::Direct(symbolic), Prepared::Double(factor)) => {
-                symbolic.solve_many(factor, x, count)
+                symbolic.solve_updated(factor, x, update)
             }
             (Self::Direct(symbolic), Prepared::Single(factor)) => {
-                symbolic.solve_many(factor, x, count)
+                symbolic.solve_updated(factor, x, update)
             }
-            _ => {}
+            _ => unreachable!("a divided matrix has no factor of the whole"),
+        }
+    }
+
+    /// [`Symbolic::reach`] within the share `most` of what a new factor takes, where there is a factor of the whole.
+    pub fn reach(
+        &self,
+        prepared: &Prepared,
+        b: &[[SparseColumn; 3]],
+        most: f64,
+    ) -> Option<Vec<ReachedColumns>> {
+        match (self, prepared) {
+            (Self::Direct(symbolic), Prepared::Double(factor)) => {
+                symbolic.reach(factor, b, most * symbolic.work())
+            }
+            (Self::Direct(symbolic), Prepared::Single(factor)) => {
+                symbolic.reach(factor, b, most * symbolic.work())
+            }
+            _ => None,
         }
     }
 

@@ -124,6 +124,11 @@ pub const FLOWING_CORRECTION: f64 = 1e-3;
 pub const LOOSEST_DIVIDED_CORRECTION: f64 = 1e-6;
 /// Share of all elements that flow from which a failure is one of the plastic limit, and not of a body that is free.
 pub const LIMIT_FLOW_SHARE: f64 = 0.02;
+/// Residual below which flow is looked for that was not foreseen: an increment that goes on with it from there takes half a
+/// dozen iterations less than one that is solved once more from balance.
+pub const EARLY_LOOK_RESIDUAL: f64 = 1e-4;
+/// Tolerances of the second solution over those of an answer: what it tells are differences of 1e-4 and more.
+pub const ROUGH_BALANCE: f64 = 1e2;
 /// Slope left by the line search, over that at its start.
 pub const LINE_SEARCH_SLOPE: f64 = 0.5;
 /// Evaluations that the line search may take.
@@ -158,7 +163,7 @@ pub const AGED_FACTOR_FLOW_SHARE: usize = 100;
 /// Krylov directions with a factor that has not aged, to the precision that is asked for last.
 pub const FRESH_FACTOR_DIRECTIONS: usize = 4;
 /// Krylov directions with an aged factor: about what a new factor costs.
-pub const AGED_FACTOR_DIRECTIONS: usize = 12;
+pub const AGED_FACTOR_DIRECTIONS: usize = 24;
 /// Share of its residual that a correction with an aged factor may leave, at any time: beside stiff contact the residual
 /// does not show what is missing of soft motions. The centre bearing with 0.01 to 100 times the penalty takes 68 to 82
 /// iterations; without this bound up to 240, and increments fail.
@@ -172,12 +177,11 @@ pub const DIVIDED_CORRECTION_ERROR: f64 = 1e-2;
 pub const SINGLE_FACTOR_DIRECTIONS: usize = 8;
 /// Krylov directions with a fresh factor.
 pub const FACTOR_DIRECTIONS: usize = 150;
-/// Columns of a low-rank update found at once, over the number of unknowns: they cost about half of a new factor.
-pub const NEW_COLUMNS_SHARE: f64 = 1.0 / 12.0;
-/// Columns of a low-rank update that are kept. They may not take more than the factor has entries either.
+/// Multiplications that finding columns of a low-rank update may take, over those of a new factor, which would also be of
+/// no age.
+pub const NEW_COLUMNS_WORK: f64 = 0.5;
+/// Columns of a low-rank update that are kept.
 pub const KEPT_COLUMNS: usize = 900;
-/// Unknowns that are worth a task of their own.
-pub const UNKNOWNS_PER_TASK: usize = 1 << 12;
 
 // --- Static condensation, and what it costs on a machine of two cores ---------------------------------------------
 // Measured on bearings of 25 to 220 thousand unknowns, elastic and plastic. Only ratios decide.

@@ -8,6 +8,7 @@ mod entries;
 mod error;
 mod number;
 mod numeric;
+mod reach;
 mod scaling;
 mod subtrees;
 mod supernode;
@@ -25,7 +26,7 @@ use faer::sparse::linalg::cholesky::{self as sparse, SymbolicCholeskyRaw};
 pub use number::Number;
 pub(super) use numeric::{Eliminated, eliminate, numeric_alone, solve};
 use numeric::{numeric, order};
-use rayon::prelude::*;
+pub use reach::{ReachedColumns, SparseColumn};
 use scaling::{scale, scaled};
 use std::sync::OnceLock;
 use subtrees::Plan;
@@ -35,7 +36,7 @@ pub(super) use triangles::Triangles;
 /// Symbolic work that is done once a pattern: order and structure of the factor.
 pub struct Symbolic {
     inner: sparse::SymbolicCholesky<u32>,
-    /// Made at the first factorisation on several threads.
+    /// Made at the first factorisation, where there are supernodes.
     plan: OnceLock<Plan>,
 }
 
@@ -99,36 +100,68 @@ impl Symbolic {
 
     /// Solves A x = b in place, on all threads of the pool where that pays.
     pub fn solve<T: Number>(&self, factor: &Factor<T>, x: &mut [f64]) {
-        /// Entries of a factor that are worth several threads.
-        const LEAST_ENTRIES_FOR_THREADS: usize = 1 << 20;
-        let pays = self.factor_entries() >= LEAST_ENTRIES_FOR_THREADS;
-        let plan = self.plan.get().filter(|_| pays);
-        let (SymbolicCholeskyRaw::Supernodal(nodes), Some(plan)) = (self.inner.raw(), plan) else {
-            return self.solve_many(factor, x, 1);
+        self.solve_updated(factor, x, None);
+    }
+
+    /// Solves with L (1 + M)⁻¹ Lᵀ in place of the factor L Lᵀ: `update` multiplies by 1 + M what it is given in the order of
+    /// elimination. Without supernodes there is no update.
+    pub fn solve_updated<T: Number>(
+        &self,
+        factor: &Factor<T>,
+        x: &mut [f64],
+        update: Option<&dyn Fn(&mut [f64])>,
+    ) {
+        let Some(triangles) = self.triangles(factor) else {
+            let scaled = x.iter().zip(&factor.scale);
+            let mut y: Vec<T> = scaled.map(|(x, s)| T::rounded(x * s)).collect();
+            solve(&self.inner, &factor.values, &mut y);
+            let solved = y.iter().zip(&factor.scale).map(|(y, s)| y.widened() * s);
+            return x.iter_mut().zip(solved).for_each(|(x, y)| *x = y);
         };
         let order = order(&self.inner).iter().map(|e| *e as usize);
         let mut y: Vec<T> = (order.clone())
             .map(|e| T::rounded(x[e] * factor.scale[e]))
             .collect();
-        plan.solve(nodes, &factor.values, &mut y);
+        triangles.reduce(&mut y);
+        if let Some(update) = update {
+            let mut wide: Vec<f64> = y.iter().map(|y| y.widened()).collect();
+            update(&mut wide);
+            (y.iter_mut().zip(wide)).for_each(|(y, wide)| *y = T::rounded(wide));
+        }
+        triangles.recover(&mut y);
         for (e, y) in order.zip(y) {
             x[e] = y.widened() * factor.scale[e];
         }
     }
 
-    /// Solves A X = B in place, for `count` columns one after the other, on all threads of the pool.
-    pub fn solve_many<T: Number>(&self, factor: &Factor<T>, x: &mut [f64], count: usize) {
-        let scale = || factor.scale.iter().cycle();
-        let columns = count.div_ceil(rayon::current_num_threads()).max(1);
-        x.par_chunks_mut(columns * factor.scale.len().max(1))
-            .for_each(|x| {
-                let mut y: Vec<T> = (x.iter().zip(scale()))
-                    .map(|(x, s)| T::rounded(x * s))
-                    .collect();
-                let count = y.len() / factor.scale.len();
-                solve(&self.inner, &factor.values, &mut y, count);
-                let solved = y.iter().zip(scale()).map(|(y, s)| y.widened() * s);
-                x.iter_mut().zip(solved).for_each(|(x, y)| *x = y);
-            });
+    /// L⁻¹ B for each three columns of B with few entries, in the order of elimination. `None` where that takes more
+    /// multiplications than `most`, or there are no supernodes.
+    pub fn reach<T: Number>(
+        &self,
+        factor: &Factor<T>,
+        b: &[[SparseColumn; 3]],
+        most: f64,
+    ) -> Option<Vec<ReachedColumns>> {
+        let place = self.inner.perm()?.arrays().1;
+        let scaled = |(e, value): &(usize, f64)| (place[*e] as usize, value * factor.scale[*e]);
+        let scaled = |column: &SparseColumn| column.iter().map(scaled).collect();
+        let b: Vec<_> = (b.iter()).map(|b| b.each_ref().map(scaled)).collect();
+        self.triangles(factor)?.reach(&b, most)
+    }
+
+    /// The factor, to solve with on all threads of the pool where that pays; none without supernodes.
+    fn triangles<'a, T: Number>(&'a self, factor: &'a Factor<T>) -> Option<Triangles<'a, T>> {
+        /// Entries of a factor that are worth several threads.
+        const LEAST_ENTRIES_FOR_THREADS: usize = 1 << 20;
+        let SymbolicCholeskyRaw::Supernodal(nodes) = self.inner.raw() else {
+            return None;
+        };
+        let pays = factor.values.len() >= LEAST_ENTRIES_FOR_THREADS;
+        let threads = if pays {
+            rayon::current_num_threads()
+        } else {
+            1
+        };
+        Some(self.plan.get()?.triangles(nodes, (&factor.values, threads)))
     }
 }

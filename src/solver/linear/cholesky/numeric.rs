@@ -26,11 +26,13 @@ pub(in crate::solver::linear) fn numeric<T: Number>(
     entries: &[T],
     values: &mut [T],
 ) -> Result<(), FactorError> {
-    let threads = rayon::current_num_threads();
-    if let (SymbolicCholeskyRaw::Supernodal(nodes), 2..) = (symbolic.raw(), threads) {
+    if let SymbolicCholeskyRaw::Supernodal(nodes) = symbolic.raw() {
         let order = order(symbolic);
         let plan = plan.get_or_init(|| Plan::new(nodes, pattern, (order, order.len())));
-        return (plan.factorise(nodes, entries, values)).map_err(|Pivot(k)| not_positive(order, k));
+        if rayon::current_num_threads() > 1 {
+            return (plan.factorise(nodes, entries, values))
+                .map_err(|Pivot(k)| not_positive(order, k));
+        }
     }
     numeric_alone(symbolic, structure(pattern), entries, values)
 }
@@ -99,18 +101,17 @@ fn not_positive(order: &[u32], index: usize) -> FactorError {
     }
 }
 
-/// Solves A X = B in place, for `count` columns.
+/// Solves A x = b in place.
 pub(in crate::solver::linear) fn solve<T: RealField>(
     symbolic: &sparse::SymbolicCholesky<u32>,
     values: &[T],
     x: &mut [T],
-    count: usize,
 ) {
-    let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<T>(count, Par::Seq));
-    let rows = x.len() / count;
+    let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<T>(1, Par::Seq));
+    let rows = x.len();
     sparse::LltRef::new(symbolic, values).solve_in_place_with_conj(
         Conj::No,
-        MatMut::from_column_major_slice_mut(x, rows, count),
+        MatMut::from_column_major_slice_mut(x, rows, 1),
         Par::Seq,
         MemStack::new(&mut memory),
     );

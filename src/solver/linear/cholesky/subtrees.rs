@@ -103,20 +103,18 @@ impl Plan {
         self.tree
     }
 
-    /// Replaces b by x with L Lᵀ x = b, both in the order of elimination; `values` are those of L.
-    pub(super) fn solve<T: Number>(
-        &self,
-        symbolic: &SymbolicSupernodalCholesky<u32>,
-        values: &[T],
-        x: &mut [T],
-    ) {
-        let tree = &self.tree;
-        let triangles = Triangles {
+    /// The factor of these `values`, to solve with on so many `threads`.
+    pub(super) fn triangles<'a, T: Number>(
+        &'a self,
+        symbolic: &'a SymbolicSupernodalCholesky<u32>,
+        (values, threads): (&'a [T], usize),
+    ) -> Triangles<'a, T> {
+        Triangles {
             symbolic,
-            tree,
+            tree: &self.tree,
             values,
-        };
-        triangles.solve(x);
+            threads,
+        }
     }
 }
 

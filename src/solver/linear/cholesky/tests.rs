@@ -80,22 +80,83 @@ fn subtrees_side_by_side_solve_as_faer_does() {
     let (pattern, m) = plate(60, held);
     let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
     let factor = threads(2, || symbolic.factorise::<f64>(&pattern, &m, None).unwrap());
-    let SymbolicCholeskyRaw::Supernodal(nodes) = symbolic.inner.raw() else {
-        panic!("no supernodes");
-    };
     let b: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
-    let mut expected = b.clone();
-    symbolic.solve_many(&factor, &mut expected, 1);
+    let mut expected: Vec<f64> = b.iter().zip(&factor.scale).map(|(b, s)| b * s).collect();
+    solve(&symbolic.inner, &factor.values, &mut expected);
     let order = order(&symbolic.inner);
     for count in [1, 2, 3, 7] {
         let mut x: Vec<f64> = (order.iter())
             .map(|e| b[*e as usize] * factor.scale[*e as usize])
             .collect();
-        let plan = symbolic.plan.get().unwrap();
-        threads(count, || plan.solve(nodes, &factor.values, &mut x));
+        let mut triangles = symbolic.triangles(&factor).unwrap();
+        triangles.threads = count;
+        threads(count, || {
+            triangles.reduce(&mut x);
+            triangles.recover(&mut x);
+        });
         for (e, x) in order.iter().zip(x) {
-            let e = *e as usize;
-            assert!((x * factor.scale[e] - expected[e]).abs() < 1e-12);
+            assert!((x - expected[*e as usize]).abs() < 1e-12);
+        }
+    }
+}
+
+/// Columns of W = L⁻¹ B for few entries of B: Wᵀ L⁻¹ c = Bᵀ A⁻¹ c, Wᵀ W = Bᵀ A⁻¹ B, and with W f taken off between the
+/// triangles A⁻¹ (c − B f) comes out.
+#[test]
+fn few_entries_reach_what_a_whole_solution_says() {
+    let (pattern, m) = plate(60, held);
+    let n = pattern.len();
+    let symbolic = Symbolic::new(&pattern, &[Block::Sparse(0..3600)]).unwrap();
+    let factor = symbolic.factorise::<f64>(&pattern, &m, None).unwrap();
+    let solved = |b: &[f64]| {
+        let mut x = b.to_vec();
+        symbolic.solve(&factor, &mut x);
+        x
+    };
+    let b = [
+        [vec![(7, 1.0), (4000, -2.0)], vec![(7, 0.5)], Vec::new()],
+        [
+            vec![(9000, 1.0)],
+            vec![(10799, 3.0), (8, 1.0)],
+            vec![(0, 1.0)],
+        ],
+    ];
+    let whole = |column: &[(usize, f64)]| {
+        let mut b = vec![0.0; n];
+        column.iter().for_each(|(e, value)| b[*e] = *value);
+        b
+    };
+    let reached = symbolic.reach(&factor, &b, f64::INFINITY).unwrap();
+    assert!(symbolic.reach(&factor, &b, 1.0).is_none());
+    let times = |b: &[f64], x: &[f64]| b.iter().zip(x).map(|(b, x)| b * x).sum::<f64>();
+    for (columns, b) in reached.iter().zip(&b) {
+        let c: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
+        let pulled = std::cell::Cell::new([0.0; 3]);
+        let force = [0.3, -1.0, 2.0];
+        let mut x = c.clone();
+        let update = |x: &mut [f64]| {
+            pulled.set(columns.pull(x));
+            columns.take_off(force, x);
+        };
+        symbolic.solve_updated(&factor, &mut x, Some(&update));
+        let whole = b.each_ref().map(|column| whole(column));
+        let exact = solved(&c);
+        for (pulled, b) in pulled.get().iter().zip(&whole) {
+            assert!((pulled - times(b, &exact)).abs() < 1e-11);
+        }
+        let left = |i: usize| c[i] - (0..3).map(|k| whole[k][i] * force[k]).sum::<f64>();
+        let exact = solved(&(0..n).map(left).collect::<Vec<_>>());
+        assert!(
+            x.iter()
+                .zip(&exact)
+                .all(|(x, exact)| (x - exact).abs() < 1e-11)
+        );
+    }
+    let products = reached[0].products(&reached[1]);
+    let [first, second] = &b;
+    for (line, b) in products.iter().zip(first) {
+        for (product, d) in line.iter().zip(second) {
+            assert!((product - times(&whole(b), &solved(&whole(d)))).abs() < 1e-11);
         }
     }
 }

@@ -18,6 +18,8 @@ pub(in crate::solver::linear) struct Tree {
     pub sources: Vec<Vec<u32>>,
     /// Rows below the last supernode: where the elimination ends within it, its own columns are the first of them.
     last_rows: Vec<u32>,
+    /// The parent of each supernode; of a root their number.
+    pub parent: Vec<usize>,
     children: Vec<Vec<usize>>,
     roots: Vec<usize>,
     /// Of the subtree that each supernode is the root of: its first supernode,
@@ -61,6 +63,7 @@ impl Tree {
             value,
             last_rows,
             sources: vec![Vec::new(); count + 1],
+            parent: vec![count; count],
             children: vec![Vec::new(); count],
             roots: Vec::new(),
             first: (0..count).collect(),
@@ -81,6 +84,7 @@ impl Tree {
             let own: f64 = (0..columns).map(|c| ((height - c) as f64).powi(2)).sum();
             tree.work[s] += own;
             tree.entries[s] += (tree.value[s + 1] - tree.value[s]) as f64;
+            tree.parent[s] = parent;
             if parent == count {
                 tree.roots.push(s);
                 continue;

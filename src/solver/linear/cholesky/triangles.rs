@@ -26,6 +26,8 @@ pub(in crate::solver::linear) struct Triangles<'a, T> {
     pub tree: &'a Tree,
     /// Values of the factor.
     pub values: &'a [T],
+    /// Threads that share the work.
+    pub threads: usize,
 }
 
 /// Supernodes that follow each other, and what a vector has for their columns.
@@ -37,13 +39,6 @@ struct Stretch<'x, T> {
 }
 
 impl<T: Number> Triangles<'_, T> {
-    /// Replaces b by x with L Lᵀ x = b, both in the order of elimination.
-    pub fn solve(&self, x: &mut [T]) {
-        let split = self.split();
-        self.all_forward(x, &split);
-        self.all_backward(x, &split);
-    }
-
     /// Replaces b by y with L y = b; where the elimination ends before, kept entries by what it leaves of them.
     pub fn reduce(&self, x: &mut [T]) {
         self.all_forward(x, &self.split());
@@ -54,9 +49,8 @@ impl<T: Number> Triangles<'_, T> {
         self.all_backward(x, &self.split());
     }
 
-    /// How the threads of the pool share the work.
     fn split(&self) -> Split {
-        self.tree.shares(rayon::current_num_threads())
+        self.tree.shares(self.threads)
     }
 
     fn all_forward(&self, x: &mut [T], (shares, top): &Split) {
@@ -134,7 +128,7 @@ impl<T: Number> Triangles<'_, T> {
     }
 
     /// Triangle and rectangle of a supernode, and the rows of the rectangle.
-    fn block(&self, s: usize) -> (MatRef<'_, T>, MatRef<'_, T>, &[u32]) {
+    pub(super) fn block(&self, s: usize) -> (MatRef<'_, T>, MatRef<'_, T>, &[u32]) {
         let (rows, width) = (self.tree.rows(self.symbolic, s), self.tree.columns(s));
         let values = &self.values[self.tree.value[s]..self.tree.value[s + 1]];
         let block = MatRef::from_column_major_slice(values, width + rows.len(), width);

@@ -141,7 +141,7 @@ impl Local {
     pub fn solve(&self, factor: &LocalFactor, r: &[f64]) -> Vec<f32> {
         let entries = self.equations.iter().zip(&factor.scale);
         let mut x: Vec<f32> = entries.map(|(e, s)| s * r[*e as usize] as f32).collect();
-        cholesky::solve(&self.inner, &factor.values, &mut x, 1);
+        cholesky::solve(&self.inner, &factor.values, &mut x);
         x.iter_mut().zip(&factor.scale).for_each(|(x, s)| *x *= s);
         x
     }

@@ -65,6 +65,7 @@ impl Substructure {
             symbolic: self.condensation.supernodal(),
             tree: &self.tree,
             values: &self.values,
+            threads: rayon::current_num_threads(),
         };
         let mut x: Vec<f64> = order.iter().map(|e| f[*e as usize]).collect();
         work(&triangles, &mut x);

@@ -5,6 +5,7 @@ use crate::solver::solve::increments::companion::Companion;
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::recovery::state::recovered_state;
 use std::mem::take;
 
@@ -41,7 +42,7 @@ impl Run<'_, '_> {
             let balanced = balance_increment(
                 &self.model,
                 &companion.history,
-                (&mut trial, None),
+                (&mut trial, Goal::Estimate),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,

@@ -56,7 +56,7 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
             place: place_in_words(model, equation),
             contact: contact_in_words(model, row, changed),
         },
-        (Failure::Cancelled, _) => SolveError::NothingFree,
+        (Failure::Cancelled | Failure::UnforeseenFlow, _) => SolveError::NothingFree,
     }
 }
 
@@ -72,6 +72,7 @@ pub fn describe(failure: &Failure) -> String {
         ),
         Failure::Runaway { .. } => "displacements left the model".to_owned(),
         Failure::Factor(error) => error.to_string(),
+        Failure::UnforeseenFlow => "steel flows where it was not expected".to_owned(),
         Failure::Cancelled => "cancelled".to_owned(),
     }
 }

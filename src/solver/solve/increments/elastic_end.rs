@@ -14,6 +14,7 @@ use crate::solver::solve::increments::flow_plan::{Growth, flow_ends};
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::params::{CONTACT_OF_FLOW, INCREMENT_GROWTH, LARGEST_INCREMENT};
 use crate::solver::solve::recovery::state::recovered_state;
 use crate::solver::solve::working_set::flow::{Ahead, flow_to_come};
@@ -43,7 +44,7 @@ impl Run<'_, '_> {
             balance_increment(
                 &self.model,
                 &self.history,
-                (end, None),
+                (end, Goal::Balance),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,
@@ -124,7 +125,7 @@ impl Run<'_, '_> {
             balance_increment(
                 &self.model,
                 history,
-                (point, None),
+                (point, Goal::Balance),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,

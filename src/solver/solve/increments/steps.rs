@@ -5,6 +5,7 @@ use crate::solver::solve::increments::diagnosis::At;
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT, UNLOADING_ITERATIONS};
 
 impl Run<'_, '_> {
@@ -58,10 +59,11 @@ impl Run<'_, '_> {
             let mut trial = self.predict(step, target);
             self.touch(&mut trial);
             let before = self.counters.iterations;
+            let ahead = self.ahead(step, self.size / target);
             let result = balance_increment(
                 &self.model,
                 &self.history,
-                (&mut trial, None),
+                (&mut trial, Goal::Foreseen(ahead)),
                 &mut self.solver,
                 self.observer,
                 &mut self.counters,
@@ -111,6 +113,14 @@ impl Run<'_, '_> {
                     why: Failure::Cancelled,
                     ..
                 }) => return Ok(false),
+                Err(Stopped {
+                    why: Failure::UnforeseenFlow,
+                    ..
+                }) => {
+                    let (unforeseen, _) = self.look(&trial, self.size / target);
+                    self.prepare_for(unforeseen.only_flow(), Some(&trial))?;
+                    self.size = target - time;
+                }
                 Err(stopped) => {
                     self.counters.effort.given_up += iterations;
                     if !self.model.spare.is_empty() && (!unloads || self.cut) {

@@ -170,8 +170,7 @@ impl LinearSolver {
             return false;
         };
         let update = &mut self.update;
-        let solve = |x: &mut [f64], count| model.preconditioner.solve_many(factor, x, count);
-        let prepare = || update.prepare(model, evaluation, (solve, factor.precision()));
+        let prepare = || update.prepare(model, evaluation, factor);
         if !counters.timers.time(Phase::LinearSolve, prepare) {
             return false;
         }
@@ -194,8 +193,8 @@ impl LinearSolver {
     ) -> bool {
         let multiply = |x: &[f64], y: &mut [f64]| model.pattern.multiply(matrix, x, y);
         let precondition = |x: &mut [f64]| {
-            (model.preconditioner).apply(&model.pattern, factor, multiply, x);
-            self.update.correct(model, x);
+            let update = |x: &mut [f64]| self.update.correct(x);
+            (model.preconditioner).solve_updated(factor, x, Some(&update));
         };
         let wanted = sought.tolerance;
         sought.tolerance = wanted.min(AGED_CORRECTION);

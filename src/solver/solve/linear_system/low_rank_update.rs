@@ -2,83 +2,53 @@
 //!
 //! From iteration to iteration the tangent changes by the contact rows that open, close, stick or slip, and each of
 //! them changes it by rank three at most: A = A₀ + U D Uᵀ, with the rows' operators as columns of U and the changes of
-//! their tangents in D. With Z = A₀⁻¹ U and G = Uᵀ Z (Sherman, Morrison and Woodbury; Hager 1989)
+//! their tangents in D. With the factor A₀ = L Lᵀ, W = L⁻¹ U and G = Wᵀ W (Sherman, Morrison and Woodbury; Hager 1989)
 //! ```text
-//! A⁻¹ b = y − Z (1 + D G)⁻¹ D Uᵀ y,        y = A₀⁻¹ b
+//! A⁻¹ = L⁻ᵀ (1 − W (1 + D G)⁻¹ D Wᵀ) L⁻¹
 //! ```
-//! Columns of Z are found when their row changes for the first time, many at once, and kept as long as the factor is.
+//! Columns of W are found when their row changes for the first time, many at once, and kept as long as the factor is. A row
+//! is about a few nodes, and what L⁻¹ makes of them reaches a small part of the unknowns only.
 //! Rounding is no matter: what comes out is a preconditioner.
 
-use crate::ground::geometry::add;
 use crate::solver::contact::law::NodeResponse;
 use crate::solver::fem::dofs::FIXED;
-use crate::solver::linear::cholesky::Number;
-use crate::solver::linear::preconditioner::Precision;
+use crate::solver::linear::cholesky::{ReachedColumns, SparseColumn};
+use crate::solver::linear::preconditioner::Prepared;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
-use crate::solver::solve::params::{KEPT_COLUMNS, NEW_COLUMNS_SHARE, UNKNOWNS_PER_TASK};
+use crate::solver::solve::params::{KEPT_COLUMNS, NEW_COLUMNS_WORK};
 use crate::solver::solve::rows::contact_row::ContactRow;
 use faer::linalg::solvers::PartialPivLu;
 use faer::prelude::Solve;
 use faer::{Mat, MatRef};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 
-/// Tangent of a row by its local components, times its area.
-type Tangent = [[f64; 3]; 3];
+/// Three by three, in the local components of two rows: of one row its tangent, times its area.
+type Block = [[f64; 3]; 3];
 
 /// What a factor was made for, and what has been found of it since.
 #[derive(Default)]
 pub struct LowRankUpdate {
-    made_for: Vec<Tangent>,
-    /// Columns of Z, three a row.
-    columns: BTreeMap<usize, [Column; 3]>,
+    made_for: Vec<Block>,
+    /// Where each row is among those whose columns were found.
+    place: Vec<Option<usize>>,
+    /// Columns of W, three a row.
+    columns: Vec<ReachedColumns>,
+    /// Lower triangle of G for all of them, block by block.
+    products: Vec<Vec<Block>>,
     now: Option<LowRankChange>,
-}
-
-/// A column of Z, as precise as the factor that it was found with: each direction reads all of them.
-enum Column {
-    Single(Vec<f32>),
-    Double(Vec<f64>),
-}
-
-impl Column {
-    fn new(values: &[f64], precision: Precision) -> Self {
-        match precision {
-            Precision::Single => Self::Single(values.iter().map(|v| *v as f32).collect()),
-            Precision::Double => Self::Double(values.to_vec()),
-        }
-    }
-
-    fn at(&self, equation: usize) -> f64 {
-        match self {
-            Self::Single(values) => f64::from(values[equation]),
-            Self::Double(values) => values[equation],
-        }
-    }
-
-    /// Takes `share` times the entries from `from` on off `x`.
-    fn take_off(&self, x: &mut [f64], from: usize, share: f64) {
-        match self {
-            Self::Single(values) => take_off(x, &values[from..], share),
-            Self::Double(values) => take_off(x, &values[from..], share),
-        }
-    }
-}
-
-fn take_off<T: Number>(x: &mut [f64], values: &[T], share: f64) {
-    let pairs = x.iter_mut().zip(values);
-    pairs.for_each(|(x, z)| *x -= share * z.widened());
 }
 
 /// The correction for the tangent of now.
 struct LowRankChange {
+    /// Places of the rows that have changed,
     rows: Vec<usize>,
-    changes: Vec<Tangent>,
+    /// and by how much.
+    changes: Vec<Block>,
     system: PartialPivLu<f64>,
 }
 
-fn row_tangent(row: &ContactRow, answer: &NodeResponse) -> Tangent {
+fn row_tangent(row: &ContactRow, answer: &NodeResponse) -> Block {
     answer.tangent.map(|line| line.map(|v| v * row.row.area))
 }
 
@@ -88,133 +58,121 @@ impl LowRankUpdate {
         let rows = model.rows.iter().zip(&evaluation.contact);
         Self {
             made_for: rows.map(|(row, answer)| row_tangent(row, answer)).collect(),
+            place: vec![None; model.rows.len()],
             ..Self::default()
         }
     }
 
-    /// Gets ready for the tangent at `evaluation`; `solve` replaces the columns of a matrix, one after the other, by
-    /// A₀⁻¹ times these, to the `precision` of the factor. `false` where a new factor is the better way.
-    pub fn prepare(
-        &mut self,
-        model: &Model,
-        evaluation: &Evaluation,
-        (solve, precision): (impl FnOnce(&mut [f64], usize), Precision),
-    ) -> bool {
+    /// Gets ready for the tangent at `evaluation`, with the `factor` that has aged. `false` where a new factor is the
+    /// better way.
+    pub fn prepare(&mut self, model: &Model, evaluation: &Evaluation, factor: &Prepared) -> bool {
         self.now = None;
         let rows = model.rows.iter().zip(&evaluation.contact).enumerate();
         let changed = rows.filter_map(|(index, (row, answer))| {
             let (now, then) = (row_tangent(row, answer), self.made_for.get(index)?);
             let change = [0, 1, 2].map(|i| [0, 1, 2].map(|j| now[i][j] - then[i][j]));
-            (change != Tangent::default()).then_some((index, change))
+            (change != Block::default()).then_some((index, change))
         });
-        let (rows, changes): (Vec<usize>, Vec<Tangent>) = changed.unzip();
-        let unknowns = model.dofs.len();
-        let unknown = |row: &&usize| !self.columns.contains_key(row);
+        let (rows, changes): (Vec<usize>, Vec<Block>) = changed.unzip();
+        let unknown = |row: &&usize| self.place[**row].is_none();
         let new: Vec<usize> = rows.iter().filter(unknown).copied().collect();
-        let kept = 3 * (self.columns.len() + new.len());
-        let dear = 3 * new.len() > (NEW_COLUMNS_SHARE * unknowns as f64) as usize;
-        if dear || kept > KEPT_COLUMNS || kept * unknowns > model.preconditioner.factor_entries() {
+        if 3 * (self.columns.len() + new.len()) > KEPT_COLUMNS || !self.find(model, &new, factor) {
             return false;
         }
-        if !new.is_empty() {
-            let mut block = vec![0.0; 3 * new.len() * unknowns];
-            let parts = block.chunks_mut(3 * unknowns);
-            for (row, columns) in new.iter().zip(parts) {
-                for (k, column) in columns.chunks_mut(unknowns).enumerate() {
-                    let mut unit = [0.0; 3];
-                    unit[k] = 1.0;
-                    model.rows[*row].scatter(model, &unit, column);
-                }
-            }
-            solve(&mut block, 3 * new.len());
-            for (row, columns) in new.iter().zip(block.chunks(3 * unknowns)) {
-                let column = |k: usize| {
-                    let values = &columns[k * unknowns..(k + 1) * unknowns];
-                    Column::new(values, precision)
-                };
-                self.columns.insert(*row, [0, 1, 2].map(column));
-            }
-        }
-        self.now = Some(self.correction(model, rows, changes));
+        let places = rows.iter().filter_map(|row| self.place[*row]).collect();
+        self.now = Some(self.change(places, changes));
         true
     }
 
-    /// 1 + D G of the rows that have changed.
-    fn correction(&self, model: &Model, rows: Vec<usize>, changes: Vec<Tangent>) -> LowRankChange {
+    /// Finds the columns of the `new` rows, if that takes less than a new factor.
+    fn find(&mut self, model: &Model, new: &[usize], factor: &Prepared) -> bool {
+        if new.is_empty() {
+            return true;
+        }
+        let loads: Vec<_> = (new.iter().map(|row| model.rows[*row].unit_loads(model))).collect();
+        let found = (model.preconditioner).reach(factor, &loads, NEW_COLUMNS_WORK);
+        let Some(found) = found else {
+            return false;
+        };
+        let known = self.columns.len();
+        self.columns.extend(found);
+        let columns = &self.columns;
+        let lines = (known..columns.len()).into_par_iter();
+        let lines = lines.map(|a| (0..=a).map(|b| columns[a].products(&columns[b])).collect());
+        self.products.par_extend(lines);
+        for (row, place) in new.iter().zip(known..) {
+            self.place[*row] = Some(place);
+        }
+        true
+    }
+
+    /// 1 + D G of the rows at these `places`.
+    fn change(&self, rows: Vec<usize>, changes: Vec<Block>) -> LowRankChange {
         let size = 3 * rows.len();
-        let found: Vec<&Column> = rows.iter().flat_map(|row| &self.columns[row]).collect();
-        let mut entries = vec![0.0; size * size];
-        let columns = entries.par_chunks_mut(size.max(1)).zip(found).enumerate();
-        columns.for_each(|(k, (column, found))| {
-            let parts = column.chunks_exact_mut(3);
-            for (part, (row, change)) in parts.zip(rows.iter().zip(&changes)) {
-                let moved = model.rows[*row].gather(model, |equation| found.at(equation));
-                for (entry, change) in part.iter_mut().zip(change) {
-                    *entry = (0..3).map(|j| change[j] * moved[j]).sum();
+        let mut entries = Mat::<f64>::identity(size, size);
+        for (a, (row, change)) in rows.iter().zip(&changes).enumerate() {
+            for (b, other) in rows.iter().enumerate() {
+                let (high, low) = (row.max(other), row.min(other));
+                let product = self.products[*high][*low];
+                for i in 0..3 {
+                    for j in 0..3 {
+                        // Block (row, other) of G is the transpose of block (other, row).
+                        let g = |k: usize| {
+                            if row == high {
+                                product[k][j]
+                            } else {
+                                product[j][k]
+                            }
+                        };
+                        entries[(3 * a + i, 3 * b + j)] +=
+                            (0..3).map(|k| change[i][k] * g(k)).sum::<f64>();
+                    }
                 }
             }
-            column[k] += 1.0;
-        });
-        let system = MatRef::from_column_major_slice(&entries, size, size);
+        }
         LowRankChange {
-            system: system.partial_piv_lu(),
+            system: entries.partial_piv_lu(),
             rows,
             changes,
         }
     }
 
-    /// From A₀⁻¹ b to about A⁻¹ b.
-    pub fn correct(&self, model: &Model, x: &mut [f64]) {
+    /// Multiplies `x`, between the two triangles of the factor, by 1 − W (1 + D G)⁻¹ D Wᵀ.
+    pub fn correct(&self, x: &mut [f64]) {
         let Some(now) = self.now.as_ref().filter(|now| !now.rows.is_empty()) else {
             return;
         };
-        let mut pulled = Mat::<f64>::zeros(3 * now.rows.len(), 1);
-        for (a, (row, change)) in now.rows.iter().zip(&now.changes).enumerate() {
-            let moved = model.rows[*row].gather(model, |equation| x[equation]);
-            for i in 0..3 {
-                pulled[(3 * a + i, 0)] = (0..3).map(|j| change[i][j] * moved[j]).sum();
-            }
-        }
-        let forces = now.system.solve(&pulled);
-        let columns = now.rows.iter().flat_map(|row| &self.columns[row]);
-        let columns: Vec<_> = columns.zip(forces.col_as_slice(0)).collect();
-        (x.par_chunks_mut(UNKNOWNS_PER_TASK).enumerate()).for_each(|(k, x)| {
-            let from = k * UNKNOWNS_PER_TASK;
-            for (column, force) in &columns {
-                column.take_off(x, from, **force);
-            }
+        let pulled = now.rows.par_iter().zip(&now.changes).map(|(row, change)| {
+            let moved = self.columns[*row].pull(x);
+            change.map(|line| (0..3).map(|j| line[j] * moved[j]).sum::<f64>())
         });
+        let pulled: Vec<[f64; 3]> = pulled.collect();
+        let pulled = MatRef::from_column_major_slice(pulled.as_flattened(), 3 * pulled.len(), 1);
+        let forces = now.system.solve(&pulled);
+        let (forces, _) = forces.col_as_slice(0).as_chunks();
+        for (row, force) in now.rows.iter().zip(forces) {
+            self.columns[*row].take_off(*force, x);
+        }
     }
 }
 
 impl ContactRow {
-    /// Relative displacement in local components, of the unknowns `x`.
-    fn gather(&self, model: &Model, x: impl Fn(usize) -> f64) -> [f64; 3] {
-        let mut d = self.relative_of(|node, axis| match model.dofs.equations[node][axis] {
-            FIXED => 0.0,
-            equation => x(equation as usize),
-        });
-        for (equation, axis, share) in self.further(&model.dofs) {
-            let mut moved = [0.0; 3];
-            moved[axis] = share * x(equation as usize);
-            d = add(d, self.local(moved));
-        }
-        d
-    }
-
-    /// Adds the forces on unknowns of a traction in local components, over the area.
-    fn scatter(&self, model: &Model, local: &[f64; 3], y: &mut [f64]) {
-        let force = self.global(local);
-        for (node, coefficient) in &self.row.terms {
-            let equations = model.dofs.equations[*node as usize];
-            for axis in 0..3 {
-                if equations[axis] != FIXED {
-                    y[equations[axis] as usize] += coefficient[axis] * force[axis];
-                }
-            }
-        }
-        for (equation, axis, share) in self.further(&model.dofs) {
-            y[equation as usize] += share * force[axis];
-        }
+    /// Forces on the unknowns of a traction of one over the area, in each local component.
+    fn unit_loads(&self, model: &Model) -> [SparseColumn; 3] {
+        [0, 1, 2].map(|k| {
+            let mut unit = [0.0; 3];
+            unit[k] = 1.0;
+            let force = self.global(&unit);
+            let terms = self.row.terms.iter().flat_map(|(node, coefficient)| {
+                let equations = model.dofs.equations[*node as usize];
+                let free = move |axis: &usize| equations[*axis] != FIXED;
+                let load = move |axis| (equations[axis] as usize, coefficient[axis] * force[axis]);
+                (0..3).filter(free).map(load)
+            });
+            let further = self.further(&model.dofs).into_iter();
+            let further =
+                further.map(|(equation, axis, share)| (equation as usize, share * force[axis]));
+            terms.chain(further).collect()
+        })
     }
 }

@@ -17,19 +17,21 @@ use crate::solver::solve::params::{
 /// Decides multipliers, active set and friction bounds anew; returns how many nodes changed.
 ///
 /// A node has changed where it switched between open, stick and slip, where its friction bound moved, or where its shear
-/// did not become its multiplier. Changes by next to nothing of the largest contact force, or of the load, do not count. Late in an
+/// did not become its multiplier. Changes by next to nothing of the largest contact force, or of the load, do not
+/// count; next to nothing is larger by the factor `roughness` than for an answer. Late in an
 /// increment, nodes that have switched between stick and slip a few times become cautious.
 pub fn update_active_set(
     model: &Model,
     point: &mut Point,
     evaluation: &Evaluation,
-    (iteration, progress): (usize, &mut Progress),
+    (iteration, roughness, progress): (usize, f64, &mut Progress),
 ) -> usize {
     // What is next to nothing is measured by the largest normal force, and where that is small itself by the load.
     let forces =
         (model.rows.iter().zip(&evaluation.contact)).map(|(r, a)| r.row.area * a.traction[0]);
     let largest = forces.fold(0.0, f64::max);
-    let least = (UNCHANGED_FORCE * largest).max(UNCHANGED_SHARE_OF_LOAD * model.reference);
+    let least =
+        roughness * (UNCHANGED_FORCE * largest).max(UNCHANGED_SHARE_OF_LOAD * model.reference);
     let rows = model.rows.iter().zip(&evaluation.contact);
     let wanted: Vec<f64> = rows.map(|(r, a)| r.law.bound(&a.traction)).collect();
     let bounds = (progress.bounds).next(&point.nodes, wanted, progress.settled > 0);

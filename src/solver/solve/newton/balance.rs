@@ -18,37 +18,46 @@ use crate::solver::solve::equilibrium::evaluation::{
 use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::linear_system::correction::Correction;
 use crate::solver::solve::linear_system::linear_solver::LinearSolver;
-use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::active_set::{take_shears, update_active_set};
 use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::newton::line_search::search_line;
 use crate::solver::solve::newton::progress::Progress;
 use crate::solver::solve::newton::violation::{count_statuses, violation, violations};
 use crate::solver::solve::observer::{Iteration, Observer};
 use crate::solver::solve::params::{
     CAUTIOUS_SHEAR_RESIDUAL, CONTACT_HAS_OPENED, CONVERGING_ITERATIONS_FACTOR,
-    CORRECTION_TOLERANCE, FLOWING_CORRECTION, ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION,
-    LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL,
-    RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
+    CORRECTION_TOLERANCE, EARLY_LOOK_RESIDUAL, FLOWING_CORRECTION, ITERATIONS_BEFORE_CAUTION,
+    LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION, PROXIMAL_ITERATIONS,
+    PROXIMAL_RESIDUAL, ROUGH_BALANCE, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
+use crate::solver::solve::working_set::flow::{Ahead, unexpected_flow};
 
 /// Brings `point` into balance at its time, starting from its unknowns and its active set; returns what is known there.
 ///
-/// With `springs` it is brought into balance with them, and only roughly: that is a turn of the proximal point method.
+/// `goal` says what for.
 ///
 /// # Errors
 /// [`Stopped`] where no balance was found, the tangent could not be factored or the observer cancelled.
 pub fn balance_increment(
     model: &Model,
     history: &History,
-    (point, springs): (&mut Point, Option<&ProximalSprings>),
+    (point, goal): (&mut Point, Goal),
     solver: &mut LinearSolver,
     observer: &mut dyn Observer,
     counters: &mut Counters,
 ) -> Result<Evaluation, Stopped> {
     let controls = &model.scene.controls;
+    let springs = goal.springs();
+    let roughness = if matches!(goal, Goal::Estimate) {
+        ROUGH_BALANCE
+    } else {
+        1.0
+    };
+    let enough = roughness * controls.residual;
+    let mut looked = false;
     let external = model.external(point, &history.settled);
     let reference = model.reference.max(f64::MIN_POSITIVE);
     let limit = RUNAWAY_EXTENTS * extent(model.scene);
@@ -92,8 +101,8 @@ pub fn balance_increment(
         // 1. The correction, as exact as the residual will need it.
         let residual = norm(&evaluation.residual) / reference;
         let begun = *progress.begun.get_or_insert(residual);
-        let mut tolerance = (CORRECTION_TOLERANCE * controls.residual / residual)
-            .clamp(TIGHTEST_CORRECTION, loosest);
+        let mut tolerance =
+            (CORRECTION_TOLERANCE * enough / residual).clamp(TIGHTEST_CORRECTION, loosest);
         if !flowing.is_empty() && !model.is_divided() {
             tolerance = tolerance.max(FLOWING_CORRECTION);
         }
@@ -136,8 +145,12 @@ pub fn balance_increment(
         // 3. Multipliers, active set and friction bounds.
         let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
         let lingers = last.penetration > LINGERING_VIOLATION * before;
-        last.changed =
-            update_active_set(model, point, &evaluation, (last.iteration, &mut progress));
+        last.changed = update_active_set(
+            model,
+            point,
+            &evaluation,
+            (last.iteration, roughness, &mut progress),
+        );
         count_statuses(&mut last, &evaluation);
         observer.iteration(&last);
         // 4. Is that enough?
@@ -145,10 +158,19 @@ pub fn balance_increment(
         if springs.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
             return Ok(evaluation);
         }
-        let balanced = last.changed == 0 && last.residual <= controls.residual;
-        if balanced && flows && last.penetration <= controls.penetration {
+        let balanced = last.changed == 0 && last.residual <= enough;
+        if balanced && flows && last.penetration <= roughness * controls.penetration {
             solver.balanced(point);
             return Ok(evaluation);
+        }
+        if let Goal::Foreseen(ahead) = goal
+            && last.flowing > 0
+            && !history.is_virgin()
+            && last.residual <= EARLY_LOOK_RESIDUAL
+            && !std::mem::replace(&mut looked, true)
+            && misses_flow(model, history, point, ahead)
+        {
+            return Err(stop(Failure::UnforeseenFlow));
         }
         // A soft penalty is raised where multipliers come on slowly.
         if lingers {
@@ -190,6 +212,13 @@ fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iterati
         equation: largest(&mut evaluation.residual.iter().map(|r| r.abs())).unwrap_or(0),
         row: largest(&mut violations(model, point, evaluation)),
     }
+}
+
+/// Does an element flow at `point` that is not watched, though no node of it was condensed?
+fn misses_flow(model: &Model, history: &History, point: &Point, ahead: Ahead) -> bool {
+    let u = model.displacement(point, &history.settled);
+    let (flow, missed) = unexpected_flow(model, &history.settled, (point, &u), ahead);
+    missed && model.keeps(&flow)
 }
 
 /// Evaluates the model at the unknowns `x`, where steel `flows` or may not, and counts what that takes.

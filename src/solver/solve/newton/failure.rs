@@ -21,6 +21,8 @@ pub enum Failure {
         axis: usize,
     },
     Factor(FactorError),
+    /// An element flows that is not watched, though no node of it was condensed.
+    UnforeseenFlow,
     Cancelled,
 }
 

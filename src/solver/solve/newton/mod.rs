@@ -6,6 +6,7 @@ pub mod active_set;
 pub mod balance;
 pub mod failure;
 pub mod friction_bounds;
+pub mod goal;
 pub mod line_search;
 pub mod progress;
 pub mod proximal_point;

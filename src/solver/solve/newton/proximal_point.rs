@@ -14,6 +14,7 @@ use crate::solver::solve::linear_system::proximal_springs::ProximalSprings;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::observer::Observer;
 use crate::solver::solve::params::PROXIMAL_STIFFNESSES;
 
@@ -34,7 +35,7 @@ pub fn approach_balance(
             at: point.x.clone(),
         };
         let mut trial = point.clone();
-        let held = (&mut trial, Some(&springs));
+        let held = (&mut trial, Goal::Held(&springs));
         match balance_increment(model, history, held, solver, observer, counters) {
             Ok(_) => *point = trial,
             Err(

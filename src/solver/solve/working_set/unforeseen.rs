@@ -74,6 +74,15 @@ impl Unforeseen {
         self.approach.is_none() && self.contact.is_none()
     }
 
+    /// The elements alone.
+    pub fn only_flow(self) -> Self {
+        Self {
+            flow: self.flow,
+            missed: self.missed,
+            ..Self::default()
+        }
+    }
+
     /// Adds the contact that another look found missing.
     pub fn add_contact(&mut self, other: Self) {
         self.missed = true;

@@ -1,6 +1,6 @@
 //! What a Krylov method is preconditioned with: a factor of the whole, or of many small parts.
 
-use super::cholesky::{Factor, FactorError, ReachedColumns, SparseColumn, Symbolic};
+use super::cholesky::{Factor, FactorError, ReachedColumns, SparseColumn, Symbolic, Update};
 use super::schwarz::{Schwarz, SchwarzFactor};
 use super::sparse::{Pattern, SymmetricMatrix};
 
@@ -105,12 +105,7 @@ impl Preconditioner {
     }
 
     /// [`Symbolic::solve_updated`], where there is a factor of the whole.
-    pub fn solve_updated(
-        &self,
-        prepared: &Prepared,
-        x: &mut [f64],
-        update: Option<&dyn Fn(&mut [f64])>,
-    ) {
+    pub fn solve_updated(&self, prepared: &Prepared, x: &mut [f64], update: Option<Update>) {
         match (self, prepared) {
             (Self::Direct(symbolic), Prepared::Double(factor)) => {
                 symbolic.solve_updated(factor, x, update)

@@ -40,6 +40,9 @@ pub struct Symbolic {
     plan: OnceLock<Plan>,
 }
 
+/// Multiplies a vector by 1 + M between the triangles of a factor, in the order of elimination.
+pub type Update<'u> = &'u dyn Fn(&mut [f64]);
+
 /// A numeric factor, of the matrix scaled to a diagonal of one.
 pub struct Factor<T> {
     values: Pages<T>,
@@ -103,13 +106,12 @@ impl Symbolic {
         self.solve_updated(factor, x, None);
     }
 
-    /// Solves with L (1 + M)⁻¹ Lᵀ in place of the factor L Lᵀ: `update` multiplies by 1 + M what it is given in the order of
-    /// elimination. Without supernodes there is no update.
+    /// Solves with L (1 + M)⁻¹ Lᵀ in place of the factor L Lᵀ. Without supernodes there is no update.
     pub fn solve_updated<T: Number>(
         &self,
         factor: &Factor<T>,
         x: &mut [f64],
-        update: Option<&dyn Fn(&mut [f64])>,
+        update: Option<Update>,
     ) {
         let Some(triangles) = self.triangles(factor) else {
             let scaled = x.iter().zip(&factor.scale);

@@ -2,7 +2,8 @@
 //!
 //! Before an increment is accepted the solution is looked at in full ([`Unforeseen`]). Where the working set was too small
 //! the model is prepared anew: with more contact, after integrating it farther, or with more elements that may flow. If
-//! nothing but flow was missed, and no node of these elements was condensed, it is enough to watch them.
+//! nothing but flow was missed, and no node of these elements was condensed, it is enough to watch them; so little costs this
+//! that the iterations look for it as soon as balance is near ([`Goal::Foreseen`](crate::solver::solve::newton::goal::Goal)).
 
 use crate::ground::geometry::Vec3;
 use crate::solver::solve::checkpoint::point::Point;

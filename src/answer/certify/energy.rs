@@ -9,6 +9,14 @@ use crate::model::scene::Scene;
 use crate::model::state::State;
 use rayon::prelude::*;
 
+/// What a load does not do on the displacement that the mesh misses, over the modelled part.
+pub struct Missing {
+    /// That of the load.
+    pub work: f64,
+    /// The energy of the error alone, body by body.
+    pub errors: Vec<f64>,
+}
+
 /// What a load does not do on the displacement that the mesh misses, over the modelled part:
 /// ∫ (σ* − σ) : C⁻¹ : (σ* − σ) dV + 2 ∫ (σ* − σ) : ε̃ dV.
 ///
@@ -17,10 +25,10 @@ use rayon::prelude::*;
 /// assumes beyond that of its displacements: B-bar's mean dilatation, the modes of the enhanced hexahedron. They make
 /// it softer; of the plain hexahedron there are none. Where steel has flowed only its volume says how much is assumed,
 /// as flow keeps the volume. Where a body is warmed nothing does.
-pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
+pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> Missing {
     let rule = GaussRule::new();
     let warmed = !scene.temperatures.is_empty();
-    integral(scene, recovered, |steel, element, nodal| {
+    let of_bodies = integrals(scene, recovered, |steel, element, nodal| {
         let corners = scene.mesh.corners(element);
         let moved = scene.mesh.hexes[element].map(|n| state.displacement[n as usize]);
         let peeq = state.peeq_of(element);
@@ -34,7 +42,7 @@ pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> f64 
             }
             let error = density(&missing, steel);
             if warmed {
-                return error;
+                return [error, error];
             }
             let own = strain(&rule.gradients[point], &corners, &moved);
             let mut assumed = elastic_strain(stress, steel);
@@ -45,42 +53,54 @@ pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> f64 
                 let third = (assumed[0] + assumed[1] + assumed[2]) / 3.0;
                 assumed = [third, third, third, 0.0, 0.0, 0.0];
             }
-            error + 2.0 * work(&missing, &assumed)
+            [error + 2.0 * work(&missing, &assumed), error]
         })
-    })
+    });
+    Missing {
+        work: of_bodies.iter().map(|[work, _]| work).sum(),
+        errors: of_bodies.iter().map(|[_, error]| *error).collect(),
+    }
 }
 
 /// The same of the stress itself, ∫ σ : C⁻¹ : σ dV. Twice a strain energy, as ∫ σ : ε is.
 pub fn of_solution(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
-    integral(scene, recovered, |steel, element, _| {
-        state.stress[element].map(|stress| density(&stress, steel))
-    })
+    let of_bodies = integrals(scene, recovered, |steel, element, _| {
+        state.stress[element].map(|stress| [density(&stress, steel)])
+    });
+    of_bodies.iter().map(|[energy]| energy).sum()
 }
 
-/// The integral of densities that the points of an element have, by its steel, its number and the stresses of its
-/// nodes.
-fn integral(
+/// The integrals of densities that the points of an element have, by its steel, its number and the stresses of its
+/// nodes, over each body.
+fn integrals<const N: usize>(
     scene: &Scene,
     recovered: &Recovered,
-    of: impl Fn(&Steel, usize, &[[f64; 6]; 8]) -> [f64; 8] + Sync,
-) -> f64 {
-    let of_body = |(body, steel): (&Body, &Steel)| -> f64 {
-        let of_element = |element: usize| -> f64 {
+    of: impl Fn(&Steel, usize, &[[f64; 6]; 8]) -> [[f64; N]; 8] + Sync,
+) -> Vec<[f64; N]> {
+    let add = |mut sum: [f64; N], more: [f64; N]| {
+        sum.iter_mut()
+            .zip(more)
+            .for_each(|(sum, more)| *sum += more);
+        sum
+    };
+    let of_body = |(body, steel): (&Body, &Steel)| {
+        let of_element = |element: usize| {
             let corners = recovered.points.cells[element];
             let nodal = corners.map(|p| recovered.nodal_stress[p as usize]);
-            let densities = of(steel, element, &nodal);
-            let volumes = &recovered.volumes[element];
-            densities.iter().zip(volumes).map(|(d, v)| d * v).sum()
+            let densities = of(steel, element, &nodal).into_iter();
+            let weighed =
+                (densities.zip(&recovered.volumes[element])).map(|(d, v)| d.map(|d| d * v));
+            weighed.fold([0.0; N], add)
         };
         // Summed in order, so that the number of threads changes nothing.
-        let elements: Vec<f64> = (body.elements.clone().into_par_iter())
+        let elements: Vec<_> = (body.elements.clone().into_par_iter())
             .map(of_element)
             .collect();
-        elements.iter().sum()
+        elements.into_iter().fold([0.0; N], add)
     };
     (scene.mesh.bodies.iter().zip(&scene.materials))
         .map(of_body)
-        .sum()
+        .collect()
 }
 
 /// τ : C⁻¹ : τ of a stress.

@@ -2,6 +2,7 @@
 
 use super::curvature::{Curvature, curvature};
 use super::hex::GaussRule;
+use super::means::mises_of_means;
 use super::recovery::Recovered;
 use super::tensor::mises;
 use crate::ground::geometry::{Vec3, bounds};
@@ -15,6 +16,8 @@ pub struct Around {
     /// By how much the largest value that an element extrapolates to the node exceeds the average there; zero where only one
     /// element meets there.
     pub jump: f64,
+    /// How far the value that the means of the elements around tend to is from that of the node.
+    pub means: f64,
     /// By how much the smallest nodal value of these elements is below that of the node.
     pub fall: f64,
     /// Of a peak away from loaded edges, where one of these elements reaches beside an edge: by how much the largest
@@ -59,8 +62,11 @@ pub(super) fn around(
             }
         }
     }
+    let own: Vec<usize> = elements.iter().map(|(element, _)| *element).collect();
+    let of_means = mises_of_means((scene, body), (state, recovered), node, (&own, &extent));
     Around {
         jump: extrapolated - peak,
+        means: (of_means - peak).abs(),
         fall: peak - smallest,
         border: beside - peak,
         curvature: curvature(scene, recovered, &elements, is_beside),

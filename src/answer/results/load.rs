@@ -121,20 +121,25 @@ fn moving_force(plane: &RigidPlane, field: &PlaneField, counts: [bool; 3]) -> [f
     })
 }
 
-/// Sum of the prescribed motions of the planes, at factor one.
+/// Sum of the prescribed motions at factor one: of the planes, and where none is moved of the supports.
 fn held(scene: &Scene) -> [f64; 3] {
-    let planes = scene.rigid_planes.iter();
-    planes.fold([0.0; 3], |sum, plane| {
-        let moved = plane.motion.map(|m| match m {
+    let of_planes = scene.rigid_planes.iter().map(|plane| {
+        plane.motion.map(|motion| match motion {
             PlaneMotion::Held(u) => u,
             _ => 0.0,
-        });
-        add(sum, moved)
-    })
+        })
+    });
+    let of_planes = of_planes.fold([0.0; 3], add);
+    if of_planes != [0.0; 3] {
+        return of_planes;
+    }
+    let supports = scene.supports.iter();
+    let of_supports = supports.map(|s| s.components.map(|u| u.unwrap_or(0.0)));
+    of_supports.fold([0.0; 3], add)
 }
 
 /// Unit vector along which the scene is loaded when every factor is one: of the resultant of driven
-/// planes and tractions, else of the prescribed motion of the planes, else straight down.
+/// planes and tractions, else of the prescribed motion of planes or supports, else straight down.
 pub fn direction(scene: &Scene) -> [f64; 3] {
     let force = full(scene);
     let along = if norm(force) > 0.0 {

@@ -22,6 +22,7 @@ pub mod levels;
 pub mod line_axis;
 pub mod line_load;
 pub mod load;
+pub mod means;
 pub mod peaks;
 pub mod quad;
 pub mod recovery;

@@ -3,10 +3,12 @@
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
+use crate::answer::results::hex::distance;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
 use crate::answer::results::recovery::Recovered;
 use crate::ground::geometry::dot;
+use crate::model::mesh::Face;
 use crate::model::mesh::shape::Shape;
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
@@ -62,7 +64,7 @@ impl Contact<'_> {
         claims.push(self.claim(
             Quantity::ContactArea,
             area,
-            Some(band / area + self.too_stiff),
+            Some(band / area + chords(self.scene, field, self.pair) + self.too_stiff),
             COARSE,
         ));
         claims
@@ -150,6 +152,33 @@ fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
         }
     }
     rim.iter().map(|i| field.area[*i]).sum()
+}
+
+/// By which share the facets that press are smaller than the round surface that they stand for, the longest of them: a chord is
+/// shorter than its arc by a third of its sagitta over the radius.
+fn chords(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let [carrier, _] = scene.contacts[pair].carrier_first();
+    let shape = carrier.shape(&scene.mesh);
+    let (Some(surface), Some(radius)) = (carrier.surface(&scene.mesh), shape.radius()) else {
+        return 0.0;
+    };
+    let is_active = |node: &u32| {
+        field
+            .nodes
+            .binary_search(node)
+            .is_ok_and(|i| field.is_active(i))
+    };
+    let pressed = surface
+        .faces
+        .iter()
+        .filter(|face| face.nodes.iter().any(is_active));
+    let sagitta = |face: &Face| {
+        let centre = face.centre(&scene.mesh);
+        shape
+            .project(centre)
+            .map_or(0.0, |(foot, _)| distance(foot, centre))
+    };
+    pressed.map(sagitta).fold(0.0, f64::max) / (3.0 * radius)
 }
 
 #[cfg(test)]

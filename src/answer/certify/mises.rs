@@ -22,6 +22,9 @@ const UNCERTAIN_FLOW: &str =
 
 const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
 
+const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
+                          to the mesh";
+
 /// What nodal averages miss of a peak that lies between nodes, at most, of itself,
 const SMOOTH: f64 = 0.02;
 /// and of the fall from the peak to the smallest nodal value of the elements around it: of a parabola with its peak in the
@@ -177,6 +180,7 @@ fn mises(
             centroid,
             around,
             is_on_border,
+            is_beside_coarse,
         } = read;
         let is_next_to_edge = around.border > 0.0;
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
@@ -200,6 +204,7 @@ fn mises(
         let left = 1.0 - corrected * (1.0 - OF_BAR);
         let (error, note) = match strip {
             Some(strip) if !strip.shows() => (None, Some(COARSE)),
+            _ if is_beside_coarse => (None, Some(LONG_FACES)),
             _ if is_next_to_edge => {
                 let means = strip.map_or(OF_MEANS * around.means, |_| 0.0);
                 let overshoot = (1.0 - corrected) * overshoot.max(0.0);
@@ -255,6 +260,7 @@ fn mises(
         centroid,
         around: body.around,
         is_on_border: false,
+        is_beside_coarse: false,
     };
     match body.away {
         None => vec![claim(peak, whole, at_points)],

@@ -48,6 +48,8 @@ pub struct MisesPeaks {
     pub around: Around,
     /// Does a singular edge cease to reach just at the node?
     pub is_on_border: bool,
+    /// Is the node beside one whose faces are longer than its stress reaches?
+    pub is_beside_coarse: bool,
 }
 
 /// The peaks of one body; `None` for a body without elements.
@@ -148,6 +150,7 @@ pub fn peaks(
                 centroid: centroid_peak(body, &far)?,
                 around: around(&nodal, &|at| edges.are_near(at)),
                 is_on_border: edges.end_at(&nodal.at),
+                is_beside_coarse: edges.end_coarsely_at(&nodal.at),
             };
             Some((by, away))
         });

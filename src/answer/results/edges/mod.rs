@@ -52,6 +52,11 @@ impl SingularEdges {
         self.loaded.end_at(at) || self.of_bodies.end_at(at)
     }
 
+    /// Is a point beside an edge of a body whose faces are longer than its stress reaches?
+    pub fn end_coarsely_at(&self, at: &[f64; 3]) -> bool {
+        self.of_bodies.end_coarsely_at(at)
+    }
+
     /// Does a nodal peak of the Mises stress of the body with that index, its value and its place, belong to an edge?
     pub fn decide(&self, scene: &Scene, body: usize, (mises, at): (f64, &Vec3)) -> Option<ByEdge> {
         if self.are_near(at) || self.loaded.unseen_mises(scene, body) > mises {

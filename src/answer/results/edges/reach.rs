@@ -15,10 +15,15 @@ struct EdgeNode {
     normal: [f64; 3],
     /// How far the stress of the edge reaches along the surface, and as far below it.
     reach: f64,
+    /// Is the face longer than that? Then it is the face that says how far.
+    is_coarse: bool,
 }
 
 /// Nodes that a mesh puts where an edge ceases to reach are no longer near it, by rounding or a roller a little askew.
 const SLACK: f64 = 0.01;
+
+/// Reaches up to which a point is beside a face that is longer than its edge reaches: an element beyond it.
+const BESIDE: f64 = 2.0;
 
 impl EdgeNodes {
     /// Adds the ends of side `side` of a face, whose stress reaches as far as `whole`, a length. A face that is longer
@@ -30,10 +35,14 @@ impl EdgeNodes {
         let mut corners = face.corners(mesh);
         corners.rotate_left(side);
         let [a, b, c, d] = corners;
-        let is_longer = distance(a, d).max(distance(b, c)) > (1.0 + SLACK) * whole;
-        let reach = if is_longer { distance(a, c) } else { whole };
-        let ends = [a, b];
-        self.0.extend(ends.map(|at| EdgeNode { at, normal, reach }));
+        let is_coarse = distance(a, d).max(distance(b, c)) > (1.0 + SLACK) * whole;
+        let reach = if is_coarse { distance(a, c) } else { whole };
+        self.0.extend([a, b].map(|at| EdgeNode {
+            at,
+            normal,
+            reach,
+            is_coarse,
+        }));
     }
 
     /// Is there none?
@@ -49,6 +58,14 @@ impl EdgeNodes {
     /// Does an edge cease to reach just there?
     pub fn end_at(&self, at: &[f64; 3]) -> bool {
         self.0.iter().any(|edge| edge.ends_at(at))
+    }
+
+    /// Is a point, away from all edges, beside one whose faces are longer than its stress reaches? The farther from the edge
+    /// the mesh begins to count, the less of a stress that falls from there on is left.
+    pub fn end_coarsely_at(&self, at: &[f64; 3]) -> bool {
+        self.0
+            .iter()
+            .any(|edge| edge.is_coarse && edge.apart(at).iter().all(|x| *x <= BESIDE))
     }
 }
 
@@ -82,6 +99,7 @@ mod tests {
             at: [1.0, 2.0, 3.0],
             normal: [0.0, 0.0, 1.0],
             reach: 0.5,
+            is_coarse: false,
         };
         let beside = |x: f64, z: f64| edge.reaches(&[1.0 + x, 2.0, 3.0 + z]);
         assert!(beside(0.49, 0.0) && beside(-0.49, -0.49) && beside(0.0, -0.5));

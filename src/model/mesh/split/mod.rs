@@ -1,6 +1,7 @@
 //! Refinement: every hexahedron into eight, or some of them.
 
 mod nodes;
+mod smooth;
 mod some;
 
 use super::Mesh;
@@ -43,8 +44,8 @@ const MOST_HEXAHEDRA: usize = 100_000_000;
 
 impl Mesh {
     /// Every hexahedron split into eight at the middles of its edges, faces and volume; names
-    /// stay. On surfaces that fit a cylinder or sphere ([`fit`](crate::model::mesh::shape::fit)) the new nodes are put on it,
-    /// and the nodes inside follow, so that the pieces stay well shaped.
+    /// stay. On surfaces that fit a cylinder or sphere ([`fit`](crate::model::mesh::shape::fit)) the new nodes are put on it, on other
+    /// smooth surfaces, named or not, on arcs over the edges, and the nodes inside follow, so that the pieces stay well shaped.
     ///
     /// # Errors
     /// [`SplitError`] for a mesh that becomes too large or folded.

@@ -1,7 +1,9 @@
 //! The nodes of a split mesh: old ones, and new ones at the middles of edges, faces and elements.
 
+use crate::ground::geometry::{Vec3, add};
 use crate::model::mesh::hexahedron::{CORNERS, EDGES, FACES};
 use crate::model::mesh::shape::{Shape, fit};
+use crate::model::mesh::split::smooth::bulges;
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Hanging, Mesh};
 use std::collections::{HashMap, HashSet};
@@ -17,6 +19,8 @@ pub(super) struct Nodes {
     /// Round shapes, by the edges and faces that lie on them.
     round_edges: HashMap<[u32; 2], Shape>,
     round_faces: HashMap<[u32; 4], Shape>,
+    /// From the middles of edges on other smooth surfaces to those of the arcs over them.
+    bulges: HashMap<[u32; 2], Vec3>,
 }
 
 impl Nodes {
@@ -28,9 +32,14 @@ impl Nodes {
             faces: HashMap::new(),
             round_edges: HashMap::new(),
             round_faces: HashMap::new(),
+            bulges: HashMap::new(),
         };
+        let mut flat = HashSet::new();
         for surface in &mesh.surfaces {
             let shape = fit(mesh, surface);
+            if let Shape::Plane { .. } = shape {
+                flat.extend(surface.faces.iter().map(|face| sorted(face.nodes)));
+            }
             if shape.radius().is_none() {
                 continue;
             }
@@ -42,6 +51,7 @@ impl Nodes {
                 }
             }
         }
+        nodes.bulges = bulges(mesh, &flat);
         nodes
     }
 
@@ -82,7 +92,10 @@ impl Nodes {
     fn flatten(&mut self, hex: &[u32; 8], mark: Directions) {
         for key in whole(hex, mark) {
             match *key.as_slice() {
-                [a, b] => self.round_edges.remove(&[a, b]),
+                [a, b] => {
+                    self.bulges.remove(&[a, b]);
+                    self.round_edges.remove(&[a, b])
+                }
                 [a, b, c, d] => self.round_faces.remove(&[a, b, c, d]),
                 _ => None,
             };
@@ -107,14 +120,17 @@ impl Nodes {
         (self.points.len() - 1) as u32
     }
 
-    /// The middle of an edge, on the round surface that the edge lies on.
+    /// The middle of an edge, on the round or smooth surface that the edge lies on.
     fn edge(&mut self, ends: [u32; 2]) -> u32 {
         let key = sorted(ends);
         if let Some(node) = self.edges.get(&key) {
             return *node;
         }
         let middle = self.mean(&[(0.5, &key)]);
-        let point = on(self.round_edges.get(&key), middle);
+        let point = match (self.round_edges.get(&key), self.bulges.get(&key)) {
+            (None, Some(bulge)) => add(middle, *bulge),
+            (shape, _) => on(shape, middle),
+        };
         let node = self.add(point);
         self.edges.insert(key, node);
         node

@@ -83,6 +83,11 @@ impl BelowPatches {
         matches!(peak.place, Place::Node(node) if self.nodes.contains(&node))
     }
 
+    /// Is a place of a body below a point of contact, or what the mesh is too coarse for?
+    pub fn is_above(&self, body: usize, at: &[f64; 3]) -> bool {
+        self.above(body, at).next().is_some()
+    }
+
     /// Is a place of a body below a patch that the mesh does not resolve?
     pub fn hide(&self, body: usize, at: &[f64; 3]) -> bool {
         self.above(body, at).any(|patch| patch.error.is_none())

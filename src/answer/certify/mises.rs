@@ -25,6 +25,13 @@ const COARSE: &str = "below a strip or patch of contact that the nodes are too f
 const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
                           to the mesh";
 
+const STEEP: &str = "the stress falls by more than half within one element: the elements are too large for the hole, fillet \
+                     or wall that makes the peak";
+
+/// Share of itself by which a stress may fall from the node of its peak to another of the same elements. (At the bores of tubes
+/// with 67 to 84 % the peak was read 27 to 42 % too small, with 47 % 11 to 15 % and within its bar.)
+const MOST_FALL: f64 = 0.5;
+
 /// What nodal averages miss of a peak that lies between nodes, at most, of itself,
 const SMOOTH: f64 = 0.02;
 /// and of the fall from the peak to the smallest nodal value of the elements around it: of a parabola with its peak in the
@@ -185,6 +192,7 @@ fn mises(
         let is_next_to_edge = around.border > 0.0;
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
         let counts = strip.map_or_else(|| below.share(index, &nodal.at), |_| 1.0);
+        let is_steep = around.fall > MOST_FALL * nodal.value && !below.is_above(index, &nodal.at);
         let above = nodal.value - centroid.value;
         // The centres that count are then farther from the edge than the node is.
         let spread = match is_next_to_edge {
@@ -204,6 +212,7 @@ fn mises(
         let left = 1.0 - corrected * (1.0 - OF_BAR);
         let (error, note) = match strip {
             Some(strip) if !strip.shows() => (None, Some(COARSE)),
+            None if is_steep => (None, Some(STEEP)),
             _ if is_beside_coarse => (None, Some(LONG_FACES)),
             _ if is_next_to_edge => {
                 let means = strip.map_or(OF_MEANS * around.means, |_| 0.0);

@@ -48,7 +48,7 @@ pub struct MisesPeaks {
     pub around: Around,
     /// Does a singular edge cease to reach just at the node?
     pub is_on_border: bool,
-    /// Is the node beside one whose faces are longer than its stress reaches?
+    /// Does the stress rise from the node to one whose faces are longer than its stress reaches?
     pub is_beside_coarse: bool,
 }
 
@@ -150,7 +150,7 @@ pub fn peaks(
                 centroid: centroid_peak(body, &far)?,
                 around: around(&nodal, &|at| edges.are_near(at)),
                 is_on_border: edges.end_at(&nodal.at),
-                is_beside_coarse: edges.end_coarsely_at(&nodal.at),
+                is_beside_coarse: around(&nodal, &|at| edges.are_coarsely_near(at)).border > 0.0,
             };
             Some((by, away))
         });

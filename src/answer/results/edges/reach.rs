@@ -22,9 +22,6 @@ struct EdgeNode {
 /// Nodes that a mesh puts where an edge ceases to reach are no longer near it, by rounding or a roller a little askew.
 const SLACK: f64 = 0.01;
 
-/// Reaches up to which a point is beside a face that is longer than its edge reaches: an element beyond it.
-const BESIDE: f64 = 2.0;
-
 impl EdgeNodes {
     /// Adds the ends of side `side` of a face, whose stress reaches as far as `whole`, a length. A face that is longer
     /// belongs to its edge as a whole.
@@ -60,12 +57,9 @@ impl EdgeNodes {
         self.0.iter().any(|edge| edge.ends_at(at))
     }
 
-    /// Is a point, away from all edges, beside one whose faces are longer than its stress reaches? The farther from the edge
-    /// the mesh begins to count, the less of a stress that falls from there on is left.
-    pub fn end_coarsely_at(&self, at: &[f64; 3]) -> bool {
-        self.0
-            .iter()
-            .any(|edge| edge.is_coarse && edge.apart(at).iter().all(|x| *x <= BESIDE))
+    /// Is a point so near to an edge whose faces are longer than its stress reaches that it belongs to these?
+    pub fn are_coarsely_near(&self, at: &[f64; 3]) -> bool {
+        self.0.iter().any(|edge| edge.is_coarse && edge.reaches(at))
     }
 }
 

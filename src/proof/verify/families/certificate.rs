@@ -1,4 +1,4 @@
-//! Estimated errors beside true ones, on problem H and on a sphere.
+//! Estimated errors beside true ones, on problem H, on a sphere and at the bores of tubes.
 //!
 //! A bar holds where the true error is no larger. How wide bars are beside true errors is asked of many
 //! bearings, by the coverage suite.
@@ -8,10 +8,18 @@ use crate::answer::certify::{Figure, Quantity, figure};
 use crate::answer::results::load::descent;
 use crate::answer::results::recovery::recover;
 use crate::answer::{Answer, AnswerInputs};
+use crate::model::material::Steel;
+use crate::model::mesh::block::{Block, uniform};
+use crate::model::scene::{Scene, Step};
+use crate::proof::closed_forms::steel::BilinearSteel;
+use crate::proof::closed_forms::tube::Tube;
 use crate::proof::verify::kit::{self, SolvedScene};
 use crate::proof::verify::scenes::problem_h::{self, Sizes};
 use crate::proof::verify::{Extent, LadderClaim, VerifyError};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Of the tubes.
+const POISSON: f64 = 0.3;
 
 /// A figure of which the truth is known: what, where, and the truth.
 type KnownTruth<'a> = (Quantity, &'a str, f64);
@@ -19,6 +27,7 @@ type KnownTruth<'a> = (Quantity, &'a str, f64);
 pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = plane()?;
     claims.extend(sphere()?);
+    claims.extend(tubes()?);
     Ok(claims)
 }
 
@@ -83,6 +92,37 @@ fn sphere() -> Result<Vec<LadderClaim>, VerifyError> {
         let certificate = certified(&run)?;
         let problem = format!("sphere, h/a = 1/{across}");
         claims.extend(judged(&problem, &run, &certificate, &known));
+    }
+    Ok(claims)
+}
+
+/// Tubes under internal pressure, thin and thick, with few elements in the wall.
+fn tubes() -> Result<Vec<LadderClaim>, VerifyError> {
+    let mut claims = Vec::new();
+    for (kind, name) in kit::ELEMENTS {
+        for outer in [1.3, 2.0, 4.0] {
+            let tube = Tube::new(1.0, outer, BilinearSteel::new(1e3, 1.0, 0.0)?)?;
+            let stress = tube.elastic_stress(1.0, POISSON, 1.0)?;
+            let known = [(Quantity::PeakMises, "tube", stress.mises())];
+            for cells in [2, 3, 4, 8] {
+                let mesh = Block::new(
+                    "tube",
+                    uniform(1.0, outer, cells),
+                    uniform(0.0, FRAC_PI_2, 4 * cells),
+                    uniform(0.0, 0.1, 1),
+                );
+                let mesh = mesh.mapped(kit::quarter).build()?;
+                let mut scene = Scene::bare("tube", mesh, Steel::elastic(1e3, POISSON));
+                scene.controls.element = kind;
+                scene.supports = kit::quarter_supports();
+                scene.tractions = vec![kit::pressure("x_min", 1.0)];
+                scene.steps = vec![Step::to("pressure", 1.0)];
+                let run = kit::run(scene)?;
+                let certificate = certified(&run)?;
+                let problem = format!("tube, b/a = {outer}, {name}, {cells} in the wall");
+                claims.extend(judged(&problem, &run, &certificate, &known));
+            }
+        }
     }
     Ok(claims)
 }

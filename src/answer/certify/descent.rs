@@ -78,12 +78,12 @@ impl Travel {
         // What is moved by a given travel misses nothing of it.
         let forced = forced_share(scene, state);
         let missing = by_force.then(|| {
-            let of_mesh_error = energy::missing_work(scene, state, recovered);
+            let by_mesh = energy::missing_work(scene, state, recovered);
             let seen = missing(
-                of_mesh_error.work * copies(scene) / applied(scene, state),
+                by_mesh.work * copies(scene) / applied(scene, state),
                 of_mesh,
             );
-            let errors = of_mesh_error.errors.iter().enumerate();
+            let errors = by_mesh.errors.iter().enumerate();
             let unlike_strips = errors.filter(|(body, _)| !contacts.is_below_strip(scene, *body));
             let unlike_strips = unlike_strips.map(|(_, error)| error).sum::<f64>() * copies(scene);
             let at_touch = |part: usize| {

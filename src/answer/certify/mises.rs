@@ -54,7 +54,7 @@ const AT_SURFACE: f64 = 2.0;
 
 /// Where no strip is above, share of the distance between the nodal value and what the means of elements tend to at the node:
 /// at a surface that is of the first order of the spacing, as the error is, and the other differences may miss it. (Of 772
-/// peaks at holes, fillets, bores, press fits and ties of 144 drawn scenes 158 were outside without it.)
+/// peaks of 204 drawn scenes with holes, fillets, bores, press fits and ties 158 were outside without it.)
 const OF_MEANS: f64 = 2.0;
 
 /// What bodies of finite size and a strip beside add to the largest stress below a strip, of itself.
@@ -79,8 +79,8 @@ const BESIDE: f64 = 0.5;
 /// The nodal peak is claimed; below a strip that the mesh resolves, less what extrapolation overshoots by. It and
 /// that of element centres tend to the same value from different sides of the error: extrapolation to nodes
 /// overshoots by the curvature of the stress over an element, while a centre lies close to it; the largest value at
-/// an integration point overshoots most; the elements that meet at a node differ by what none of them resolves; slopes from element to element
-/// say something else at the node than slopes within them. These
+/// an integration point overshoots most; the elements that meet at a node differ by what none of them resolves; slopes from
+/// element to element say something else at the node than slopes within them. These
 /// differences are the
 /// estimate, the largest of them; below a point of contact the first counts the less the better its pressure is known. Beside a loaded edge there is none, and the peak away
 /// from such edges is claimed, too; where it lies next to what is left out, the stress there counts in place of that of

@@ -63,10 +63,10 @@ pub(super) fn around(
         }
     }
     let own: Vec<usize> = elements.iter().map(|(element, _)| *element).collect();
-    let of_means = mises_of_means((scene, body), (state, recovered), node, (&own, &extent));
+    let of_means = mises_of_means((scene, body), (state, recovered), node, &own);
     Around {
         jump: extrapolated - peak,
-        means: (of_means - peak).abs(),
+        means: of_means.map_or(0.0, |of_means| (of_means - peak).abs()),
         fall: peak - smallest,
         border: beside - peak,
         curvature: curvature(scene, recovered, &elements, is_beside),

@@ -7,34 +7,34 @@
 
 use super::recovery::{Recovered, mirrored};
 use super::tensor::mises;
-use crate::ground::geometry::{Vec3, sub};
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use std::collections::BTreeSet;
 
-/// Variance of places along a direction, over the squares of the sizes of elements, below which nothing is known of a slope
-/// along it: that of two elements side by side is a quarter.
-const LEAST_VARIANCE: f64 = 0.1;
+/// Variance of the centres of elements along a direction, over that of the corners of one element, below which nothing is known
+/// of a slope along it: that of two elements side by side is one, that of a single layer nothing.
+const LEAST_VARIANCE: f64 = 0.4;
 
 /// An element, or its image beside a mirror plane.
 struct Mean {
-    /// Its centre from the node on, over the sizes of elements there.
+    /// Its centre from the node on, in coordinates in which the corners of elements there vary by one in every direction:
+    /// slopes are then known as well in any orientation, and along the short side of an element as along the long one.
     at: Vector3<f64>,
     stress: [f64; 6],
     /// Does it meet the node?
     is_own: bool,
 }
 
-/// The Mises stress at a `node` of `body`, the elements `own` of which meet there and reach as far as `extent`.
+/// The Mises stress at a `node` of `body`, the elements `own` of which meet there; `None` where these have no volume.
 pub(super) fn mises_of_means(
     (scene, body): (&Scene, &Body),
     (state, recovered): (&State, &Recovered),
     node: usize,
-    (own, extent): (&[usize], &Vec3),
-) -> f64 {
-    let means = means((scene, body), (state, recovered), node, (own, extent));
+    own: &[usize],
+) -> Option<f64> {
+    let means = means((scene, body), (state, recovered), node, own)?;
     let count = means.len() as f64;
     let middle: Vector3<f64> = means.iter().map(|mean| mean.at).sum::<Vector3<f64>>() / count;
     let (mut variance, mut along) = (Matrix3::zeros(), SMatrix::<f64, 3, 6>::zeros());
@@ -55,7 +55,7 @@ pub(super) fn mises_of_means(
         .map(at_node)
         .collect();
     let stress = there.iter().sum::<SVector<f64, 6>>() / there.len() as f64;
-    mises(&stress.into())
+    Some(mises(&stress.into()))
 }
 
 /// Two rings of elements around the node, with their images beside the mirror planes through it.
@@ -63,38 +63,46 @@ fn means(
     (scene, body): (&Scene, &Body),
     (state, recovered): (&State, &Recovered),
     node: usize,
-    (own, extent): (&[usize], &Vec3),
-) -> Vec<Mean> {
+    own: &[usize],
+) -> Option<Vec<Mean>> {
     let node_of = |point: &u32| recovered.points.node[*point as usize];
     let nodes = |element: usize| recovered.points.cells[element].iter().map(node_of);
     let ring: BTreeSet<u32> = own.iter().flat_map(|element| nodes(*element)).collect();
     let near = (body.elements.clone()).filter(|element| nodes(*element).any(|n| ring.contains(&n)));
-    let of_eighth = |all: &mut dyn Iterator<Item = f64>| all.sum::<f64>() / 8.0;
+    let corners = |element: usize| scene.mesh.corners(element).map(Vector3::from);
+    let centre = |element: usize| corners(element).iter().sum::<Vector3<f64>>() / 8.0;
     let mean = |element: usize| {
-        let corners = scene.mesh.corners(element);
-        let centre = [0, 1, 2].map(|k| of_eighth(&mut corners.iter().map(|corner| corner[k])));
-        let off = sub(centre, scene.mesh.points[node]);
-        let points = &state.stress[element];
-        let of_component = |k| of_eighth(&mut points.iter().map(|stress| stress[k]));
+        let points = state.stress[element].iter();
+        let sum: SVector<f64, 6> = points.map(|stress| SVector::from(*stress)).sum();
         Mean {
-            at: Vector3::from_fn(|k, _| off[k] / extent[k]),
-            stress: std::array::from_fn(of_component),
+            at: centre(element) - Vector3::from(scene.mesh.points[node]),
+            stress: (sum / 8.0).into(),
             is_own: own.contains(&element),
         }
     };
     let mut means: Vec<Mean> = near.map(mean).collect();
+    let off = |element: &usize| {
+        let centre = centre(*element);
+        corners(*element).map(|corner| corner - centre)
+    };
+    let mut corners: Vec<Vector3<f64>> = own.iter().flat_map(off).collect();
     for axis in scene.mirrors_through(&scene.mesh.points[node]) {
-        let image = |mean: &Mean| {
-            let mut at = mean.at;
+        let across = |mut at: Vector3<f64>| {
             at[axis] = -at[axis];
-            Mean {
-                at,
-                stress: mirrored(mean.stress, axis),
-                is_own: mean.is_own,
-            }
+            at
         };
-        let images: Vec<Mean> = means.iter().map(image).collect();
-        means.extend(images);
+        let image = |mean: &Mean| Mean {
+            at: across(mean.at),
+            stress: mirrored(mean.stress, axis),
+            is_own: mean.is_own,
+        };
+        means.extend(means.iter().map(image).collect::<Vec<_>>());
+        corners.extend(corners.iter().copied().map(across).collect::<Vec<_>>());
     }
-    means
+    let spread: Matrix3<f64> = corners.iter().map(|off| off * off.transpose()).sum();
+    let unit = (spread / corners.len() as f64).cholesky()?.l();
+    for mean in &mut means {
+        mean.at = unit.solve_lower_triangular(&mean.at)?;
+    }
+    Some(means)
 }

@@ -4,7 +4,7 @@ use super::figure::{Errors, Figure, Quantity, figure_of};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::hex::distance;
-use crate::answer::results::interface::Interface;
+use crate::answer::results::interface::{Interface, pressed_faces};
 use crate::answer::results::load::{cutting_pair, times};
 use crate::answer::results::recovery::Recovered;
 use crate::ground::geometry::dot;
@@ -159,26 +159,17 @@ fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
 fn chords(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
     let [carrier, _] = scene.contacts[pair].carrier_first();
     let shape = carrier.shape(&scene.mesh);
-    let (Some(surface), Some(radius)) = (carrier.surface(&scene.mesh), shape.radius()) else {
+    let Some(radius) = shape.radius() else {
         return 0.0;
     };
-    let is_active = |node: &u32| {
-        field
-            .nodes
-            .binary_search(node)
-            .is_ok_and(|i| field.is_active(i))
-    };
-    let pressed = surface
-        .faces
-        .iter()
-        .filter(|face| face.nodes.iter().any(is_active));
     let sagitta = |face: &Face| {
         let centre = face.centre(&scene.mesh);
         shape
             .project(centre)
             .map_or(0.0, |(foot, _)| distance(foot, centre))
     };
-    pressed.map(sagitta).fold(0.0, f64::max) / (3.0 * radius)
+    let sagittas = pressed_faces(scene, pair, field).map(sagitta);
+    sagittas.fold(0.0, f64::max) / (3.0 * radius)
 }
 
 #[cfg(test)]

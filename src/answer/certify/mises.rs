@@ -187,7 +187,6 @@ fn mises(
             centroid,
             around,
             is_on_border,
-            is_beside_coarse,
         } = read;
         let is_next_to_edge = around.border > 0.0;
         let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
@@ -213,7 +212,7 @@ fn mises(
         let (error, note) = match strip {
             Some(strip) if !strip.shows() => (None, Some(COARSE)),
             None if is_steep => (None, Some(STEEP)),
-            _ if is_beside_coarse => (None, Some(LONG_FACES)),
+            _ if around.rises_to_long_faces => (None, Some(LONG_FACES)),
             _ if is_next_to_edge => {
                 let means = strip.map_or(OF_MEANS * around.means, |_| 0.0);
                 let overshoot = (1.0 - corrected) * overshoot.max(0.0);
@@ -269,7 +268,6 @@ fn mises(
         centroid,
         around: body.around,
         is_on_border: false,
-        is_beside_coarse: false,
     };
     match body.away {
         None => vec![claim(peak, whole, at_points)],

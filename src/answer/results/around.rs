@@ -23,20 +23,23 @@ pub struct Around {
     /// Of a peak away from loaded edges, where one of these elements reaches beside an edge: by how much the largest
     /// nodal value there is above that of the node. Zero elsewhere.
     pub border: f64,
+    /// Is one of these elements beside a singular edge whose faces are longer than its stress reaches, and the stress larger there?
+    pub rises_to_long_faces: bool,
     /// What is between the nodal value and the stress itself.
     pub curvature: Curvature,
     /// How far these elements reach along x, y and z, the largest of them.
     pub extent: Vec3,
 }
 
-/// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which places are beside an edge.
+/// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which places are beside an edge,
+/// and `is_coarse` which beside one whose faces are longer than its stress reaches.
 pub(super) fn around(
     (scene, body): (&Scene, &Body),
     state: &State,
     recovered: &Recovered,
     rule: &GaussRule,
     (node, peak): (usize, f64),
-    is_beside: impl Fn(&Vec3) -> bool,
+    (is_beside, is_coarse): (impl Fn(&Vec3) -> bool, impl Fn(&Vec3) -> bool),
 ) -> Around {
     let node_of = |point: u32| recovered.points.node[point as usize] as usize;
     let at_node = |element: usize| {
@@ -47,6 +50,7 @@ pub(super) fn around(
     let elements: Vec<(usize, usize)> = body.elements.clone().filter_map(at_node).collect();
     let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
     let mut extent = [0.0; 3];
+    let mut rises_to_long_faces = false;
     for (element, corner) in &elements {
         let [least, most] = bounds(scene.mesh.corners(*element));
         for k in 0..3 {
@@ -57,9 +61,11 @@ pub(super) fn around(
         for point in &recovered.points.cells[*element] {
             let value = recovered.mises_nodal[*point as usize];
             smallest = smallest.min(value);
-            if is_beside(&scene.mesh.points[node_of(*point)]) {
+            let at = &scene.mesh.points[node_of(*point)];
+            if is_beside(at) {
                 beside = beside.max(value);
             }
+            rises_to_long_faces |= value > peak && is_coarse(at);
         }
     }
     let own: Vec<usize> = elements.iter().map(|(element, _)| *element).collect();
@@ -69,6 +75,7 @@ pub(super) fn around(
         means: of_means.map_or(0.0, |of_means| (of_means - peak).abs()),
         fall: peak - smallest,
         border: beside - peak,
+        rises_to_long_faces,
         curvature: curvature(scene, recovered, &elements, is_beside),
         extent,
     }

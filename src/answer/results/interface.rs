@@ -4,6 +4,7 @@ use super::balance::centre_of_force;
 use super::hex::distance;
 use super::load::{along, cutting_pair, times, whole_of};
 use crate::ground::geometry::{dot, norm};
+use crate::model::mesh::Face;
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 
@@ -109,19 +110,25 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
     result
 }
 
-fn face_side(scene: &Scene, pair: usize, field: &ContactField) -> Option<f64> {
-    let loaded = |node: &u32| {
-        field
-            .nodes
-            .binary_search(node)
-            .is_ok_and(|i| field.is_active(i))
+/// Faces of the carrier of a pair that press; none where it is no surface.
+pub fn pressed_faces<'s>(
+    scene: &'s Scene,
+    pair: usize,
+    field: &'s ContactField,
+) -> impl Iterator<Item = &'s Face> {
+    let is_active = |node: &u32| {
+        let at = field.nodes.binary_search(node);
+        at.is_ok_and(|i| field.is_active(i))
     };
     let faces = scene
-        .carrier(pair)?
-        .faces
-        .iter()
-        .filter(|face| face.nodes.iter().any(loaded));
-    let sides = faces.flat_map(|face| {
+        .carrier(pair)
+        .into_iter()
+        .flat_map(|surface| &surface.faces);
+    faces.filter(move |face| face.nodes.iter().any(is_active))
+}
+
+fn face_side(scene: &Scene, pair: usize, field: &ContactField) -> Option<f64> {
+    let sides = pressed_faces(scene, pair, field).flat_map(|face| {
         let corners = face.nodes.map(|n| scene.mesh.points[n as usize]);
         [0, 1, 2, 3].map(|i| distance(corners[i], corners[(i + 1) % 4]))
     });

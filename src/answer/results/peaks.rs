@@ -6,6 +6,7 @@ use super::hex::{GaussRule, centre};
 use super::load::{cutting, times};
 use super::recovery::{Recovered, recover};
 use super::tensor::mises;
+use crate::ground::geometry::Vec3;
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -48,8 +49,6 @@ pub struct MisesPeaks {
     pub around: Around,
     /// Does a singular edge cease to reach just at the node?
     pub is_on_border: bool,
-    /// Does the stress rise from the node to one whose faces are longer than its stress reaches?
-    pub is_beside_coarse: bool,
 }
 
 /// The peaks of one body; `None` for a body without elements.
@@ -134,10 +133,13 @@ pub fn peaks(
     };
     let body_peaks = |(index, body): (usize, &Body)| {
         let nodal = nodal[index];
-        let around = |peak: &Peak, is_beside: &dyn Fn(&[f64; 3]) -> bool| match peak.place {
+        let around = |peak: &Peak, is_away: bool| match peak.place {
             Place::Node(node) => {
                 let peak = (node, peak.value);
-                around((scene, body), state, recovered, &rule, peak, is_beside)
+                let is_beside = |at: &Vec3| is_away && edges.are_near(at);
+                let is_coarse = |at: &Vec3| is_away && edges.are_coarsely_near(at);
+                let edges = (is_beside, is_coarse);
+                around((scene, body), state, recovered, &rule, peak, edges)
             }
             _ => Around::default(),
         };
@@ -148,9 +150,8 @@ pub fn peaks(
             let away = MisesPeaks {
                 nodal,
                 centroid: centroid_peak(body, &far)?,
-                around: around(&nodal, &|at| edges.are_near(at)),
+                around: around(&nodal, true),
                 is_on_border: edges.end_at(&nodal.at),
-                is_beside_coarse: around(&nodal, &|at| edges.are_coarsely_near(at)).border > 0.0,
             };
             Some((by, away))
         });
@@ -181,7 +182,7 @@ pub fn peaks(
             integration_point,
             nodal,
             around: (nodal.as_ref())
-                .map(|peak| around(peak, &|_| false))
+                .map(|peak| around(peak, false))
                 .unwrap_or_default(),
             away,
             peeq_max: peeq.map_or(0.0, |(_, largest)| largest),

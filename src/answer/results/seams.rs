@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::ground::geometry::{cross, dot, norm, sub, unit};
-use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Face, Mesh};
 
 /// Of each edge, its nodes ascending, the faces that have it, and which side of them it is.
@@ -18,7 +17,7 @@ impl<'f> Seams<'f> {
         let mut sharing: BTreeMap<[u32; 2], Vec<(usize, usize)>> = BTreeMap::new();
         for (index, face) in faces.iter().enumerate() {
             for side in 0..4 {
-                let shared = sharing.entry(ends(face.nodes, side)).or_default();
+                let shared = sharing.entry(face.edge(side)).or_default();
                 shared.push((index, side));
             }
         }
@@ -48,11 +47,6 @@ impl<'f> Seams<'f> {
 
     /// The same at the opposite side of a face.
     pub fn turn_opposite(&self, mesh: &Mesh, (face, side): (usize, usize)) -> Option<(f64, f64)> {
-        self.turn(mesh, ends(self.faces[face].nodes, side + 2))
+        self.turn(mesh, self.faces[face].edge(side + 2))
     }
-}
-
-/// The ends of a side of a face, ascending.
-pub fn ends(face: [u32; 4], side: usize) -> [u32; 2] {
-    sorted([face[side % 4], face[(side + 1) % 4]])
 }

@@ -166,6 +166,11 @@ impl Face {
         [0, 1, 2, 3].map(|k| norm(sub(corners[k], corners[(k + 1) % 4])))
     }
 
+    /// The nodes at the ends of a side, ascending.
+    pub fn edge(&self, side: usize) -> [u32; 2] {
+        sorted([self.nodes[side % 4], self.nodes[(side + 1) % 4]])
+    }
+
     /// Its element and its nodes, ascending: what tells it from other faces however it is seen.
     pub fn key(&self) -> (u32, [u32; 4]) {
         (self.element, sorted(self.nodes))

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::hex::distance;
-use super::super::seams::ends;
 use crate::ground::geometry::bounds;
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Mesh, Surface};
@@ -38,7 +37,7 @@ pub fn boundary(scene: &Scene, surface: &Surface) -> Boundary {
     let mut uses: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     for face in &surface.faces {
         for side in 0..4 {
-            *uses.entry(ends(face.nodes, side)).or_default() += 1;
+            *uses.entry(face.edge(side)).or_default() += 1;
         }
     }
     // Where nodes hang a face ends at two smaller ones.

@@ -8,7 +8,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::fillet;
 use super::super::hex::distance;
-use super::super::seams::ends;
 use super::boundary::{boundary, longest_side};
 use super::reach::EdgeNodes;
 use crate::ground::geometry::bounds;
@@ -90,7 +89,7 @@ impl LoadedEdges {
         let fillets = fillet::beginnings(mesh, surface);
         for face in &surface.faces {
             for k in 0..4 {
-                let side = ends(face.nodes, k);
+                let side = face.edge(k);
                 let bend = fillets.get(&side);
                 // At the last node that presses a part of the pressure is lost.
                 let unseen =
@@ -101,7 +100,7 @@ impl LoadedEdges {
                 }
                 self.unseen[pair] = self.unseen[pair].max(unseen.unwrap_or(0.0));
                 self.nodes.add(mesh, face, k, whole);
-                let inner = ends(face.nodes, k + 2);
+                let inner = face.edge(k + 2);
                 let at_edge = pressure(&side).unwrap_or(0.0);
                 let varies = (at_edge / pressure(&inner).unwrap_or(0.0) - 1.0).abs() > EVEN;
                 if unseen.is_none() && varies && at_edge > HEAVY * most {

@@ -46,8 +46,7 @@ impl Nodes {
             for face in &surface.faces {
                 nodes.round_faces.entry(sorted(face.nodes)).or_insert(shape);
                 for k in 0..4 {
-                    let edge = sorted([face.nodes[k], face.nodes[(k + 1) % 4]]);
-                    nodes.round_edges.entry(edge).or_insert(shape);
+                    nodes.round_edges.entry(face.edge(k)).or_insert(shape);
                 }
             }
         }

@@ -47,7 +47,11 @@ pub(super) fn bulges(mesh: &Mesh, flat: &HashSet<[u32; 4]>) -> HashMap<[u32; 2],
             let mut sum = [0.0; 3];
             for (face, side) in sides {
                 let is_flat = flat.contains(&sorted(skin.faces[*face].nodes));
-                let bulge = skin.bulge(*face, *side).filter(|_| !is_flat);
+                let bulge = if is_flat {
+                    None
+                } else {
+                    skin.bulge(*face, *side)
+                };
                 // Across an edge of the body each surface has its own say, along its normal; else they have the same.
                 let share = match skin.across(*face, *side) {
                     Across::Edge => 1.0,
@@ -64,18 +68,13 @@ pub(super) fn bulges(mesh: &Mesh, flat: &HashSet<[u32; 4]>) -> HashMap<[u32; 2],
     bulges
 }
 
-/// The nodes of a side, ascending.
-fn edge(face: &Face, side: usize) -> [u32; 2] {
-    sorted([face.nodes[side], face.nodes[(side + 1) % 4]])
-}
-
 impl<'m> Skin<'m> {
     fn new(mesh: &'m Mesh, body: usize) -> Self {
         let faces = mesh.outer_faces(body);
         let mut at: HashMap<_, Vec<_>> = HashMap::new();
         for (index, face) in faces.iter().enumerate() {
             for side in 0..4 {
-                at.entry(edge(face, side)).or_default().push((index, side));
+                at.entry(face.edge(side)).or_default().push((index, side));
             }
         }
         let normal = |face: &Face| unit(face.area_vector(mesh)).unwrap_or_default();
@@ -88,7 +87,7 @@ impl<'m> Skin<'m> {
     }
 
     fn across(&self, face: usize, side: usize) -> Across {
-        let beside = self.at[&edge(&self.faces[face], side)].as_slice();
+        let beside = self.at[&self.faces[face].edge(side)].as_slice();
         let [a, b] = beside else {
             return Across::Edge;
         };
@@ -114,10 +113,15 @@ impl<'m> Skin<'m> {
         [1, 3].map(|k| self.across(face, (side + k) % 4))
     }
 
+    /// Is the surface flat along a side, as it goes on in the same plane at one end?
+    fn is_straight(&self, face: usize, side: usize) -> bool {
+        let ends = self.ends(face, side);
+        ends.iter().any(|end| matches!(end, Across::Flat))
+    }
+
     /// How high the arc over a side of a facet is; `None` where nothing is known of it.
     fn bulge(&self, face: usize, side: usize) -> Option<f64> {
-        let ends = self.ends(face, side);
-        if ends.iter().any(|end| matches!(end, Across::Flat)) {
+        if self.is_straight(face, side) {
             return Some(0.0);
         }
         let length = self.faces[face].sides(self.mesh)[side];
@@ -126,10 +130,9 @@ impl<'m> Skin<'m> {
                 by,
                 into: (other, m),
             } => {
-                let is_flat = |end: &Across| matches!(end, Across::Flat);
-                let ends = self.ends(other, (m + 1) % 4);
-                let beyond = self.faces[other].sides(self.mesh)[(m + 1) % 4];
-                let share = if ends.iter().any(is_flat) {
+                let on = (m + 1) % 4;
+                let beyond = self.faces[other].sides(self.mesh)[on];
+                let share = if self.is_straight(other, on) {
                     1.0
                 } else {
                     length / (length + beyond)
@@ -138,7 +141,7 @@ impl<'m> Skin<'m> {
             }
             _ => None,
         };
-        let angles: Vec<f64> = ends.iter().filter_map(angle).collect();
+        let angles: Vec<f64> = self.ends(face, side).iter().filter_map(angle).collect();
         // Where the surface ends at one side it is taken to go on as at the other.
         let mean =
             angles.iter().map(|angle| (0.5 * angle).tan()).sum::<f64>() / angles.len() as f64;

@@ -7,6 +7,7 @@ use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
 use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT, UNLOADING_ITERATIONS};
+use crate::solver::solve::working_set::unforeseen::Unforeseen;
 
 impl Run<'_, '_> {
     /// Returns false where the observer cancelled.
@@ -115,10 +116,9 @@ impl Run<'_, '_> {
                 }) => return Ok(false),
                 Err(Stopped {
                     why: Failure::UnforeseenFlow,
-                    ..
+                    flowing,
                 }) => {
-                    let (unforeseen, _) = self.look(&trial, self.size / target);
-                    self.prepare_for(unforeseen.only_flow(), Some(&trial))?;
+                    self.prepare_for(Unforeseen::of_flow(flowing), Some(&trial))?;
                     self.size = target - time;
                 }
                 Err(stopped) => {

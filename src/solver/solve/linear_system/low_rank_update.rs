@@ -106,7 +106,7 @@ impl LowRankUpdate {
         true
     }
 
-    /// 1 + D G of the rows at these `places`.
+    /// 1 + D G of these `rows`, by their places, that have changed.
     fn change(&self, rows: Vec<usize>, changes: Vec<Block>) -> LowRankChange {
         let size = 3 * rows.len();
         let mut entries = Mat::<f64>::identity(size, size);

@@ -168,9 +168,10 @@ pub fn balance_increment(
             && !history.is_virgin()
             && last.residual <= EARLY_LOOK_RESIDUAL
             && !std::mem::replace(&mut looked, true)
-            && misses_flow(model, history, point, ahead)
+            && let Some(flowing) = missed_flow(model, history, point, ahead)
         {
-            return Err(stop(Failure::UnforeseenFlow));
+            let why = Failure::UnforeseenFlow;
+            return Err(Stopped { why, flowing });
         }
         // A soft penalty is raised where multipliers come on slowly.
         if lingers {
@@ -214,11 +215,11 @@ fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iterati
     }
 }
 
-/// Does an element flow at `point` that is not watched, though no node of it was condensed?
-fn misses_flow(model: &Model, history: &History, point: &Point, ahead: Ahead) -> bool {
+/// Elements to watch from now on, where one of them flows at `point` and no node of theirs was condensed.
+fn missed_flow(model: &Model, history: &History, point: &Point, ahead: Ahead) -> Option<Vec<u32>> {
     let u = model.displacement(point, &history.settled);
     let (flow, missed) = unexpected_flow(model, &history.settled, (point, &u), ahead);
-    missed && model.keeps(&flow)
+    (missed && model.keeps(&flow)).then_some(flow)
 }
 
 /// Evaluates the model at the unknowns `x`, where steel `flows` or may not, and counts what that takes.

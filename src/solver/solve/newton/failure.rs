@@ -30,6 +30,6 @@ pub enum Failure {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stopped {
     pub why: Failure,
-    /// Elements that flowed as long as displacements were sound.
+    /// Elements that flowed as long as displacements were sound; of unforeseen flow those to watch from now on.
     pub flowing: Vec<u32>,
 }

@@ -74,11 +74,11 @@ impl Unforeseen {
         self.approach.is_none() && self.contact.is_none()
     }
 
-    /// The elements alone.
-    pub fn only_flow(self) -> Self {
+    /// Elements one of which flows, and nothing else.
+    pub fn of_flow(flow: Vec<u32>) -> Self {
         Self {
-            flow: self.flow,
-            missed: self.missed,
+            flow,
+            missed: true,
             ..Self::default()
         }
     }

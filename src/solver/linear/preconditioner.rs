@@ -40,7 +40,7 @@ pub enum Precision {
 const LEAST_WORK_FOR_SINGLE: f64 = 1e8;
 
 impl Preconditioner {
-    /// Prepares for `matrix`, reusing `old`. A factor in single precision is tried only where that pays, and is in
+    /// Prepares for `matrix`, which contact and flow have made of the `elastic` one, reusing `old`. A factor in single precision is tried only where that pays, and is in
     /// double precision where the matrix is not positive definite to single.
     ///
     /// # Errors
@@ -48,7 +48,7 @@ impl Preconditioner {
     pub fn factorise(
         &self,
         pattern: &Pattern,
-        matrix: &SymmetricMatrix,
+        [matrix, elastic]: [&SymmetricMatrix; 2],
         precision: Precision,
         old: Option<Prepared>,
     ) -> Result<Prepared, FactorError> {
@@ -81,7 +81,8 @@ impl Preconditioner {
                     Some(Prepared::Schwarz(factor)) => Some(*factor),
                     _ => None,
                 };
-                (schwarz.factorise(pattern, matrix, old)).map(|f| Prepared::Schwarz(Box::new(f)))
+                let factor = schwarz.factorise(pattern, matrix, elastic, old);
+                factor.map(|f| Prepared::Schwarz(Box::new(f)))
             }
         }
     }
@@ -164,7 +165,7 @@ mod tests {
         assert!(symbolic.work() > LEAST_WORK_FOR_SINGLE);
         let preconditioner = Preconditioner::Direct(Box::new(symbolic));
         let b: Vec<f64> = (0..pattern.len()).map(|i| (i as f64).sin()).collect();
-        let factor = preconditioner.factorise(&pattern, &matrix, Precision::Single, None);
+        let factor = preconditioner.factorise(&pattern, [&matrix; 2], Precision::Single, None);
         let factor = factor.unwrap();
         let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(&matrix, x, y);
         let precondition = |x: &mut [f64]| preconditioner.apply(&pattern, &factor, multiply, x);

@@ -136,9 +136,10 @@ fn solve(model: &Model, forces: &[f64], rounding: f64) -> Result<Vec<f64>, Solve
     let (pattern, matrix) = (&model.pattern, &model.stiffness);
     let mut shifted = matrix.clone();
     shift_diagonal(pattern, &mut shifted);
-    let factor = model
-        .preconditioner
-        .factorise(pattern, &shifted, Precision::default(), None)?;
+    let factor =
+        model
+            .preconditioner
+            .factorise(pattern, [&shifted, matrix], Precision::default(), None)?;
     let multiply = |x: &[f64], y: &mut [f64]| pattern.multiply(matrix, x, y);
     let precondition = |x: &mut [f64]| (model.preconditioner).apply(pattern, &factor, multiply, x);
     let known = rounding / krylov::norm(forces).max(f64::MIN_POSITIVE);

@@ -2,23 +2,29 @@
 //!
 //! A subdomain corrects its own unknowns well, but a motion that runs through many subdomains, such as a body
 //! moving as a whole, would take one iteration for each subdomain on its way. The coarse level solves for such
-//! motions at once. Its unknowns are, for every *piece* (one body within one subdomain), the coefficients of an
-//! affine motion
+//! motions at once. Its unknowns are, for every *piece* (one body within one subdomain), the coefficients of a
+//! motion of second order
 //!
 //! ```text
-//! u_a(x) = c_a0 + c_a1 ξ + c_a2 η + c_a3 ζ,    a = 1, 2, 3,    (ξ, η, ζ) = (x − centre) / radius
+//! u_a = c_a0 + c_a1 ξ + c_a2 η + c_a3 ζ + c_a4 ξ² + c_a5 η² + c_a6 ζ² + c_a7 ξη + c_a8 ηζ + c_a9 ζξ
+//! a = 1, 2, 3,    (ξ, η, ζ) = (x − centre) / radius
 //! ```
 //!
-//! which are 12: three translations, three rotations, six uniform strains. Without contact and supports the
-//! translations and rotations cost no energy, so that local solves cannot see them (Nicolaides, SIAM J. Numer.
-//! Anal. 24 (1987) 355). The uniform strains carry loads from piece to piece.
+//! which are 30: three translations, three rotations, six uniform strains, and eighteen of linear strain, bending and
+//! twisting among them. Without contact and supports the translations and rotations cost no energy, so that local
+//! solves cannot see them (Nicolaides, SIAM J. Numer. Anal. 24 (1987) 355). The uniform strains carry loads from piece to
+//! piece. Plates and rings bend: without linear strain a piece cannot, its neighbours fold between two layers of nodes
+//! instead, and the coarse level is as many times too stiff as a piece is elements long.
 //!
 //! Pieces overlap. Where m pieces share a vertex each counts there by 1/m: these weights sum to one (a partition of
-//! unity), so that equal coefficients in all pieces make exactly that affine motion of the whole body
+//! unity), so that a motion of second order of a whole body is made exactly
 //! (Toselli and Widlund, *Domain Decomposition Methods*, 2005, chapter 3).
 //!
 //! With the columns of Z the weighted motions, the coarse matrix is Zᵀ A Z and the correction of a residual r is
 //! Z (Zᵀ A Z)⁻¹ Zᵀ r. Z is never stored: its entries are computed where they are needed (`Space::mode`).
+//!
+//! A is the elastic matrix K and what contact and flow change of it, which is at few vertices: Zᵀ K Z is made once, and
+//! Zᵀ (A − K) Z from these vertices alone.
 
 use super::partition::Division;
 use super::place::Place;
@@ -34,6 +40,9 @@ type Coupling = [[f64; MODES]; MODES];
 /// Stiffness of a mode, over that of the stiffest, below which it is none but rounding.
 const STIFFLESS: f64 = 1e-13;
 
+/// Change of an entry of the diagonal, over it, that is rounding or what keeps a factor positive definite.
+const UNCHANGED: f64 = 1e-9;
+
 /// What is added to the diagonal of the coarse matrix, over the diagonal: modes of neighbours may be all but
 /// dependent, as where two pieces share most of their vertices.
 const SHIFT: f64 = 1e-9;
@@ -44,22 +53,18 @@ pub(super) struct Coarse {
     /// Of the coarse matrix; a piece is a vertex of it.
     pattern: Pattern,
     symbolic: Symbolic,
-}
-
-/// The coarse matrix and its factor.
-pub(super) struct CoarseFactor {
-    /// Blocks of Zᵀ A Z: of each piece those with itself and with pieces of lower numbers.
-    couplings: Vec<Vec<(u32, Box<Coupling>)>>,
-    factor: Factor<f64>,
+    /// Zᵀ K Z.
+    elastic: SymmetricMatrix,
 }
 
 impl Coarse {
-    /// The coarse level of a `division` of the vertices of `pattern`.
+    /// The coarse level of a `division` of the vertices of `pattern`, of the `elastic` matrix K.
     ///
     /// # Errors
     /// [`FactorError::Memory`].
     pub fn new(
         pattern: &Pattern,
+        elastic: &SymmetricMatrix,
         places: &[Place],
         division: &Division,
     ) -> Result<Self, FactorError> {
@@ -68,11 +73,15 @@ impl Coarse {
         let starts = (0..=pieces).map(|i| MODES as u32 * i).collect();
         let coupled = space.coupled(pattern);
         let own = Pattern::new(starts, coupled.iter().map(|p| p.as_slice()));
-        Ok(Self {
+        let mut coarse = Self {
             symbolic: Symbolic::new(&own, &[Block::Sparse(0..pieces)])?,
+            elastic: own.zeros(),
             pattern: own,
             space,
-        })
+        };
+        let block = |v, w| pattern.block(elastic, v, w);
+        coarse.elastic = coarse.with(pattern, block, |_| true);
+        Ok(coarse)
     }
 
     /// Entries of the factor.
@@ -80,7 +89,7 @@ impl Coarse {
         self.symbolic.factor_entries()
     }
 
-    /// Zᵀ A Z and its factor. Blocks of `old` are kept for pieces without an equation that has `changed`.
+    /// Factors Zᵀ A Z of `matrix`, in the memory of `old`; `elastic` is K.
     ///
     /// # Errors
     /// [`FactorError`] where memory runs out or Zᵀ A Z is not positive definite.
@@ -88,38 +97,15 @@ impl Coarse {
         &self,
         pattern: &Pattern,
         matrix: &SymmetricMatrix,
-        old: Option<CoarseFactor>,
-        changed: impl Fn(u32) -> bool + Sync,
-    ) -> Result<CoarseFactor, FactorError> {
-        let (mut couplings, storage) = match old {
-            Some(old) => (old.couplings, Some(old.factor)),
-            None => (vec![Vec::new(); self.space.pieces.len()], None),
+        elastic: &SymmetricMatrix,
+        old: Option<Factor<f64>>,
+    ) -> Result<Factor<f64>, FactorError> {
+        let changed = changed_vertices(pattern, matrix, elastic);
+        let change = |v, w| {
+            let [now, then] = [matrix, elastic].map(|m| pattern.block(m, v, w));
+            [0, 1, 2].map(|i| [0, 1, 2].map(|j| now[i][j] - then[i][j]))
         };
-        couplings
-            .par_iter_mut()
-            .enumerate()
-            .for_each(|(index, list)| {
-                let mut equations = (self.space.pieces[index].vertices.iter()).flat_map(|v| {
-                    pattern.vertex_start[*v as usize]..pattern.vertex_start[*v as usize + 1]
-                });
-                if list.is_empty() || equations.any(&changed) {
-                    *list = self.couple(pattern, matrix, index as u32);
-                }
-            });
-        let mut coarse = self.pattern.zeros();
-        for (i, list) in couplings.iter().enumerate() {
-            for (j, block) in list {
-                for q in 0..MODES {
-                    let column = MODES * *j as usize + q;
-                    let first = if i == *j as usize { q } else { 0 };
-                    let row = (MODES * i + first) as u32;
-                    let start = self.pattern.position(row, column as u32);
-                    for p in first..MODES {
-                        coarse.values[start + p - first] = block[p][q];
-                    }
-                }
-            }
-        }
+        let mut coarse = self.with(pattern, change, |v| changed[v as usize]);
         // A mode without stiffness stands for nothing: components that are held everywhere in the piece, or the slopes
         // of a motion that many nodes share. A stiffness of its own keeps it at zero.
         let diagonal = self.pattern.diagonal(&coarse);
@@ -132,20 +118,46 @@ impl Coarse {
             };
             coarse.values[*start as usize] += added;
         }
-        Ok(CoarseFactor {
-            couplings,
-            factor: self.symbolic.factorise(&self.pattern, &coarse, storage)?,
-        })
+        self.symbolic.factorise(&self.pattern, &coarse, old)
     }
 
-    /// Blocks of Zᵀ A Z between a piece and itself, and pieces of lower numbers.
+    /// Zᵀ K Z and Zᵀ B Z, B having a `block` between any two of the vertices that are `chosen`, and no other.
+    fn with(
+        &self,
+        pattern: &Pattern,
+        block: impl Fn(u32, u32) -> [[f64; 3]; 3] + Sync,
+        chosen: impl Fn(u32) -> bool + Sync,
+    ) -> SymmetricMatrix {
+        let pieces = (0..self.space.pieces.len() as u32).into_par_iter();
+        let couplings: Vec<_> = pieces
+            .map(|index| self.couple(pattern, &block, &chosen, index))
+            .collect();
+        let mut coarse = self.elastic.clone();
+        for (i, list) in couplings.iter().enumerate() {
+            for (j, coupling) in list {
+                for q in 0..MODES {
+                    let column = MODES * *j as usize + q;
+                    let first = if i == *j as usize { q } else { 0 };
+                    let row = (MODES * i + first) as u32;
+                    let start = self.pattern.position(row, column as u32);
+                    for p in first..MODES {
+                        coarse.values[start + p - first] += coupling[p][q];
+                    }
+                }
+            }
+        }
+        coarse
+    }
+
+    /// Blocks of Zᵀ B Z between a piece and itself, and pieces of lower numbers.
     ///
-    /// Row by row of A: at each vertex v of the piece, A times the modes of every piece near v (the `forces`
+    /// Row by row of B: at each vertex v of the piece, B times the modes of every piece near v (the `forces`
     /// that those motions make at v), and these times the piece's own modes at v.
     fn couple(
         &self,
         pattern: &Pattern,
-        matrix: &SymmetricMatrix,
+        block: impl Fn(u32, u32) -> [[f64; 3]; 3],
+        chosen: impl Fn(u32) -> bool,
         index: u32,
     ) -> Vec<(u32, Box<Coupling>)> {
         let mut list: Vec<(u32, Box<Coupling>)> = Vec::new();
@@ -157,15 +169,16 @@ impl Coarse {
             equations.map(|e| self.space.axis(e)).enumerate()
         };
         let piece = &self.space.pieces[index as usize];
-        for &v in &piece.vertices {
+        for &v in piece.vertices.iter().filter(|v| chosen(**v)) {
             forces.clear();
-            for &w in pattern.neighbours(v as usize).iter().chain([&v]) {
+            let near = pattern.neighbours(v as usize).iter().chain([&v]);
+            for &w in near.filter(|w| chosen(**w)) {
                 let near = self.space.of_vertex[w as usize].iter();
                 let mut near = near.filter(|other| **other <= index).peekable();
                 if near.peek().is_none() {
                     continue;
                 }
-                let block = pattern.block(matrix, v, w);
+                let block = block(v, w);
                 for &other in near {
                     let mode = self
                         .space
@@ -195,11 +208,25 @@ impl Coarse {
     }
 
     /// The coarse correction Z (Zᵀ A Z)⁻¹ Zᵀ r of a residual `r`.
-    pub fn solve(&self, pattern: &Pattern, factor: &CoarseFactor, r: &[f64]) -> Vec<f64> {
+    pub fn solve(&self, pattern: &Pattern, factor: &Factor<f64>, r: &[f64]) -> Vec<f64> {
         let mut c = self.space.restrict(pattern, r);
-        self.symbolic.solve(&factor.factor, &mut c);
+        self.symbolic.solve(factor, &mut c);
         self.space.prolong(pattern, &c)
     }
+}
+
+/// Which vertices stand in a matrix otherwise than in the elastic one, by more than rounding. What contact or flow changes
+/// between two vertices it changes at both.
+fn changed_vertices(
+    pattern: &Pattern,
+    matrix: &SymmetricMatrix,
+    elastic: &SymmetricMatrix,
+) -> Vec<bool> {
+    let [now, then] = [matrix, elastic].map(|m| pattern.diagonal(m));
+    let differs = |e: usize| (now[e] - then[e]).abs() > UNCHANGED * then[e].abs();
+    let vertices = pattern.vertex_start.par_windows(2);
+    let changed = vertices.map(|own| (own[0] as usize..own[1] as usize).any(differs));
+    changed.collect()
 }
 
 /// The entry of `key` in a short list, new where there is none.

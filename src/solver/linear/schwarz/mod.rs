@@ -4,7 +4,7 @@
 //! to a residual r it makes two corrections, one after the other:
 //!
 //! ```text
-//! x₀ = Z (Zᵀ A Z)⁻¹ Zᵀ r                      coarse: affine motions of all pieces (`coarse`)
+//! x₀ = Z (Zᵀ A Z)⁻¹ Zᵀ r                      coarse: motions of second order of all pieces (`coarse`)
 //! x  = x₀ + Σᵢ R̃ᵢᵀ Aᵢ⁻¹ Rᵢ (r − A x₀)          local: each subdomain by itself (`local`)
 //! ```
 //!
@@ -23,9 +23,9 @@ mod space;
 #[cfg(test)]
 mod tests;
 
-use super::cholesky::FactorError;
+use super::cholesky::{Factor, FactorError};
 use super::sparse::{Pattern, SymmetricMatrix};
-use coarse::{Coarse, CoarseFactor};
+use coarse::Coarse;
 use local::{Local, LocalFactor};
 pub use place::Place;
 use rayon::prelude::*;
@@ -39,11 +39,9 @@ pub struct Schwarz {
 /// The factors of one matrix.
 pub struct SchwarzFactor {
     locals: Vec<LocalFactor>,
-    coarse: CoarseFactor,
-    /// Diagonal of the matrix that each equation's subdomains were factored for,
+    coarse: Factor<f64>,
+    /// Diagonal of the matrix that each equation's subdomains were factored for.
     diagonal: Vec<f64>,
-    /// and of the one that the coarse system was made for.
-    coarse_diagonal: Vec<f64>,
 }
 
 /// Fewest and most vertices of a subdomain before it is extended. Smaller ones cost less each, but more of
@@ -57,20 +55,20 @@ const SUBDOMAINS: usize = 100;
 const STALE_CHANGE: f64 = 0.05;
 
 impl Schwarz {
-    /// Splits the graph of `pattern` across its weak couplings in `guide`, the matrix without
-    /// contact. Equations that hang together in `guide` belong to one body.
+    /// Splits the graph of `pattern` across its weak couplings in the `elastic` matrix, which is without
+    /// contact. Equations that hang together in it belong to one body.
     ///
     /// # Errors
     /// [`FactorError::Memory`].
     pub fn new(
         pattern: &Pattern,
-        guide: &SymmetricMatrix,
+        elastic: &SymmetricMatrix,
         places: &[Place],
     ) -> Result<Self, FactorError> {
         let vertices = pattern.vertex_start.len() - 1;
         let size = (vertices / SUBDOMAINS).clamp(SUBDOMAIN_SIZES.0, SUBDOMAIN_SIZES.1);
-        let division = partition::divide(pattern, guide, places, size);
-        let coarse = Coarse::new(pattern, places, &division)?;
+        let division = partition::divide(pattern, elastic, places, size);
+        let coarse = Coarse::new(pattern, elastic, places, &division)?;
         let locals = (division.subdomains.par_iter().enumerate())
             .map(|(index, vertices)| {
                 let owns = |v: u32| division.owner[v as usize] == index as u32;
@@ -80,7 +78,7 @@ impl Schwarz {
         Ok(Self { locals, coarse })
     }
 
-    /// Factors `matrix`; of `old` what still holds is kept.
+    /// Factors `matrix`, which contact and flow have made of the `elastic` one; of `old` what still holds is kept.
     ///
     /// # Errors
     /// [`FactorError`] where memory runs out or a subdomain is not positive definite.
@@ -88,6 +86,7 @@ impl Schwarz {
         &self,
         pattern: &Pattern,
         matrix: &SymmetricMatrix,
+        elastic: &SymmetricMatrix,
         old: Option<SchwarzFactor>,
     ) -> Result<SchwarzFactor, FactorError> {
         let diagonal = pattern.diagonal(matrix);
@@ -95,8 +94,7 @@ impl Schwarz {
             let make = |local: &Local| local.factorise(pattern, matrix);
             return Ok(SchwarzFactor {
                 locals: self.locals.par_iter().map(make).collect::<Result<_, _>>()?,
-                coarse: self.coarse.factorise(pattern, matrix, None, |_| true)?,
-                coarse_diagonal: diagonal.clone(),
+                coarse: self.coarse.factorise(pattern, matrix, elastic, None)?,
                 diagonal,
             });
         };
@@ -112,20 +110,13 @@ impl Schwarz {
             })?;
         // The coarse system gets every change: next to stiff contact what is little beside an entry of the diagonal
         // may be much beside the stiffness of a whole motion.
-        let renewed: Vec<bool> = (diagonal.iter().zip(&old.coarse_diagonal))
-            .map(|(now, then)| now != then)
-            .collect();
-        if renewed.iter().any(|r| *r) {
-            let is_changed = |e: u32| renewed[e as usize];
-            old.coarse = (self.coarse).factorise(pattern, matrix, Some(old.coarse), is_changed)?;
-        }
+        let coarse = (self.coarse).factorise(pattern, matrix, elastic, Some(old.coarse))?;
         for ((then, now), changed) in old.diagonal.iter_mut().zip(&diagonal).zip(&changed) {
             if *changed {
                 *then = *now;
             }
         }
-        old.coarse_diagonal = diagonal;
-        Ok(old)
+        Ok(SchwarzFactor { coarse, ..old })
     }
 
     /// Replaces `x` by the preconditioned x; `multiply(x, y)` sets y = A x.

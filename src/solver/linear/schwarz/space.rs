@@ -7,11 +7,11 @@ use crate::ground::order::ascending;
 use crate::solver::linear::sparse::Pattern;
 use rayon::prelude::*;
 
-/// Functions that each displacement component of a piece is made of: 1, ξ, η, ζ.
-pub(super) const FORMS: usize = 4;
+/// Functions that each displacement component of a piece is made of: 1, ξ, η, ζ and their products of two.
+pub(super) const FORMS: usize = 10;
 /// Coarse unknowns of a piece.
 pub(super) const MODES: usize = 3 * FORMS;
-/// Values of the four functions at a vertex, times the piece's weight there.
+/// Values of these functions at a vertex, times the piece's weight there.
 pub(super) type Mode = [f64; FORMS];
 
 /// One body within one subdomain, overlap included.
@@ -72,16 +72,16 @@ impl Space {
         self.places[equation as usize].map_or(0, |p| p.1)
     }
 
-    /// The four functions of a piece at a vertex, times its weight there: the entries of Z.
+    /// The functions of a piece at a vertex, times its weight there: the entries of Z.
     #[inline]
     pub fn mode(&self, piece: &Piece, v: u32, starts: &[u32]) -> Mode {
         let share = 1.0 / self.of_vertex[v as usize].len() as f64;
         match self.places[starts[v as usize] as usize] {
-            None => [share, 0.0, 0.0, 0.0],
+            None => std::array::from_fn(|form| if form == 0 { share } else { 0.0 }),
             Some((point, _)) => {
-                let scale = share / piece.radius;
-                let form = |k: usize| scale * (point[k] - piece.centre[k]);
-                [share, form(0), form(1), form(2)]
+                let [x, y, z] = [0, 1, 2].map(|k| (point[k] - piece.centre[k]) / piece.radius);
+                let forms = [1.0, x, y, z, x * x, y * y, z * z, x * y, y * z, z * x];
+                forms.map(|form| share * form)
             }
         }
     }

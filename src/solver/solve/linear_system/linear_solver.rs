@@ -217,7 +217,9 @@ impl LinearSolver {
     ) -> Result<Prepared, FactorError> {
         let diagonal = shift_diagonal(&model.pattern, matrix);
         let (old, precision) = (self.factor.take(), self.precision);
-        let factorise = || (model.preconditioner).factorise(&model.pattern, matrix, precision, old);
+        let matrices = [&*matrix, &model.stiffness];
+        let factorise =
+            || (model.preconditioner).factorise(&model.pattern, matrices, precision, old);
         let factor = counters.timers.time(Phase::Factorise, factorise)?;
         set_diagonal(&model.pattern, matrix, &diagonal);
         counters.factorisations += 1;

@@ -197,7 +197,8 @@ pub const SECONDS_PER_FACTOR_ENTRY: f64 = 1.2e-9;
 pub const FACTORS_PER_ITERATION: f64 = 0.4;
 /// Krylov directions an iteration.
 pub const DIRECTIONS_PER_ITERATION: f64 = 5.0;
-/// Seconds per unknown of a divided model: 6.5e-6 to 1.6e-5, in 8 to 15 directions; and there are 1.2 to 1.5 times as
+/// Seconds per unknown of a divided model: 6.5e-6 to 1.6e-5, in 12 to 30 directions, when its coarse system was affine; 5e-6
+/// to 6e-6, in 8 to 15, since, on a machine on which one factor, too, takes a third of what is reckoned. And there are 1.2 to 1.5 times as
 /// many iterations as with one factor, which solves to more digits.
 pub const SECONDS_PER_DIVIDED_UNKNOWN: f64 = 1.6e-5;
 /// Entries of a factor of bodies some of which are condensed, over those of each by itself: of a displaced bearing of 136
@@ -228,8 +229,8 @@ pub const CONTACT_PENALTY: f64 = 1000.0;
 /// The same where a divided model is large and there is friction, which follows the pressure: corrections are then
 /// right to a hundredth of their energy, and beside stiffer contact next to none of that is left for how the pressure
 /// is distributed. A displaced bearing of 143 thousand unknowns, divided, takes 164 iterations with 50, 110 with 200, 105 with
-/// 400 and 112 with 1000, in 1640, 1410, 1435 and 1620 directions; of 614 thousand, with 1000, its first plastic increment
-/// does not converge.
+/// 400 and 112 with 1000, in 1640, 1410, 1435 and 1620 directions; of 614 thousand its first plastic
+/// increment is cut back with 200 and 1000, not with 50, and 200 takes the least time.
 pub const DIVIDED_CONTACT_PENALTY: f64 = 200.0;
 /// The softest penalty whatever the user's factor: with a softer one multipliers take dozens of updates.
 pub const SOFTEST_PENALTY: f64 = 10.0;

@@ -27,10 +27,10 @@ use crate::solver::solve::newton::progress::Progress;
 use crate::solver::solve::newton::violation::{count_statuses, violation, violations};
 use crate::solver::solve::observer::{Iteration, Observer};
 use crate::solver::solve::params::{
-    CAUTIOUS_SHEAR_RESIDUAL, CONTACT_HAS_OPENED, CONVERGING_ITERATIONS_FACTOR,
-    CORRECTION_TOLERANCE, EARLY_LOOK_RESIDUAL, FLOWING_CORRECTION, ITERATIONS_BEFORE_CAUTION,
-    LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION, PROXIMAL_ITERATIONS,
-    PROXIMAL_RESIDUAL, ROUGH_BALANCE, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
+    CAUTIOUS_SHEAR_RESIDUAL, CONTACT_HAS_GROWN, CONTACT_HAS_OPENED, CONTACT_OUTGROWN,
+    CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE, EARLY_LOOK_RESIDUAL, FLOWING_CORRECTION,
+    ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION,
+    PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, ROUGH_BALANCE, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::working_set::flow::{Ahead, unexpected_flow};
@@ -83,8 +83,11 @@ pub fn balance_increment(
     } else {
         LOOSEST_CORRECTION
     };
-    // While a load is taken off contact opens first, then what is left to flow does.
+    // While a load is taken off contact opens first, then what is left to flow does. Where contact grows much it is found
+    // first, too.
     let mut flows = !unloads || model.yielding.is_empty();
+    let mut settled_contact = CONTACT_HAS_OPENED;
+    let closed = closed_nodes(point);
     let evaluate = |point: &Point, (x, flows): (&[f64], bool), counters: &mut Counters| {
         let mut evaluation = evaluate_at(model, history, point, (x, flows, &external), counters);
         springs.inspect(|springs| springs.pull(&mut evaluation.residual, x));
@@ -194,9 +197,18 @@ pub fn balance_increment(
         {
             return Err(stop(gave_up(model, point, &evaluation, &last)));
         }
-        flows |= balanced || last.energy <= CONTACT_HAS_OPENED;
+        let grows = closed_nodes(point) as f64 > CONTACT_OUTGROWN * closed as f64;
+        if last.iteration == 1 && last.flowing > 0 && goes_on && grows {
+            (flows, settled_contact) = (false, CONTACT_HAS_GROWN);
+        } else {
+            flows |= balanced || last.energy <= settled_contact;
+        }
         evaluation = evaluate(point, (&point.x, flows), counters);
     }
+}
+
+fn closed_nodes(point: &Point) -> usize {
+    point.nodes.iter().filter(|node| node.closed).count()
 }
 
 /// What to tell of an increment that has taken as many iterations as it may: the largest residual and the worst contact

@@ -34,12 +34,14 @@ impl Size {
         let bodies = bodies(scene, dofs, needed, flow);
         let divided = match scene.controls.solver {
             SolverKind::Auto => {
-                let short = |available| {
-                    memory(&bodies, dofs.len(), false) > FACTOR_MEMORY_SHARE * available
-                };
+                let [whole, parts] =
+                    [false, true].map(|divided| memory(&bodies, dofs.len(), divided));
+                let short = |available| whole > FACTOR_MEMORY_SHARE * available;
                 let quicker = |[condensed, sparse]: [f64; 2]| condensed.min(sparse);
                 let seconds: f64 = bodies.iter().map(|b| quicker(b.seconds())).sum();
-                large || seconds > seconds_divided(dofs.len()) || available().is_some_and(short)
+                // Memory counts as much as time.
+                let is_dear = seconds * whole > seconds_divided(dofs.len()) * parts;
+                large || is_dear || available().is_some_and(short)
             }
             SolverKind::Direct => false,
             SolverKind::Divided => true,

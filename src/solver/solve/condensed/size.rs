@@ -8,7 +8,7 @@ use crate::solver::solve::condensed::cost::{
     factor_entries, factor_work, seconds_condensed, seconds_divided, seconds_sparse,
     worth_condensing,
 };
-use crate::solver::solve::params::FACTOR_MEMORY_SHARE;
+use crate::solver::solve::params::{FACTOR_MEMORY_SHARE, MODEST_MEMORY};
 use std::ops::Range;
 
 /// What a model will take, and how it is to be solved.
@@ -39,8 +39,13 @@ impl Size {
                 let short = |available| whole > FACTOR_MEMORY_SHARE * available;
                 let quicker = |[condensed, sparse]: [f64; 2]| condensed.min(sparse);
                 let seconds: f64 = bodies.iter().map(|b| quicker(b.seconds())).sum();
-                // Memory counts as much as time.
-                let is_dear = seconds * whole > seconds_divided(dofs.len()) * parts;
+                let divided = seconds_divided(dofs.len());
+                let is_dear = if whole > MODEST_MEMORY {
+                    // Memory counts as much as time.
+                    seconds * whole > divided * parts
+                } else {
+                    seconds > divided
+                };
                 large || is_dear || available().is_some_and(short)
             }
             SolverKind::Direct => false,

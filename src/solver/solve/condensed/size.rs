@@ -32,19 +32,18 @@ impl Size {
         (flow, large): (&[u32], bool),
     ) -> Self {
         let bodies = bodies(scene, dofs, needed, flow);
+        let [whole, parts] = [false, true].map(|divided| memory(&bodies, dofs.len(), divided));
         let divided = match scene.controls.solver {
             SolverKind::Auto => {
-                let [whole, parts] =
-                    [false, true].map(|divided| memory(&bodies, dofs.len(), divided));
                 let short = |available| whole > FACTOR_MEMORY_SHARE * available;
                 let quicker = |[condensed, sparse]: [f64; 2]| condensed.min(sparse);
                 let seconds: f64 = bodies.iter().map(|b| quicker(b.seconds())).sum();
-                let divided = seconds_divided(dofs.len());
+                let of_parts = seconds_divided(dofs.len());
                 let is_dear = if whole > MODEST_MEMORY {
                     // Memory counts as much as time.
-                    seconds * whole > divided * parts
+                    seconds * whole > of_parts * parts
                 } else {
-                    seconds > divided
+                    seconds > of_parts
                 };
                 large || is_dear || available().is_some_and(short)
             }
@@ -53,7 +52,7 @@ impl Size {
         };
         Self {
             divided,
-            memory: memory(&bodies, dofs.len(), divided),
+            memory: if divided { parts } else { whole },
             kept: kept_unknowns(dofs, needed),
         }
     }

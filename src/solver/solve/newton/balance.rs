@@ -86,7 +86,11 @@ pub fn balance_increment(
     // While a load is taken off contact opens first, then what is left to flow does. Where contact grows much it is found
     // first, too.
     let mut flows = !unloads || model.yielding.is_empty();
-    let mut settled_contact = CONTACT_HAS_OPENED;
+    let contact_found = if unloads {
+        CONTACT_HAS_OPENED
+    } else {
+        CONTACT_HAS_GROWN
+    };
     let closed = closed_nodes(point);
     let evaluate = |point: &Point, (x, flows): (&[f64], bool), counters: &mut Counters| {
         let mut evaluation = evaluate_at(model, history, point, (x, flows, &external), counters);
@@ -197,11 +201,11 @@ pub fn balance_increment(
         {
             return Err(stop(gave_up(model, point, &evaluation, &last)));
         }
-        let grows = closed_nodes(point) as f64 > CONTACT_OUTGROWN * closed as f64;
-        if last.iteration == 1 && last.flowing > 0 && goes_on && grows {
-            (flows, settled_contact) = (false, CONTACT_HAS_GROWN);
+        let grows = || closed_nodes(point) as f64 > CONTACT_OUTGROWN * closed as f64;
+        if last.iteration == 1 && last.flowing > 0 && goes_on && grows() {
+            flows = false;
         } else {
-            flows |= balanced || last.energy <= settled_contact;
+            flows |= balanced || last.energy <= contact_found;
         }
         evaluation = evaluate(point, (&point.x, flows), counters);
     }

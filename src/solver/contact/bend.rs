@@ -12,8 +12,10 @@ use std::collections::BTreeMap;
 pub(super) struct Bend {
     /// Unit vectors along its edges, one way and the other.
     along: [Vec3; 2],
-    /// The larger of the two curvatures along opposite edges, 1 / length, not negative.
+    /// The larger of the two curvatures along opposite edges, 1 / length, positive where the body is convex.
     curvature: [f64; 2],
+    /// Is the true shape not known, so that gaps are those of its flat facets?
+    is_flat: bool,
 }
 
 impl Bend {
@@ -38,15 +40,18 @@ impl Bend {
             let edge = sub(corners[next], corners[k]);
             let along = unit(edge)?;
             let turn = sub(normal(index, nodes[next]), normal(index, nodes[k]));
-            Some((along, dot(turn, along).abs() / norm(edge)))
+            Some((along, dot(turn, along) / norm(edge)))
         };
         let bend = |index| {
-            let mut bend = Self::default();
+            let mut bend = Self {
+                is_flat: side.is_flat(),
+                ..Self::default()
+            };
             for (k, way) in [0, 1, 0, 1].into_iter().enumerate() {
                 let Some((along, curvature)) = edge(index, k) else {
                     continue;
                 };
-                if bend.along[way] == [0.0; 3] || curvature > bend.curvature[way] {
+                if bend.along[way] == [0.0; 3] || curvature.abs() > bend.curvature[way].abs() {
                     (bend.along[way], bend.curvature[way]) = (along, curvature);
                 }
             }
@@ -72,13 +77,17 @@ fn extent(corners: &[Vec3; 4], along: Vec3) -> f64 {
 /// What flat facets on both sides, of surfaces that touch, may overlap by, a length.
 ///
 /// Pressed together, either side takes the shape of the other, so that the chords of both lie below the curvature of
-/// both: (κ₁ + κ₂) (h₁² + h₂²) / 8. Taken along that edge where it is most: a fillet curves along the roller, where
-/// elements are long.
+/// both, the difference of the two where a pin lies in a hole: |κ₁ + κ₂| (h₁² + h₂²) / 8. Facets that stand for
+/// themselves lie κ h² / 8 off the shape that they replace, and those of the other side need not do so at the same
+/// place. Taken along that edge where it is most: a fillet curves along the roller, where elements are long.
 pub(super) fn sagitta([a, b]: [Bend; 2], corners: [&[Vec3; 4]; 2]) -> f64 {
     let along = |direction: Vec3| {
-        let curvature = a.curvature_along(direction) + b.curvature_along(direction);
+        let curvatures = [a, b].map(|bend| bend.curvature_along(direction));
         let sizes = corners.map(|corners| extent(corners, direction).powi(2));
-        0.125 * curvature * (sizes[0] + sizes[1])
+        let chord =
+            |i: usize| curvatures[i].abs() * sizes[i] * f64::from(u8::from([a, b][i].is_flat));
+        let both = (curvatures[0] + curvatures[1]).abs() * (sizes[0] + sizes[1]);
+        0.125 * (both + chord(0).max(chord(1)))
     };
     let directions = a.along.into_iter().chain(b.along);
     directions.map(along).fold(0.0, f64::max)

@@ -51,6 +51,11 @@ impl Side {
         }
     }
 
+    /// Is no true shape known behind the facets?
+    pub fn is_flat(&self) -> bool {
+        matches!(self.shape, Shape::Facets)
+    }
+
     /// With the images of facets within `distance` of the mirror planes: a carrier facet at the
     /// plane may look across it.
     pub fn with_images(mut self, mirrors: &[usize], distance: f64) -> Self {

@@ -139,6 +139,7 @@ impl Answer {
             scene,
             state,
             recovered: solved.recovered,
+            steps: solved.steps,
             travel,
             peaks: &peaks,
             interfaces: &measured,

@@ -1,6 +1,7 @@
 //! The claims of a contact interface: those of its pressure and of its lines, and its area.
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
+use super::pressure::SHAPE;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::hex::distance;
@@ -68,6 +69,16 @@ impl Contact<'_> {
             COARSE,
         ));
         claims
+    }
+
+    /// Is its shape not there for the solution, nor known otherwise? Where nodes are too far apart for its area, too, bodies
+    /// come down as far as the mesh has it.
+    pub(super) fn has_no_shape(&self, claims: &[Figure]) -> bool {
+        let is_strip = |line: &HeaviestLine| line.contact.is_some() && line.is_long();
+        let of_area = |c: &Figure| c.what == Quantity::ContactArea && !c.is_resolved();
+        !self.line.is_some_and(is_strip)
+            && claims.iter().any(|claim| claim.note == Some(SHAPE))
+            && claims.iter().any(of_area)
     }
 
     /// With a relative error, where that says anything.

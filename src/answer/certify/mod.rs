@@ -43,6 +43,8 @@ pub struct Evidence<'a> {
     pub state: &'a State,
     /// Stresses at nodes and in elements of that state.
     pub recovered: &'a Recovered,
+    /// The states at the ends of the steps, as far as they are done.
+    pub steps: &'a [State],
     /// Of what is loaded, in that state.
     pub travel: Option<Travel>,
     /// Peaks of every body and scalars of every contact pair, in their orders.
@@ -85,7 +87,9 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
-    let horizontal = other::horizontal_forces(scene, contacts, missed_travel);
+    let before = |other: &&State| other.step < state.step;
+    let before: Vec<_> = evidence.steps.iter().filter(before).collect();
+    let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, &before));
     let mut touches = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
@@ -105,7 +109,14 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
                 false => 0.0,
             },
         };
-        claims.extend(contact.claims());
+        let own = contact.claims();
+        if contact.has_no_shape(&own)
+            && let Some(descent) = claims.first_mut().filter(|c| c.what == Quantity::Descent)
+        {
+            descent.error.discretisation = None;
+            descent.note = Some(pressure::SHAPE);
+        }
+        claims.extend(own);
         claims.extend(horizontal.get(pair).cloned().flatten());
         if tilted {
             claims.extend(other::eccentricity(scene, interface, line, too_stiff));

@@ -4,10 +4,11 @@ use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
-use crate::answer::results::interface::Interface;
+use crate::answer::results::interface::{Interface, interfaces};
 use crate::answer::results::load::direction;
-use crate::ground::geometry::{dot, norm, scale, sub};
+use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::Scene;
+use crate::model::state::State;
 
 /// What the strain of the surface of a bore misses of the stress there, of itself, for elements as deep as the bore's
 /// radius: the stress falls from the wall as fast as the wall is curved.
@@ -59,17 +60,23 @@ const WELL_PLACED: f64 = 0.05;
 /// The forces of all interfaces across the load, in their order; `None` where there is none.
 ///
 /// Bodies that nothing else holds pass such a force from contact to contact: it is as well known as at the worst of those
-/// that carry the same.
+/// that carry the same. Where a motion is prescribed, every change since the ends of the steps `before` adds to the error: of
+/// what has been taken back, little may be left.
 pub(super) fn horizontal_forces(
     scene: &Scene,
     contacts: Contacts,
-    missed_travel: Option<f64>,
+    (missed_travel, before): (Option<f64>, &[&State]),
 ) -> Vec<Option<Figure>> {
     /// Of the force along the load, how far forces differ that are the same.
     const SAME: f64 = 1e-6;
+    let before: Vec<_> = (before.iter().filter(|_| scene.is_moved()))
+        .map(|state| interfaces(scene, state))
+        .collect();
     let of_pair = |(pair, interface)| {
         let line = contacts.lines.get(pair).and_then(Option::as_ref);
-        horizontal_force(scene, interface, line, missed_travel)
+        let steps = before.iter().filter_map(|step| step.get(pair));
+        let course = steps.chain([interface]).map(|step| across(scene, step));
+        horizontal_force(interface, line, (missed_travel, course.collect()))
     };
     let alone: Vec<_> = (contacts.interfaces.iter().enumerate())
         .map(of_pair)
@@ -92,23 +99,21 @@ pub(super) fn horizontal_forces(
 /// The force of an interface across the load, where there is one. Where no strip is known to be resolved it is as good as
 /// that of a strip of one node to either side.
 ///
-/// A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
+/// Its `course` ends with what it is now. A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
 /// that force no better than to a share of their distance; two nodes and more to a half-width place it well. A mesh that
 /// is too stiff bends too little, and a surface that bends less is turned less along its line: a travel missed is an angle
 /// missed of about that travel over half of the line.
 fn horizontal_force(
-    scene: &Scene,
     interface: &Interface,
     line: Option<&HeaviestLine>,
-    missed_travel: Option<f64>,
+    (missed_travel, course): (Option<f64>, Vec<Vec3>),
 ) -> Option<Figure> {
     /// Of the force along the load, what counts as none.
     const NONE: f64 = 1e-6;
-    let along = direction(scene);
-    let across = norm(sub(
-        interface.force,
-        scale(along, dot(interface.force, along)),
-    ));
+    let across = course.last().map_or(0.0, |last| norm(*last));
+    let start = [[0.0; 3]];
+    let changes = start.iter().chain(&course).zip(&course);
+    let changes: f64 = changes.map(|(one, next)| norm(sub(*next, *one))).sum();
     let coarseness = line.map_or(1.0, |line| {
         let strip = &line.line.heaviest;
         strip.spacing() / strip.half_width
@@ -127,9 +132,15 @@ fn horizontal_force(
     });
     let turned = (misplaced + unturned) * interface.normal_force.abs();
     (across > NONE * interface.normal_force.abs()).then(|| Figure {
-        error: Errors::only_of_mesh(Some(SHEAR * coarseness * across + turned)),
+        error: Errors::only_of_mesh(Some(SHEAR * coarseness * changes + turned)),
         ..figure_of(Quantity::HorizontalForce, &interface.name, across)
     })
+}
+
+/// The part of the force of an interface that is across the load.
+fn across(scene: &Scene, interface: &Interface) -> Vec3 {
+    let along = direction(scene);
+    sub(interface.force, scale(along, dot(interface.force, along)))
 }
 
 /// How far from the middle of the carrier the force of a contact along lines acts, where a plane is turned by a given angle:

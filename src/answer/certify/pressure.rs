@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 use std::iter;
 
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
-const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
+pub(super) const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
 
 /// What a pressure that is read may be off beside its distance from Hertz's.

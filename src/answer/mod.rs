@@ -133,7 +133,7 @@ impl Answer {
             interfaces: &measured,
             lines: &lines,
         };
-        let travel = Travel::of(scene, state, solved.recovered, contacts);
+        let travel = Travel::of(scene, state, solved.recovered, (contacts, &edges.loaded));
         let doubled = doubled(solved);
         let certificate = certify(&Evidence {
             scene,

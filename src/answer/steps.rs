@@ -96,7 +96,7 @@ fn step(
                 interfaces: &measured,
                 lines: &lines,
             };
-            let travel = Travel::of(scene, state, &recovered, contacts);
+            let travel = Travel::of(scene, state, &recovered, (contacts, &edges.loaded));
             (Cow::from(peaks), travel)
         }
     };

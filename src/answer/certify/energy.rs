@@ -1,5 +1,6 @@
 //! The energy of the error, from a smoother stress.
 
+use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hex::GaussRule;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strain::strain;
@@ -15,6 +16,8 @@ pub struct Missing {
     pub work: f64,
     /// The energy of the error alone, body by body.
     pub errors: Vec<f64>,
+    /// Of that, what lies beside loaded edges, of all bodies.
+    pub beside_edges: f64,
 }
 
 /// What a load does not do on the displacement that the mesh misses, over the modelled part:
@@ -25,13 +28,22 @@ pub struct Missing {
 /// assumes beyond that of its displacements: B-bar's mean dilatation, the modes of the enhanced hexahedron. They make
 /// it softer; of the plain hexahedron there are none. Where steel has flowed only its volume says how much is assumed,
 /// as flow keeps the volume. Where a body is warmed nothing does.
-pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> Missing {
+pub fn missing_work(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    edges: &LoadedEdges,
+) -> Missing {
     let rule = GaussRule::new();
+    let points = scene.mesh.points.par_iter();
+    let is_near: Vec<bool> = points.map(|at| edges.are_near(at)).collect();
     let warmed = !scene.temperatures.is_empty();
     let of_bodies = integrals(scene, recovered, |steel, element, nodal| {
         let corners = scene.mesh.corners(element);
-        let moved = scene.mesh.hexes[element].map(|n| state.displacement[n as usize]);
+        let nodes = &scene.mesh.hexes[element];
+        let moved = nodes.map(|n| state.displacement[n as usize]);
         let peeq = state.peeq_of(element);
+        let beside = f64::from(u8::from(nodes.iter().any(|node| is_near[*node as usize])));
         std::array::from_fn(|point| {
             let stress = &state.stress[element][point];
             let mut missing = stress.map(|s| -s);
@@ -42,7 +54,7 @@ pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> Miss
             }
             let error = density(&missing, steel);
             if warmed {
-                return [error, error];
+                return [error, error, beside * error];
             }
             let own = strain(&rule.gradients[point], &corners, &moved);
             let mut assumed = elastic_strain(stress, steel);
@@ -53,12 +65,17 @@ pub fn missing_work(scene: &Scene, state: &State, recovered: &Recovered) -> Miss
                 let third = (assumed[0] + assumed[1] + assumed[2]) / 3.0;
                 assumed = [third, third, third, 0.0, 0.0, 0.0];
             }
-            [error + 2.0 * work(&missing, &assumed), error]
+            [
+                error + 2.0 * work(&missing, &assumed),
+                error,
+                beside * error,
+            ]
         })
     });
     Missing {
-        work: of_bodies.iter().map(|[work, _]| work).sum(),
-        errors: of_bodies.iter().map(|[_, error]| *error).collect(),
+        work: of_bodies.iter().map(|[work, ..]| work).sum(),
+        errors: of_bodies.iter().map(|[_, error, _]| *error).collect(),
+        beside_edges: of_bodies.iter().map(|[.., error]| error).sum(),
     }
 }
 

@@ -22,7 +22,7 @@ const UNCERTAIN_FLOW: &str =
 
 const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
 
-const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
+pub(super) const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
                           to the mesh";
 
 const STEEP: &str = "the stress falls by more than half within one element: the elements are too large for the hole, fillet \

@@ -81,7 +81,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         interfaces,
         lines: evidence.lines,
     };
-    let too_stiff = || descent::too_stiff(scene, state, evidence.recovered, contacts);
+    let too_stiff =
+        || descent::too_stiff(scene, state, evidence.recovered, (contacts, evidence.edges));
     let moved = scene.is_moved();
     let too_stiff = (tilted || moved).then(too_stiff).flatten();
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();

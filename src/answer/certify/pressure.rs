@@ -7,6 +7,7 @@
 use super::contact::{COARSE, Contact, FILLET, Touch};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
+use super::mises::LONG_FACES;
 use crate::answer::results::edges::EVEN;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -99,6 +100,14 @@ impl Contact<'_> {
         near.map(rise).fold(0.0, f64::max)
     }
 
+    /// Is a node next to a loaded edge whose faces are longer than its stress reaches, and the pressure larger there?
+    fn rises_to_long_faces(&self, field: &ContactField, top: usize) -> bool {
+        let at = |i: &usize| &self.scene.mesh.points[field.nodes[*i] as usize];
+        let beside = beside(self.scene, field, self.pair, top).into_iter();
+        let mut coarse = beside.filter(|i| self.edges.are_coarsely_near(at(i)));
+        coarse.any(|i| field.pressure[i] > field.pressure[top])
+    }
+
     /// The node with the largest pressure of those that press and count.
     fn largest(&self, field: &ContactField, counts: impl Fn(usize) -> bool) -> Option<usize> {
         let pressing = (0..field.nodes.len()).filter(|i| field.pressure[*i] > 0.0 && counts(*i));
@@ -151,6 +160,9 @@ impl Contact<'_> {
         // Where loads alternate from row to row, so do pressures.
         let alternates = line.map_or(0.0, |line| line.alternates);
         let error = error + self.rise_to_edge(field, top) + alternates;
+        if self.rises_to_long_faces(field, top) {
+            return self.claim(what, value, None, LONG_FACES);
+        }
         self.claim(what, value, Some(error), COARSE)
     }
 

@@ -53,36 +53,41 @@ pub fn boundary(scene: &Scene, surface: &Surface) -> Boundary {
         }
     }
     let once = uses.iter().filter(|(_, n)| **n == 1).map(|(edge, _)| *edge);
-    let mirrors = mirror_planes(scene);
-    let mirrored = |edge: &[u32; 2]| {
+    let held = held_planes(scene);
+    let kept = |edge: &[u32; 2]| {
         let [a, b] = edge.map(|n| scene.mesh.points[n as usize]);
         let tolerance = 1e-6 * distance(a, b);
-        let on = |(axis, at): &(usize, f64)| {
-            (a[*axis] - at).abs() <= tolerance && (b[*axis] - at).abs() <= tolerance
-        };
-        mirrors.iter().any(on)
+        let mut mirrors = scene.mirrors.iter().filter(|axis| **axis < 3);
+        let is_mirrored =
+            mirrors.any(|axis| a[*axis].abs() <= tolerance && b[*axis].abs() <= tolerance);
+        is_mirrored
+            || held
+                .iter()
+                .any(|held| edge.iter().all(|n| held.contains(n)))
     };
-    once.filter(|edge| !mirrored(edge)).collect()
+    once.filter(|edge| !kept(edge)).collect()
 }
 
-/// Axis and place of the mirror planes, and of flat surfaces across an axis that a support holds
-/// along it.
-fn mirror_planes(scene: &Scene) -> Vec<(usize, f64)> {
-    let axes = scene.mirrors.iter().filter(|axis| **axis < 3);
-    let mut planes: Vec<(usize, f64)> = axes.map(|axis| (*axis, 0.0)).collect();
+/// Nodes of each flat surface across an axis that a support holds along it, as a mirror plane does.
+fn held_planes(scene: &Scene) -> Vec<BTreeSet<u32>> {
+    let mut planes = Vec::new();
     for support in &scene.supports {
         let Some(surface) = scene.mesh.surface(&support.surface) else {
             continue;
         };
-        for axis in (0..3).filter(|axis| support.components[*axis] == Some(0.0)) {
-            let nodes = surface.nodes();
+        let nodes = surface.nodes();
+        // Bodies are moved into touch along directions with rounding in them.
+        let flat = 1e-9 * extent(&scene.mesh, surface);
+        let is_flat = |axis: usize| {
             let mut at = nodes.iter().map(|n| scene.mesh.points[*n as usize][axis]);
-            let Some(first) = at.next() else { continue };
-            // Bodies are moved into touch along directions with rounding in them.
-            let size = extent(&scene.mesh, surface);
-            if support.gradient[axis] == [0.0; 3] && at.all(|x| (x - first).abs() <= 1e-9 * size) {
-                planes.push((axis, first));
-            }
+            at.next()
+                .is_some_and(|first| at.all(|x| (x - first).abs() <= flat))
+        };
+        let holds = |axis: &usize| {
+            support.components[*axis] == Some(0.0) && support.gradient[*axis] == [0.0; 3]
+        };
+        if (0..3).filter(holds).any(is_flat) {
+            planes.push(nodes.iter().copied().collect());
         }
     }
     planes

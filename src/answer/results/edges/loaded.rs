@@ -146,6 +146,11 @@ impl LoadedEdges {
         self.nodes.are_near(at)
     }
 
+    /// Is a point so near to a loaded edge whose faces are longer than its stress reaches that it belongs to these?
+    pub fn are_coarsely_near(&self, at: &[f64; 3]) -> bool {
+        self.nodes.are_coarsely_near(at)
+    }
+
     /// Does a loaded edge cease to reach just there? Meshes of the templates have nodes at such places.
     pub fn end_at(&self, at: &[f64; 3]) -> bool {
         self.nodes.end_at(at)

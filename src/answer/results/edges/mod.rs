@@ -52,9 +52,9 @@ impl SingularEdges {
         self.loaded.end_at(at) || self.of_bodies.end_at(at)
     }
 
-    /// Is a point so near to one of a body, whose faces are longer than its stress reaches, that it belongs to these?
+    /// Is a point so near to one whose faces are longer than its stress reaches that it belongs to these?
     pub fn are_coarsely_near(&self, at: &[f64; 3]) -> bool {
-        self.of_bodies.are_coarsely_near(at)
+        self.loaded.are_coarsely_near(at) || self.of_bodies.are_coarsely_near(at)
     }
 
     /// Does a nodal peak of the Mises stress of the body with that index, its value and its place, belong to an edge?

@@ -3,7 +3,7 @@
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::pressure::SHAPE;
 use crate::answer::results::edges::LoadedEdges;
-use crate::answer::results::hertz::HeaviestLine;
+use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
 use crate::answer::results::interface::{Interface, pressed_faces};
 use crate::answer::results::load::{cutting_pair, times};
@@ -65,10 +65,26 @@ impl Contact<'_> {
         claims.push(self.claim(
             Quantity::ContactArea,
             area,
-            Some(band / area + chords(self.scene, field, self.pair) + self.too_stiff),
+            Some(
+                (band / area).max(self.off_width())
+                    + chords(self.scene, field, self.pair)
+                    + self.too_stiff,
+            ),
             COARSE,
         ));
         claims
+    }
+
+    /// How far the width of the nodes in contact is from that of Hertz's strip under their load, of itself; zero where there is
+    /// none.
+    fn off_width(&self) -> f64 {
+        let strip = self.line.filter(|line| line.is_long());
+        strip.map_or(0.0, |line| match (line.contact, line.departs) {
+            (Some(hertz), None | Some(Departure::LoadedEdge)) => {
+                (2.0 * hertz.half_width / line.line.heaviest.pressed_width() - 1.0).abs()
+            }
+            _ => 0.0,
+        })
     }
 
     /// Is its shape not there for the solution, nor known otherwise? Where nodes are too far apart for its area, too, bodies

@@ -36,6 +36,18 @@ impl StripRow {
         }
     }
 
+    /// How much of the row the nodes in contact stand for.
+    pub fn pressed_width(&self) -> f64 {
+        let pressed = |node: &(f64, f64)| f64::from(u8::from(node.1 > 0.0));
+        let width = |w: &[(f64, f64)]| 0.5 * (w[1].0 - w[0].0) * (pressed(&w[0]) + pressed(&w[1]));
+        let modelled: f64 = self.nodes.windows(2).map(width).sum();
+        if self.mirrored {
+            2.0 * modelled
+        } else {
+            modelled
+        }
+    }
+
     /// The larger of both.
     pub fn spacing(&self) -> f64 {
         self.middle_spacing().max(self.edge_spacing())

@@ -154,8 +154,8 @@ impl Contact<'_> {
                 let a = line.line.heaviest.half_width.max(hertz.half_width);
                 of_nodes(&line.line.heaviest, a) + self.load_error(line)
             }
+            (None, _) | (_, Some(Departure::Conformal)) => by_stress(),
             (Some(_), Some(_)) => FALL * fall().mean,
-            (None, _) => by_stress(),
         });
         // Where loads alternate from row to row, so do pressures.
         let alternates = line.map_or(0.0, |line| line.alternates);

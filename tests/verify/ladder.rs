@@ -82,6 +82,12 @@ fn certificate() {
     explains(&holds("certificate"));
 }
 
+/// Contact of surfaces that are round alike.
+#[test]
+fn press_fit() {
+    explains(&holds("press-fit"));
+}
+
 /// What a mesh does not show is not claimed.
 #[test]
 fn rounded_punch() {

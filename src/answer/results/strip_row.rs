@@ -78,3 +78,23 @@ impl StripRow {
         apart(middle.wrapping_sub(1), middle).max(apart(middle, middle + 1))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_in_contact_stand_for_half_the_way_to_those_beside() {
+        let row = |nodes: &[(f64, f64)], mirrored: bool| StripRow {
+            nodes: nodes.to_vec(),
+            mirrored,
+            ..StripRow::default()
+        };
+        let whole = row(
+            &[(-3.0, 0.0), (-1.0, 1.0), (0.0, 2.0), (1.0, 1.0), (3.0, 0.0)],
+            false,
+        );
+        let half = row(&[(0.0, 2.0), (1.0, 1.0), (3.0, 0.0)], true);
+        assert_eq!([whole, half].map(|row| row.pressed_width()), [4.0; 2]);
+    }
+}

@@ -19,7 +19,7 @@ pub(super) struct Bend {
 }
 
 impl Bend {
-    /// Of every facet, from the mean normals at its nodes.
+    /// Of every facet, from the normals at its nodes: of the true shape, or the mean of the facets that meet there.
     pub fn all(side: &Side) -> Vec<Self> {
         // An image has nodes of its own.
         let key = |index: usize, node: u32| (node, side.signs[index].map(|sign| sign < 0.0));
@@ -30,16 +30,19 @@ impl Bend {
                 *sum = add(*sum, *normal);
             }
         }
-        let normal = |index: usize, node: u32| {
-            let mean = mean.get(&key(index, node)).copied();
+        let normal = |index: usize, k: usize| {
+            if !side.is_flat() {
+                return side.at(index, &at_corner(k)).1;
+            }
+            let mean = mean.get(&key(index, side.nodes[index][k])).copied();
             mean.and_then(unit).unwrap_or_default()
         };
         let edge = |index: usize, k: usize| {
-            let (nodes, corners) = (&side.nodes[index], &side.corners[index]);
+            let corners = &side.corners[index];
             let next = (k + 1) % 4;
             let edge = sub(corners[next], corners[k]);
             let along = unit(edge)?;
-            let turn = sub(normal(index, nodes[next]), normal(index, nodes[k]));
+            let turn = sub(normal(index, next), normal(index, k));
             Some((along, dot(turn, along) / norm(edge)))
         };
         let bend = |index| {
@@ -60,12 +63,20 @@ impl Bend {
         (0..side.nodes.len()).map(bend).collect()
     }
 
-    /// The curvature along a direction, by Euler's theorem as if the edges followed the principal ones.
+    /// The curvature along a direction, or what of it lies in the facet, by Euler's theorem as if the edges followed the
+    /// principal ones.
     fn curvature_along(&self, direction: Vec3) -> f64 {
-        let ways = self.along.iter().zip(&self.curvature);
-        ways.map(|(along, curvature)| curvature * dot(*along, direction).powi(2))
-            .sum()
+        let shares = self.along.map(|along| dot(along, direction).powi(2));
+        let ways = shares.iter().zip(&self.curvature);
+        let sum: f64 = ways.map(|(share, curvature)| share * curvature).sum();
+        let whole = shares[0] + shares[1];
+        if whole > 0.0 { sum / whole } else { 0.0 }
     }
+}
+
+/// Weights of a facet's nodes at one of them.
+pub(super) fn at_corner(k: usize) -> [f64; 4] {
+    std::array::from_fn(|i| f64::from(u8::from(i == k)))
 }
 
 /// Longest extent of a facet along a direction.
@@ -91,4 +102,31 @@ pub(super) fn sagitta([a, b]: [Bend; 2], corners: [&[Vec3; 4]; 2]) -> f64 {
     };
     let directions = a.along.into_iter().chain(b.along);
     directions.map(along).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A facet of 2 by 1 that curves along its longer side.
+    fn bend(curvature: f64, is_flat: bool) -> Bend {
+        Bend {
+            along: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            curvature: [curvature, 0.0],
+            is_flat,
+        }
+    }
+
+    #[test]
+    fn a_pin_in_a_hole_bends_by_the_difference() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(|[x, y]| [x, y, 0.0]);
+        let of = |one: Bend, other: Bend| sagitta([one, other], [&corners; 2]);
+        let (pin, hole) = (0.1, -0.09);
+        assert!((of(bend(pin, false), bend(hole, false)) - 0.01).abs() < 1e-12);
+        // Two rollers, and a roller on a plate.
+        assert!((of(bend(pin, false), bend(pin, false)) - 0.2).abs() < 1e-12);
+        assert!((of(bend(pin, false), bend(0.0, false)) - 0.1).abs() < 1e-12);
+        // Facets that stand for themselves may lie a chord beside the others.
+        assert!((of(bend(pin, true), bend(hole, true)) - 0.06).abs() < 1e-12);
+    }
 }

@@ -1,6 +1,6 @@
 //! What the points of one side see of the other: the search along normals.
 
-use super::bend::{Bend, sagitta};
+use super::bend::{Bend, at_corner, sagitta};
 use super::facet::{self, MOST_FACING};
 use super::search::FacetTree;
 use super::side::Side;
@@ -158,7 +158,7 @@ impl Scenery {
 
 fn shape_of(corner: Option<usize>) -> [f64; 4] {
     match corner {
-        Some(corner) => std::array::from_fn(|i| f64::from(u8::from(i == corner))),
+        Some(k) => at_corner(k),
         None => [0.25; 4],
     }
 }

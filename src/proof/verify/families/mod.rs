@@ -14,6 +14,7 @@ mod hertz_line;
 mod hertz_sphere;
 mod patch;
 mod penalty;
+mod press_fit;
 mod punch;
 mod ring;
 mod rounded_punch;
@@ -32,7 +33,7 @@ pub struct ClaimFamily {
 }
 
 /// All families, simple ones first.
-pub const FAMILIES: [ClaimFamily; 19] = [
+pub const FAMILIES: [ClaimFamily; 20] = [
     family("patch", patch::claims),
     family("uniaxial", uniaxial::claims),
     family("bending", bending::claims),
@@ -50,6 +51,7 @@ pub const FAMILIES: [ClaimFamily; 19] = [
     family("full-sliding", full_sliding::claims),
     family("certificate", certificate::claims),
     family("rounded-punch", rounded_punch::claims),
+    family("press-fit", press_fit::claims),
     family("penalty", penalty::claims),
     family("penalty-bearing", penalty::claims_of_bearing),
 ];

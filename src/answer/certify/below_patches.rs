@@ -1,7 +1,8 @@
 //! Contacts that are no strips, and what they do to the stress below them.
 
-use super::contact::{self, Touch};
+use super::contact::Touch;
 use super::figure::{Figure, Quantity};
+use super::notes;
 use crate::answer::results::hex::distance;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::peaks::{Peak, Place};
@@ -63,7 +64,7 @@ impl BelowPatches {
                 let what = [Quantity::PeakPressure, Quantity::PressureAway];
                 (claims.iter()).filter(move |c| what.contains(&c.what) && c.place == interface.name)
             };
-            let is_coarse = own().any(|claim| claim.note == Some(contact::COARSE));
+            let is_coarse = own().any(|claim| claim.note == Some(notes::COARSE));
             let is_point = *touch == Touch::Point;
             let error = (own().filter(|_| !is_coarse)).find_map(Figure::relative_bar);
             if is_coarse || is_point && error.is_some() {

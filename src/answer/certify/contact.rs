@@ -1,7 +1,7 @@
 //! The claims of a contact interface: those of its pressure and of its lines, and its area.
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
-use super::pressure::SHAPE;
+use super::notes::{COARSE, SHAPE};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -14,11 +14,6 @@ use crate::model::mesh::shape::Shape;
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
 use std::collections::BTreeSet;
-
-pub(super) const COARSE: &str = "the nodes are too far apart for the strip or patch of contact: the figure belongs to \
-                      the mesh";
-pub(super) const FILLET: &str = "the facets are too long for a fillet under load: where it begins the pressure may have a higher \
-                      and narrow peak";
 
 /// Beyond this relative error a figure is not resolved.
 const WORTHLESS: f64 = 0.3;

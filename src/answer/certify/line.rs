@@ -3,8 +3,9 @@
 //! Where contact is a line, the load per length is known better than anything else, for it follows
 //! from balance.
 
-use super::contact::{COARSE, Contact, FILLET};
+use super::contact::Contact;
 use super::figure::{Figure, Quantity};
+use super::notes::{COARSE, FILLET};
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::strip_row::StripRow;
 

@@ -2,6 +2,7 @@
 
 use super::below_patches::BelowPatches;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
+use super::notes::LONG_FACES;
 use super::strip_below::StripBelow;
 use crate::answer::results::curvature::Curvature;
 use crate::answer::results::edges::ByEdge;
@@ -21,9 +22,6 @@ const UNCERTAIN_FLOW: &str =
     "the elastic peak is as uncertain as its excess over yield: it may be zero";
 
 const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
-
-pub(super) const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
-                          to the mesh";
 
 const STEEP: &str = "the stress falls by more than half within one element: the elements are too large for the hole, fillet \
                      or wall that makes the peak";

@@ -13,6 +13,7 @@ mod figure;
 mod increments;
 mod line;
 mod mises;
+mod notes;
 mod other;
 mod pressure;
 mod strip_below;
@@ -115,7 +116,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             && let Some(descent) = claims.first_mut().filter(|c| c.what == Quantity::Descent)
         {
             descent.error.discretisation = None;
-            descent.note = Some(pressure::SHAPE);
+            descent.note = Some(notes::SHAPE);
         }
         claims.extend(own);
         claims.extend(horizontal.get(pair).cloned().flatten());

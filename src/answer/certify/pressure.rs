@@ -4,10 +4,10 @@
 //! Hertz's, that load says how wide it is and how the pressure runs across; what the nodes make of such a profile can
 //! then be worked out for the very places where they stand, and what they read beyond that is an error that one sees.
 
-use super::contact::{COARSE, Contact, FILLET, Touch};
+use super::contact::{Contact, Touch};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
-use super::mises::LONG_FACES;
+use super::notes::{COARSE, FILLET, LONG_FACES, SHAPE};
 use crate::answer::results::edges::EVEN;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -21,9 +21,6 @@ use std::collections::BTreeSet;
 use std::iter;
 
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
-pub(super) const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
-                     belongs to the mesh";
-
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
 /// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its
@@ -36,7 +33,7 @@ const FALL: f64 = 0.6;
 /// Share of the distance between that pressure and the stress across the surface that is its error, at least, where a side
 /// curves,
 const OF_STRESS: f64 = 0.35;
-/// and where sides are flat: their pressure is even where other bodies spread the load, and falls to no neighbour.
+/// and where sides are flat, or curve alike: their pressure is even where other bodies spread the load, and falls to no neighbour.
 const OF_FLAT_STRESS: f64 = 0.5;
 /// Where contact spreads from a point, share of the mean fall that is the error: the mean over a hat function takes a third
 /// of it off a cap. This and the next two were chosen on 332 pressures of spheres, crossed cylinders and ellipses that are
@@ -136,10 +133,11 @@ impl Contact<'_> {
         let fall = || fall(self.scene, field, self.pair, top);
         let by_stress = || {
             let off = self.off_stress(field, top);
+            let conforms = line.is_some_and(|line| line.departs == Some(Departure::Conformal));
             match self.touch {
                 Touch::Point => fall().of_cap().max(OF_STRESS_SQUARED * off.powi(2)),
-                Touch::Line => (FALL * fall().mean).max(OF_STRESS * off),
-                Touch::Flat => (FALL * fall().mean).max(OF_FLAT_STRESS * off),
+                Touch::Line if !conforms => (FALL * fall().mean).max(OF_STRESS * off),
+                Touch::Line | Touch::Flat => (FALL * fall().mean).max(OF_FLAT_STRESS * off),
             }
         };
         let error = long.map_or_else(by_stress, |line| match (line.contact, line.departs) {

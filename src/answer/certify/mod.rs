@@ -86,12 +86,16 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         || descent::too_stiff(scene, state, evidence.recovered, (contacts, evidence.edges));
     let moved = scene.is_moved();
     let too_stiff = (tilted || moved).then(too_stiff).flatten();
+    let by_motion = match moved {
+        true => too_stiff.unwrap_or(f64::INFINITY),
+        false => 0.0,
+    };
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let before = |other: &&State| other.step < state.step;
     let before: Vec<_> = evidence.steps.iter().filter(before).collect();
-    let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, &before));
+    let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, by_motion, &before));
     let mut touches = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
@@ -106,10 +110,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             line,
             touch,
             edges: evidence.edges,
-            too_stiff: match moved {
-                true => too_stiff.unwrap_or(f64::INFINITY),
-                false => 0.0,
-            },
+            too_stiff: by_motion,
         };
         let own = contact.claims();
         if contact.has_no_shape(&own)
@@ -146,7 +147,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims
 }
 
-/// What penetration does to a figure: all of it to the descent, and to stresses and pressures the
+/// What penetration does to a figure: all of it to the descent, where facets do not explain it, too, and to stresses and pressures the
 /// stress of a strain of penetration over element size.
 fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<f64> {
     // What is left is pressed together by both sides, the softer one most of all.
@@ -162,7 +163,14 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
     });
     let peak = measured.iter().map(|i| i.max_pressure).fold(0.0, f64::max);
     match claim.what {
-        Quantity::Descent => Some(measured.iter().map(|i| i.contact_error).sum()),
+        Quantity::Descent => {
+            let missed = measured.iter();
+            Some(
+                missed
+                    .map(|i| i.contact_error.max(i.unexplained_penetration))
+                    .sum(),
+            )
+        }
         Quantity::PeakMises
         | Quantity::MisesAway
         | Quantity::ElasticPeakMises

@@ -61,11 +61,11 @@ const WELL_PLACED: f64 = 0.05;
 ///
 /// Bodies that nothing else holds pass such a force from contact to contact: it is as well known as at the worst of those
 /// that carry the same. Where a motion is prescribed, every change since the ends of the steps `before` adds to the error: of
-/// what has been taken back, little may be left.
+/// what has been taken back, little may be left. Such forces are too large by the share by which the mesh is `too_stiff`.
 pub(super) fn horizontal_forces(
     scene: &Scene,
     contacts: Contacts,
-    (missed_travel, before): (Option<f64>, &[&State]),
+    (missed_travel, too_stiff, before): (Option<f64>, f64, &[&State]),
 ) -> Vec<Option<Figure>> {
     /// Of the force along the load, how far forces differ that are the same.
     const SAME: f64 = 1e-6;
@@ -76,7 +76,11 @@ pub(super) fn horizontal_forces(
         let line = contacts.lines.get(pair).and_then(Option::as_ref);
         let steps = before.iter().filter_map(|step| step.get(pair));
         let course = steps.chain([interface]).map(|step| across(scene, step));
-        horizontal_force(interface, line, (missed_travel, course.collect()))
+        horizontal_force(
+            interface,
+            line,
+            (missed_travel, too_stiff, course.collect()),
+        )
     };
     let alone: Vec<_> = (contacts.interfaces.iter().enumerate())
         .map(of_pair)
@@ -106,7 +110,7 @@ pub(super) fn horizontal_forces(
 fn horizontal_force(
     interface: &Interface,
     line: Option<&HeaviestLine>,
-    (missed_travel, course): (Option<f64>, Vec<Vec3>),
+    (missed_travel, too_stiff, course): (Option<f64>, f64, Vec<Vec3>),
 ) -> Option<Figure> {
     /// Of the force along the load, what counts as none.
     const NONE: f64 = 1e-6;
@@ -131,8 +135,11 @@ fn horizontal_force(
         missed_travel.unwrap_or(0.0) / half_length
     });
     let turned = (misplaced + unturned) * interface.normal_force.abs();
+    let error = Some((SHEAR * coarseness + too_stiff) * changes + turned);
+    let error = error.filter(|error| *error <= across);
     (across > NONE * interface.normal_force.abs()).then(|| Figure {
-        error: Errors::only_of_mesh(Some(SHEAR * coarseness * changes + turned)),
+        error: Errors::only_of_mesh(error),
+        note: error.is_none().then_some(UNKNOWN_STIFFNESS),
         ..figure_of(Quantity::HorizontalForce, &interface.name, across)
     })
 }

@@ -150,7 +150,9 @@ impl Contact<'_> {
             }
             (Some(hertz), Some(Departure::Flow)) => {
                 let a = line.line.heaviest.half_width.max(hertz.half_width);
-                of_nodes(&line.line.heaviest, a) + self.load_error(line)
+                // Flow only lowers the pressure that a load makes.
+                let above = (value / hertz.peak_pressure - 1.0).max(0.0);
+                above.max(of_nodes(&line.line.heaviest, a)) + self.load_error(line)
             }
             (None, _) | (_, Some(Departure::Conformal)) => by_stress(),
             (Some(_), Some(_)) => FALL * fall().mean,

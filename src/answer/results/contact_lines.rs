@@ -188,6 +188,9 @@ struct Rows {
 impl Rows {
     fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
         const FEWEST: usize = 3;
+        /// A surface that faces the other all around, as that of a bush, has no order across; one that is steeper than 70 degrees
+        /// counts as such.
+        const STEEPEST: f64 = 3.0;
         scene.carrier(pair)?;
         let across = across(scene, axis)?;
         let field = state.contacts.get(pair)?;
@@ -215,6 +218,16 @@ impl Rows {
             // A roller's surface goes all the way round.
             row.retain(|i| field.gap[*i].is_finite());
             row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
+        }
+        let goes_back = |row: &Vec<usize>| {
+            let steps = row.windows(2).map(|w| sub(point(w[1]), point(w[0])));
+            let (way, forward) = steps.fold((0.0, 0.0), |(way, forward), step| {
+                (way + norm(step), forward + step[across])
+            });
+            way > STEEPEST * forward
+        };
+        if members.iter().any(goes_back) {
+            return None;
         }
         Some(Self {
             axis,

@@ -10,12 +10,13 @@
 
 use crate::ground::geometry::{Vec3, add, dot, scale};
 use crate::model::scene::joined;
-use crate::model::scene::{ContactPair, Partner, Scene};
+use crate::model::scene::{Partner, Scene, Side};
+use crate::solver::contact::mortar::Row;
 use crate::solver::solve::params::CLOSING_ROUNDS;
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::start::held_bodies::held_bodies;
 use crate::solver::solve::start::load_direction::load_direction;
-use crate::solver::solve::start::nearest_row::nearest_row;
+use crate::solver::solve::start::nearest_row::way_to_touch;
 
 /// How far a body was moved to close its gap.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,15 +96,18 @@ fn nearest_floating(
             continue;
         };
         let is_placed = |body: Option<usize>| body.is_none_or(|b| placed[b]);
-        let body = match (is_placed(upper), is_placed(lower)) {
-            (true, false) => lower,
-            (false, true) => upper,
+        let (body, floats) = match (is_placed(upper), is_placed(lower)) {
+            (true, false) => (lower, Side::Lower),
+            (false, true) => (upper, Side::Upper),
             _ => continue,
         };
+        // Normals of rows lead from the carrier to the other side.
+        let sign = if floats == pair.carrier { 1.0 } else { -1.0 };
+        let rate = |row: &Row| sign * dot(row.normal, direction);
         let Some(body) = body.filter(|b| candidate(*b)) else {
             continue;
         };
-        let way = known.get_or_insert_with(|| way_to_touch(scene, pair, direction));
+        let way = known.get_or_insert_with(|| way_to_touch(scene, pair, rate));
         if let Some(way) = *way
             && best.is_none_or(|(_, b)| way.abs() < b.abs())
         {
@@ -111,13 +115,6 @@ fn nearest_floating(
         }
     }
     best
-}
-
-/// Distance along the load until the two sides touch.
-fn way_to_touch(scene: &Scene, pair: &ContactPair, direction: Vec3) -> Option<f64> {
-    let row = nearest_row(scene, pair)?;
-    let lean = dot(row.normal, direction).abs();
-    (lean > 0.1).then(|| row.gap / lean)
 }
 
 /// The body stands, and with it all that is joined to it.

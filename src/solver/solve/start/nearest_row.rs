@@ -21,3 +21,29 @@ pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
     }
     None
 }
+
+/// How far a side has to go until it touches the other, by the rate at which each row closes on that way; `None` where it comes
+/// no nearer anywhere.
+///
+/// Rows that hardly close say little: on the flank of a bore a millionth of gap is a long way. Those count that close half as
+/// fast as the fastest.
+pub fn way_to_touch(scene: &Scene, pair: &ContactPair, rate: impl Fn(&Row) -> f64) -> Option<f64> {
+    const SLOWEST: f64 = 0.1;
+    let moduli = vec![1.0; scene.materials.len()];
+    let whole = extent(scene);
+    let mut reach = 1e-3 * whole;
+    let mut nearest = None;
+    while reach < 2.0 * whole {
+        let rows = pair_rows(scene, pair, (reach, &[]), &moduli);
+        let fastest = rows.iter().map(&rate).fold(0.0, f64::max);
+        let counts = |row: &&Row| rate(row) > SLOWEST.max(0.5 * fastest);
+        let ways = rows.iter().filter(counts).map(|row| row.gap / rate(row));
+        nearest = ways.reduce(f64::min).or(nearest);
+        // What is beyond the reach may be nearer along the way than a slow row within it.
+        if nearest.is_some_and(|way| way <= reach) {
+            break;
+        }
+        reach *= 8.0;
+    }
+    nearest
+}

@@ -188,8 +188,7 @@ struct Rows {
 impl Rows {
     fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
         const FEWEST: usize = 3;
-        /// A surface that faces the other all around, as that of a bush, has no order across; one that is steeper than 70 degrees
-        /// counts as such.
+        /// Nodes that press all around, as those of a bush, have no order across; a row that is steeper than 70 degrees counts as such.
         const STEEPEST: f64 = 3.0;
         scene.carrier(pair)?;
         let across = across(scene, axis)?;
@@ -220,10 +219,18 @@ impl Rows {
             row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
         }
         let goes_back = |row: &Vec<usize>| {
-            let steps = row.windows(2).map(|w| sub(point(w[1]), point(w[0])));
-            let (way, forward) = steps.fold((0.0, 0.0), |(way, forward), step| {
-                (way + norm(step), forward + step[across])
-            });
+            let mut pressing = row
+                .iter()
+                .filter(|i| field.is_active(**i))
+                .map(|i| point(*i));
+            let Some(mut last) = pressing.next() else {
+                return false;
+            };
+            let (mut way, mut forward) = (0.0, 0.0);
+            for next in pressing {
+                let step = sub(next, last);
+                (way, forward, last) = (way + norm(step), forward + step[across], next);
+            }
             way > STEEPEST * forward
         };
         if members.iter().any(goes_back) {

@@ -86,9 +86,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         || descent::too_stiff(scene, state, evidence.recovered, (contacts, evidence.edges));
     let moved = scene.is_moved();
     let too_stiff = (tilted || moved).then(too_stiff).flatten();
-    let by_motion = match moved {
-        true => too_stiff.unwrap_or(f64::INFINITY),
-        false => 0.0,
+    let by_motion = if moved {
+        too_stiff.unwrap_or(f64::INFINITY)
+    } else {
+        0.0
     };
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     claims.extend(other::bores(evidence.bores));
@@ -147,7 +148,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims
 }
 
-/// What penetration does to a figure: all of it to the descent, where facets do not explain it, too, and to stresses and pressures the
+/// What penetration does to a figure: all of it to the descent, where facets do not explain it, too, and to stresses and
+/// pressures the
 /// stress of a strain of penetration over element size.
 fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<f64> {
     // What is left is pressed together by both sides, the softer one most of all.

@@ -103,7 +103,9 @@ pub(super) fn horizontal_forces(
 /// The force of an interface across the load, where there is one. Where no strip is known to be resolved it is as good as
 /// that of a strip of one node to either side.
 ///
-/// Its `course` ends with what it is now. A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
+/// Its `course` ends with what it is now.
+///
+/// A surface of radius R turns by x/R where its force moves by x. Nodes further apart than the strip is wide place
 /// that force no better than to a share of their distance; two nodes and more to a half-width place it well. A mesh that
 /// is too stiff bends too little, and a surface that bends less is turned less along its line: a travel missed is an angle
 /// missed of about that travel over half of the line.

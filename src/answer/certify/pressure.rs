@@ -163,9 +163,10 @@ impl Contact<'_> {
         // Where loads alternate from row to row, so do pressures.
         let alternates = line.map_or(0.0, |line| line.alternates);
         let error = error + self.rise_to_edge(field, top) + alternates;
-        let least = match self.is_less_than_at_long_faces(field, top) {
-            true => BESIDE_LONG_FACES,
-            false => 0.0,
+        let least = if self.is_less_than_at_long_faces(field, top) {
+            BESIDE_LONG_FACES
+        } else {
+            0.0
         };
         self.claim(what, value, Some(error.max(least)), COARSE)
     }

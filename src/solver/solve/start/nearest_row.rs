@@ -1,25 +1,16 @@
-//! The least weighted gap of a pair.
+//! The least weighted gap of a pair, and the way to it.
 
 use crate::model::scene::{ContactPair, Scene};
 use crate::solver::contact::mortar::Row;
 use crate::solver::solve::rows::contact_rows::pair_rows;
 use crate::solver::solve::start::extent::extent;
+use std::iter;
 
 /// The row of a pair with the least initial gap; `None` where nothing of the two sides faces each
 /// other.
 pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
-    let moduli = vec![1.0; scene.materials.len()];
-    let whole = extent(scene);
-    let mut reach = 1e-3 * whole;
-    while reach < 2.0 * whole {
-        let rows = pair_rows(scene, pair, (reach, &[]), &moduli);
-        let nearest = rows.into_iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
-        if nearest.is_some() {
-            return nearest;
-        }
-        reach *= 8.0;
-    }
-    None
+    within_reaches(scene, pair)
+        .find_map(|(_, rows)| rows.into_iter().min_by(|a, b| a.gap.total_cmp(&b.gap)))
 }
 
 /// How far a side has to go until it touches the other, by the rate at which each row closes on that way; `None` where it comes
@@ -29,12 +20,8 @@ pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
 /// fast as the fastest.
 pub fn way_to_touch(scene: &Scene, pair: &ContactPair, rate: impl Fn(&Row) -> f64) -> Option<f64> {
     const SLOWEST: f64 = 0.1;
-    let moduli = vec![1.0; scene.materials.len()];
-    let whole = extent(scene);
-    let mut reach = 1e-3 * whole;
     let mut nearest = None;
-    while reach < 2.0 * whole {
-        let rows = pair_rows(scene, pair, (reach, &[]), &moduli);
+    for (reach, rows) in within_reaches(scene, pair) {
         let fastest = rows.iter().map(&rate).fold(0.0, f64::max);
         let counts = |row: &&Row| rate(row) > SLOWEST.max(0.5 * fastest);
         let ways = rows.iter().filter(counts).map(|row| row.gap / rate(row));
@@ -43,7 +30,15 @@ pub fn way_to_touch(scene: &Scene, pair: &ContactPair, rate: impl Fn(&Row) -> f6
         if nearest.is_some_and(|way| way <= reach) {
             break;
         }
-        reach *= 8.0;
     }
     nearest
+}
+
+/// The rows of a pair within a reach, and within larger and larger ones up to the whole scene.
+fn within_reaches(scene: &Scene, pair: &ContactPair) -> impl Iterator<Item = (f64, Vec<Row>)> {
+    let moduli = vec![1.0; scene.materials.len()];
+    let whole = extent(scene);
+    let reaches = iter::successors(Some(1e-3 * whole), |reach| Some(8.0 * reach));
+    let reaches = reaches.take_while(move |reach| *reach < 2.0 * whole);
+    reaches.map(move |reach| (reach, pair_rows(scene, pair, (reach, &[]), &moduli)))
 }

@@ -134,12 +134,18 @@ impl Answer {
             lines: &lines,
         };
         let travel = Travel::of(scene, state, solved.recovered, (contacts, &edges.loaded));
+        let steps = steps::steps(solved, &peaks, travel);
+        let earlier = solved.steps.iter().zip(&steps);
+        let earlier = earlier.filter(|(other, _)| other.step < state.step);
+        let forces_before: Vec<Vec<[f64; 3]>> = earlier
+            .map(|(_, step)| step.interfaces.0.iter().map(|(_, i)| i.force).collect())
+            .collect();
         let doubled = doubled(solved);
         let certificate = certify(&Evidence {
             scene,
             state,
             recovered: solved.recovered,
-            steps: solved.steps,
+            forces_before: &forces_before,
             travel,
             peaks: &peaks,
             interfaces: &measured,
@@ -153,7 +159,6 @@ impl Answer {
         });
         let load = load::applied(scene, state);
         let descent = travel.map(|travel| travel.value());
-        let steps = steps::steps(solved, &peaks, travel);
         let step = scene.steps.get(state.step);
         let rollers = bores
             .iter()

@@ -4,7 +4,7 @@ use super::energy;
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use crate::analytic::hertz::LineContact;
 use crate::answer::results::edges::LoadedEdges;
-use crate::answer::results::hertz::{Departure, HeaviestLine};
+use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{applied, copies, cutting_pair, descent, forced_share, times};
 use crate::answer::results::recovery::Recovered;
@@ -228,8 +228,7 @@ impl Contacts<'_> {
     /// The Hertzian strip of a pair, where it is a long one.
     fn strip(&self, pair: usize) -> Option<(&HeaviestLine, LineContact)> {
         let line = self.lines.get(pair)?.as_ref()?;
-        let is_strip = line.is_long() && line.departs != Some(Departure::Conformal);
-        Some((line, line.contact.filter(|_| is_strip)?))
+        Some((line, line.strip()?))
     }
 
     /// What a pair presses by on the whole; images of it beside a mirror plane carry as much.

@@ -44,8 +44,8 @@ pub struct Evidence<'a> {
     pub state: &'a State,
     /// Stresses at nodes and in elements of that state.
     pub recovered: &'a Recovered,
-    /// The states at the ends of the steps, as far as they are done.
-    pub steps: &'a [State],
+    /// Forces of every contact pair, in their order, at the ends of the steps before.
+    pub forces_before: &'a [Vec<[f64; 3]>],
     /// Of what is loaded, in that state.
     pub travel: Option<Travel>,
     /// Peaks of every body and scalars of every contact pair, in their orders.
@@ -94,9 +94,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
-    let before = |other: &&State| other.step < state.step;
-    let before: Vec<_> = evidence.steps.iter().filter(before).collect();
-    let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, by_motion, &before));
+    let before = if moved { evidence.forces_before } else { &[] };
+    let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, by_motion, before));
     let mut touches = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
@@ -149,8 +148,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
 }
 
 /// What penetration does to a figure: all of it to the descent, where facets do not explain it, too, and to stresses and
-/// pressures the
-/// stress of a strain of penetration over element size.
+/// pressures the stress of a strain of penetration over element size.
 fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<f64> {
     // What is left is pressed together by both sides, the softer one most of all.
     let pressed = measured

@@ -4,11 +4,10 @@ use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
-use crate::answer::results::interface::{Interface, interfaces};
+use crate::answer::results::interface::Interface;
 use crate::answer::results::load::direction;
 use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::Scene;
-use crate::model::state::State;
 
 /// What the strain of the surface of a bore misses of the stress there, of itself, for elements as deep as the bore's
 /// radius: the stress falls from the wall as fast as the wall is curved.
@@ -60,22 +59,21 @@ const WELL_PLACED: f64 = 0.05;
 /// The forces of all interfaces across the load, in their order; `None` where there is none.
 ///
 /// Bodies that nothing else holds pass such a force from contact to contact: it is as well known as at the worst of those
-/// that carry the same. Where a motion is prescribed, every change since the ends of the steps `before` adds to the error: of
-/// what has been taken back, little may be left. Such forces are too large by the share by which the mesh is `too_stiff`.
+/// that carry the same. Where a motion is prescribed, every change since the forces `before`, at the ends of earlier steps,
+/// adds to the error: of what has been taken back, little may be left. Such forces are too large by the share by which the mesh is `too_stiff`.
 pub(super) fn horizontal_forces(
     scene: &Scene,
     contacts: Contacts,
-    (missed_travel, too_stiff, before): (Option<f64>, f64, &[&State]),
+    (missed_travel, too_stiff, before): (Option<f64>, f64, &[Vec<Vec3>]),
 ) -> Vec<Option<Figure>> {
     /// Of the force along the load, how far forces differ that are the same.
     const SAME: f64 = 1e-6;
-    let before: Vec<_> = (before.iter().filter(|_| scene.is_moved()))
-        .map(|state| interfaces(scene, state))
-        .collect();
-    let of_pair = |(pair, interface)| {
+    let along = direction(scene);
+    let across = |force: &Vec3| sub(*force, scale(along, dot(*force, along)));
+    let of_pair = |(pair, interface): (usize, &Interface)| {
         let line = contacts.lines.get(pair).and_then(Option::as_ref);
-        let steps = before.iter().filter_map(|step| step.get(pair));
-        let course = steps.chain([interface]).map(|step| across(scene, step));
+        let earlier = before.iter().filter_map(|forces| forces.get(pair));
+        let course = earlier.chain([&interface.force]).map(across);
         horizontal_force(
             interface,
             line,
@@ -144,12 +142,6 @@ fn horizontal_force(
         note: error.is_none().then_some(UNKNOWN_STIFFNESS),
         ..figure_of(Quantity::HorizontalForce, &interface.name, across)
     })
-}
-
-/// The part of the force of an interface that is across the load.
-fn across(scene: &Scene, interface: &Interface) -> Vec3 {
-    let along = direction(scene);
-    sub(interface.force, scale(along, dot(interface.force, along)))
 }
 
 /// How far from the middle of the carrier the force of a contact along lines acts, where a plane is turned by a given angle:

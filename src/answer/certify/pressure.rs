@@ -21,6 +21,7 @@ use std::collections::BTreeSet;
 use std::iter;
 
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
+
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
 /// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its

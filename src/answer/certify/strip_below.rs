@@ -31,10 +31,9 @@ impl<'l> StripBelow<'l> {
     pub fn all(scene: &Scene, lines: &'l [Option<HeaviestLine>]) -> Vec<Self> {
         let of_pair = |(pair, line): (&ContactPair, &'l Option<HeaviestLine>)| {
             let line = line.as_ref()?;
-            // Of the elastic peak, flow or not; where lines merge, or surfaces are no half spaces, no strip makes it.
-            let none = [Departure::Width, Departure::Conformal].map(Some);
-            let is_strip = line.is_long() && !none.contains(&line.departs);
-            let hertz = line.contact.filter(|_| is_strip)?;
+            // Of the elastic peak, flow or not; where lines merge no strip makes it.
+            let merges = line.departs == Some(Departure::Width);
+            let hertz = line.strip().filter(|_| !merges)?;
             let on = |side: &Partner| {
                 let body = side.body(&scene.mesh)?;
                 let nu = scene.materials.get(body)?.poissons_ratio;

@@ -122,7 +122,9 @@ impl HeaviestLine {
         let kink = rows.kink(row.row);
         let departs = match hertz {
             Some(hertz) if apart < MERGED * 2.0 * hertz.half_width => Some(Departure::Width),
-            Some(hertz) if is_conformal(&hertz, curvatures) => Some(Departure::Conformal),
+            Some(hertz) if curvatures.is_some_and(|both| is_conformal(&hertz, both)) => {
+                Some(Departure::Conformal)
+            }
             Some(hertz) => departure(scene, state, (contact, edges), line, (&hertz, kink)),
             // Of a flat punch that is all that can be said.
             None => (edges.are_near(&row.centre)).then_some(Departure::LoadedEdge),
@@ -148,6 +150,12 @@ impl HeaviestLine {
     /// See [`ContactLine::is_long`].
     pub fn is_long(&self) -> bool {
         self.line.is_long()
+    }
+
+    /// Hertz's contact of a long line between sides that are as half spaces to it, whatever else departs.
+    pub fn strip(&self) -> Option<LineContact> {
+        let is_strip = self.is_long() && self.departs != Some(Departure::Conformal);
+        self.contact.filter(|_| is_strip)
     }
 
     /// Why the strip is not Hertz's, in words; `None` where it is, and where it has no closed form at all.
@@ -304,9 +312,8 @@ fn of_curvatures(
 }
 
 /// See [`CONFORMAL`].
-fn is_conformal(hertz: &LineContact, curvatures: Option<[f64; 2]>) -> bool {
-    let most = curvatures.map_or(0.0, |both| both[0].abs().max(both[1].abs()));
-    hertz.half_width * most > CONFORMAL
+fn is_conformal(hertz: &LineContact, [upper, lower]: [f64; 2]) -> bool {
+    hertz.half_width * upper.abs().max(lower.abs()) > CONFORMAL
 }
 
 /// Curvatures of the two sides across `axis`, at a row of the strip; `None` where one is not known.

@@ -24,7 +24,8 @@ impl Bend {
         // An image has nodes of its own.
         let key = |index: usize, node: u32| (node, side.signs[index].map(|sign| sign < 0.0));
         let mut mean: BTreeMap<_, Vec3> = BTreeMap::new();
-        for (index, (nodes, normal)) in side.nodes.iter().zip(&side.normals).enumerate() {
+        let facets = side.nodes.iter().zip(&side.normals).enumerate();
+        for (index, (nodes, normal)) in facets.filter(|_| side.is_flat()) {
             for node in nodes {
                 let sum = mean.entry(key(index, *node)).or_default();
                 *sum = add(*sum, *normal);

@@ -133,7 +133,7 @@ impl Answer {
             interfaces: &measured,
             lines: &lines,
         };
-        let travel = Travel::of(scene, state, solved.recovered, (contacts, &edges.loaded));
+        let travel = Travel::of(scene, state, solved.recovered, (contacts, &edges));
         let steps = steps::steps(solved, &peaks, travel);
         let earlier = solved.steps.iter().zip(&steps);
         let earlier = earlier.filter(|(other, _)| other.step < state.step);
@@ -150,7 +150,7 @@ impl Answer {
             peaks: &peaks,
             interfaces: &measured,
             lines: &lines,
-            edges: &edges.loaded,
+            edges: &edges,
             bores: &bores,
             dents: &dents,
             elastic: solved.elastic,

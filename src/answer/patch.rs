@@ -2,7 +2,7 @@
 
 use crate::analytic::hertz::EllipticContact;
 use crate::analytic::subsurface::EllipseField;
-use crate::answer::results::hertz::flows_below;
+use crate::answer::results::below::{flows_below, is_layered};
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
 use crate::ground::geometry::dot;
@@ -36,6 +36,7 @@ pub struct PatchFigures {
 }
 
 const FLOWS: &str = "steel flows below it";
+const LAYER: &str = "another material lies just below it";
 const LARGE: &str = "it is not small beside the radii";
 const AREA: &str = "its area is not that of the ellipse";
 
@@ -76,6 +77,7 @@ impl PatchFigures {
         let bodies = contact.bodies(&scene.mesh);
         let departs = match () {
             () if flows_below(scene, state, contact, (at, a)) => Some(FLOWS),
+            () if is_layered(scene, contact, (at, a)) => Some(LAYER),
             () if b > SMALL * radius => Some(LARGE),
             () if (area / ellipse - 1.0).abs() > SHARE => Some(AREA),
             () => None,

@@ -96,7 +96,7 @@ fn step(
                 interfaces: &measured,
                 lines: &lines,
             };
-            let travel = Travel::of(scene, state, &recovered, (contacts, &edges.loaded));
+            let travel = Travel::of(scene, state, &recovered, (contacts, &edges));
             (Cow::from(peaks), travel)
         }
     };

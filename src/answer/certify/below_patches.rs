@@ -6,7 +6,7 @@ use super::notes;
 use crate::answer::results::hex::distance;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::peaks::{Peak, Place};
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, joined_to};
 use crate::model::state::State;
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -28,7 +28,8 @@ pub(super) struct BelowPatches {
 
 /// A point of contact, or what the mesh is too coarse for.
 struct Patch {
-    bodies: [Option<usize>; 2],
+    /// Those of the pair, and what is joined to them.
+    bodies: Vec<usize>,
     at: [f64; 3],
     radius: f64,
     /// Relative error of its largest pressure; `None` where nodes are too far apart.
@@ -69,7 +70,7 @@ impl BelowPatches {
             let error = (own().filter(|_| !is_coarse)).find_map(Figure::relative_bar);
             if is_coarse || is_point && error.is_some() {
                 patches.push(Patch {
-                    bodies: pair.bodies(&scene.mesh),
+                    bodies: joined_to(scene, pair),
                     at: scene.mesh.points[field.nodes[top] as usize],
                     radius: (interface.area / PI).sqrt(),
                     error,
@@ -105,7 +106,7 @@ impl BelowPatches {
     fn above(&self, body: usize, at: &[f64; 3]) -> impl Iterator<Item = &Patch> {
         let at = *at;
         (self.patches.iter()).filter(move |patch| {
-            patch.bodies.contains(&Some(body)) && distance(patch.at, at) <= REACH * patch.radius
+            patch.bodies.contains(&body) && distance(patch.at, at) <= REACH * patch.radius
         })
     }
 }
@@ -117,7 +118,7 @@ mod tests {
     #[test]
     fn a_point_that_is_well_resolved_needs_less_of_what_nodes_have_more_than_centres() {
         let patch = |x: f64, error| Patch {
-            bodies: [Some(0), Some(1)],
+            bodies: vec![0, 1],
             at: [x, 0.0, 0.0],
             radius: 1.0,
             error,

@@ -1,7 +1,8 @@
 //! The energy of the error, from a smoother stress.
 
-use crate::answer::results::edges::LoadedEdges;
-use crate::answer::results::hex::GaussRule;
+use super::strip_below::StripBelow;
+use crate::answer::results::edges::SingularEdges;
+use crate::answer::results::hex::{GaussRule, centre};
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strain::strain;
 use crate::model::material::Steel;
@@ -16,7 +17,7 @@ pub struct Missing {
     pub work: f64,
     /// The energy of the error alone, body by body.
     pub errors: Vec<f64>,
-    /// Of that, what lies beside loaded edges, of all bodies.
+    /// Of that, what lies beside singular edges, of all bodies.
     pub beside_edges: f64,
 }
 
@@ -32,7 +33,7 @@ pub fn missing_work(
     scene: &Scene,
     state: &State,
     recovered: &Recovered,
-    edges: &LoadedEdges,
+    edges: &SingularEdges,
 ) -> Missing {
     let rule = GaussRule::new();
     let points = scene.mesh.points.par_iter();
@@ -85,6 +86,31 @@ pub fn of_solution(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
         state.stress[element].map(|stress| [density(&stress, steel)])
     });
     of_bodies.iter().map(|[energy]| energy).sum()
+}
+
+/// Share of the work of flow that no strip is above; zero where nothing has flowed.
+pub(super) fn flow_away(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    strips: &[StripBelow<'_>],
+) -> f64 {
+    let of_bodies = integrals(scene, recovered, |steel, element, _| {
+        let at = centre(&scene.mesh.corners(element));
+        let is_away = !strips.iter().any(|strip| strip.is_above(&at));
+        let away = f64::from(u8::from(is_away));
+        state.peeq_of(element).map(|peeq| {
+            // Of what cannot flow the yield stress has no bound.
+            let work = match peeq > 0.0 {
+                true => 0.5 * peeq * (steel.yield_stress + steel.flow_stress(peeq)),
+                false => 0.0,
+            };
+            [work, away * work]
+        })
+    });
+    let sum = |part: usize| of_bodies.iter().map(|works| works[part]).sum::<f64>();
+    let all = sum(0);
+    if all > 0.0 { sum(1) / all } else { 0.0 }
 }
 
 /// The integrals of densities that the points of an element have, by its steel, its number and the stresses of its

@@ -187,7 +187,9 @@ fn mises(
             is_on_border,
         } = read;
         let is_next_to_edge = around.border > 0.0;
-        let strip = strips.iter().find(|strip| strip.is_above(&nodal.at));
+        let above_it = strips.iter().find(|strip| strip.is_above(&nodal.at));
+        let is_unseen = above_it.is_some_and(|strip| !strip.shows_at(&around.extent));
+        let strip = above_it.and_then(|strip| Some((*strip, strip.mises?)));
         let counts = strip.map_or_else(|| below.share(index, &nodal.at), |_| 1.0);
         let is_steep = around.fall > MOST_FALL * nodal.value && !below.is_above(index, &nodal.at);
         let above = nodal.value - centroid.value;
@@ -199,16 +201,16 @@ fn mises(
                 .max(OVERSHOOT * at_points)
                 .max(JUMP * around.jump),
         };
-        let share = strip.map_or(1.0, |strip| strip.share(&nodal.at));
+        let share = strip.map_or(1.0, |(strip, _)| strip.share(&nodal.at));
         // Elsewhere away from a loaded edge it matters more how near to it nodes lie.
         let corrected = strip
             .filter(|_| !is_by_edge || is_on_border)
-            .map_or(0.0, |strip| strip.resolves(share, &around.extent));
+            .map_or(0.0, |(strip, _)| strip.resolves(share, &around.extent));
         let Curvature { overshoot, vertex } = around.curvature;
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
         let left = 1.0 - corrected * (1.0 - OF_BAR);
         let (error, note) = match strip {
-            Some(strip) if !strip.shows() => (None, Some(COARSE)),
+            _ if is_unseen => (None, Some(COARSE)),
             None if is_steep => (None, Some(STEEP)),
             _ if around.rises_to_long_faces => (None, Some(LONG_FACES)),
             _ if is_next_to_edge => {
@@ -216,13 +218,13 @@ fn mises(
                 let overshoot = (1.0 - corrected) * overshoot.max(0.0);
                 (Some(spread + means + overshoot), None)
             }
-            Some(strip) => {
+            Some((strip, of_half_space)) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second
                 // order.
                 let weight = (FINE * strip.widest(&around.extent) / (share * strip.half_width))
                     .min(1.0)
                     .powi(2);
-                let mises = share * strip.mises;
+                let mises = share * of_half_space;
                 let off = (nodal.value - mises).abs() + BODIES * mises;
                 (Some(left * spread.max(weight * off)), None)
             }
@@ -241,7 +243,10 @@ fn mises(
             }
         };
         // A peak elsewhere, as on a bore, is the largest only if it is above what the mesh does not show.
-        let may_hide = |most: f64| strips.iter().any(|s| !s.shows() && s.mises > most);
+        let may_hide = |most: f64| {
+            let larger = |strip: &&StripBelow| strip.mises.is_some_and(|mises| mises > most);
+            strips.iter().any(|strip| !strip.shows() && larger(strip))
+        };
         let (error, note) = match error {
             Some(error) if may_hide(value + error) => (None, Some(COARSE)),
             error => (error, note),

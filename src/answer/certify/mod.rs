@@ -19,7 +19,7 @@ mod pressure;
 mod strip_below;
 
 use crate::answer::results::bore::BoreStress;
-use crate::answer::results::edges::LoadedEdges;
+use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::peaks::BodyPeaks;
@@ -54,8 +54,8 @@ pub struct Evidence<'a> {
     pub interfaces: &'a [Interface],
     /// The heaviest line of every pair, where it has lines.
     pub lines: &'a [Option<HeaviestLine>],
-    /// Where loaded surfaces end.
-    pub edges: &'a LoadedEdges,
+    /// Where stresses have no bound.
+    pub edges: &'a SingularEdges,
     /// Inner walls of rollers by body.
     pub bores: &'a [(String, BoreStress)],
     /// Dents that stay: surface, its body and depth.
@@ -109,7 +109,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             interface,
             line,
             touch,
-            edges: evidence.edges,
+            edges: &evidence.edges.loaded,
             too_stiff: by_motion,
         };
         let own = contact.claims();

@@ -158,7 +158,8 @@ impl Contact<'_> {
                 let above = (value / hertz.peak_pressure - 1.0).max(0.0);
                 above.max(of_nodes(&line.line.heaviest, a)) + self.load_error(line)
             }
-            (None, _) | (_, Some(Departure::Conformal)) => by_stress(),
+            (None, _) => by_stress(),
+            (_, Some(departs)) if !departs.keeps_half_spaces() => by_stress(),
             (Some(_), Some(_)) => FALL * fall().mean,
         });
         // Where loads alternate from row to row, so do pressures.

@@ -3,7 +3,7 @@
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
-use crate::model::scene::{ContactPair, Partner, Scene};
+use crate::model::scene::{ContactPair, Scene, joined_to};
 
 /// Facets in a half-width between which the nodal peak begins to be corrected by what extrapolation overshoots, and is wholly.
 /// On coarser meshes the stress below a strip is as much too small as extrapolation makes it too large.
@@ -19,35 +19,49 @@ const GROWTH: f64 = 1.4;
 /// A Hertzian strip on a body.
 pub(super) struct StripBelow<'l> {
     pub body: usize,
-    /// Largest Mises stress below its heaviest row, in a half space.
-    pub mises: f64,
-    /// By that load.
+    /// Largest Mises stress below its heaviest row, in a half space; `None` where a layer makes it another one.
+    pub mises: Option<f64>,
+    /// By the load of that row, or as found below a layer.
     pub half_width: f64,
     line: &'l HeaviestLine,
 }
 
 impl<'l> StripBelow<'l> {
-    /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side.
+    /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side, and on what is joined to them.
     pub fn all(scene: &Scene, lines: &'l [Option<HeaviestLine>]) -> Vec<Self> {
         let of_pair = |(pair, line): (&ContactPair, &'l Option<HeaviestLine>)| {
             let line = line.as_ref()?;
             // Of the elastic peak, flow or not; where lines merge no strip makes it.
             let merges = line.departs == Some(Departure::Width);
-            let hertz = line.strip().filter(|_| !merges)?;
-            let on = |side: &Partner| {
-                let body = side.body(&scene.mesh)?;
+            let is_layered = line.is_long() && line.departs == Some(Departure::Layered);
+            let hertz = line.strip().filter(|_| !merges);
+            let half_width = match hertz {
+                Some(hertz) => hertz.half_width,
+                None => Some(line.line.heaviest.half_width).filter(|_| is_layered)?,
+            };
+            let on = |body: usize| {
                 let nu = scene.materials.get(body)?.poissons_ratio;
+                let below = hertz.and_then(|hertz| LineField::below(&hertz, nu).ok());
                 Some(Self {
                     body,
-                    mises: LineField::below(&hertz, nu).ok()?.peak_mises().value,
-                    half_width: hertz.half_width,
+                    mises: below.map(|field| field.peak_mises().value),
+                    half_width,
                     line,
                 })
             };
-            Some([on(&pair.upper), on(&pair.lower)])
+            let own = pair.bodies(&scene.mesh);
+            // What is joined to a body goes on with it, where the strip is near.
+            let goes_on = |strip: &Self| {
+                let is_below = |node: &u32| strip.is_above(&scene.mesh.points[*node as usize]);
+                let elements = scene.mesh.bodies[strip.body].elements.clone();
+                own.contains(&Some(strip.body))
+                    || scene.mesh.hexes[elements].iter().flatten().any(is_below)
+            };
+            let all = joined_to(scene, pair).into_iter().filter_map(on);
+            Some(all.filter(goes_on).collect::<Vec<_>>())
         };
         let pairs = scene.contacts.iter().zip(lines).filter_map(of_pair);
-        pairs.flatten().flatten().collect()
+        pairs.flatten().collect()
     }
 
     /// Distance of the nodes in its middle.
@@ -58,6 +72,14 @@ impl<'l> StripBelow<'l> {
     /// Does the mesh show the peak below it?
     pub fn shows(&self) -> bool {
         self.spacing() <= COARSEST * self.half_width
+    }
+
+    /// Does it where elements have that extent? Below a layer they may be larger than those that press.
+    pub fn shows_at(&self, extent: &[f64; 3]) -> bool {
+        match self.mises {
+            Some(_) => self.shows(),
+            None => self.widest(extent) <= COARSEST * self.half_width,
+        }
     }
 
     /// The larger of that, the one at its edge and the extent across it of the elements around the peak below, where they

@@ -4,10 +4,10 @@
 //! how the bodies bend, not from the few nodes across a strip. Where the strip is Hertzian the closed
 //! form turns it into the pressure.
 
+use super::below::{flows_below, is_layered};
 use super::circle::FittedCircle;
 use super::contact_lines::{ContactLine, across, contact_lines, contact_lines_by};
 use super::edges::LoadedEdges;
-use super::hex::{centre, diagonal, distance};
 use super::line_axis::line_axis;
 use super::strip_row::StripRow;
 use crate::analytic::hertz::LineContact;
@@ -53,11 +53,18 @@ pub enum Departure {
     Width,
     /// It is wide beside the radii of its surfaces, as of a pin in a hole: these are no half spaces to it.
     Conformal,
+    /// Another material is joined to a body just below it, as a coat to its base.
+    Layered,
     /// The load changes from row to row: the shape does, too.
     Kink,
 }
 
 impl Departure {
+    /// Are the bodies below the strip as half spaces to it all the same?
+    pub fn keeps_half_spaces(self) -> bool {
+        !matches!(self, Self::Conformal | Self::Layered)
+    }
+
     /// The reason, of a strip.
     pub fn in_words(self) -> &'static str {
         match self {
@@ -65,6 +72,7 @@ impl Departure {
             Self::Flow => "steel flows below it",
             Self::Width => "it is wider or narrower than its load makes it",
             Self::Conformal => "it is wide beside the radii of its surfaces",
+            Self::Layered => "another material lies just below it",
             Self::Kink => "its load changes from row to row",
         }
     }
@@ -125,6 +133,9 @@ impl HeaviestLine {
             Some(hertz) if curvatures.is_some_and(|both| is_conformal(&hertz, both)) => {
                 Some(Departure::Conformal)
             }
+            Some(hertz) if is_layered(scene, contact, (row.centre, hertz.half_width)) => {
+                Some(Departure::Layered)
+            }
             Some(hertz) => departure(scene, state, (contact, edges), line, (&hertz, kink)),
             // Of a flat punch that is all that can be said.
             None => (edges.are_near(&row.centre)).then_some(Departure::LoadedEdge),
@@ -154,8 +165,8 @@ impl HeaviestLine {
 
     /// Hertz's contact of a long line between sides that are as half spaces to it, whatever else departs.
     pub fn strip(&self) -> Option<LineContact> {
-        let is_strip = self.is_long() && self.departs != Some(Departure::Conformal);
-        self.contact.filter(|_| is_strip)
+        let is_half_space = self.departs.is_none_or(Departure::keeps_half_spaces);
+        self.contact.filter(|_| self.is_long() && is_half_space)
     }
 
     /// Why the strip is not Hertz's, in words; `None` where it is, and where it has no closed form at all.
@@ -267,25 +278,6 @@ const FLOW_BEGINS: f64 = 1.4;
 /// Mean pressure of the heaviest row of a line.
 fn mean_pressure(line: &ContactLine) -> f64 {
     line.heaviest_load() / (2.0 * line.heaviest.half_width)
-}
-
-/// Has either body of a pair yielded within three half-widths `a` of a place?
-pub fn flows_below(
-    scene: &Scene,
-    state: &State,
-    pair: &ContactPair,
-    (place, a): ([f64; 3], f64),
-) -> bool {
-    let mesh = &scene.mesh;
-    let sides = [&pair.upper, &pair.lower].into_iter();
-    let bodies = sides.filter_map(|side| mesh.bodies.get(side.body(mesh)?));
-    bodies.flat_map(|body| body.elements.clone()).any(|e| {
-        let flows = state.peeq_of(e).iter().any(|p| *p > 0.0);
-        flows && {
-            let corners = mesh.corners(e);
-            distance(centre(&corners), place) <= 3.0 * a + 0.5 * diagonal(&corners)
-        }
-    })
 }
 
 /// Hertz's contact of a pair along `axis` under the load per length `load`, with the curvature that its surfaces have

@@ -5,6 +5,7 @@
 
 pub mod around;
 pub mod balance;
+pub mod below;
 pub mod bore;
 mod circle;
 pub mod contact_lines;

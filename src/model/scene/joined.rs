@@ -1,6 +1,6 @@
 //! Bodies that ties or shared nodes join.
 
-use super::Scene;
+use super::{ContactPair, Scene};
 
 /// Of each body the lowest one that ties or shared nodes join it to, by whatever way; itself where there is none.
 pub fn joined(scene: &Scene) -> Vec<usize> {
@@ -20,6 +20,17 @@ pub fn joined(scene: &Scene) -> Vec<usize> {
         unite(&mut group, &bodies.collect::<Vec<_>>());
     }
     group
+}
+
+/// The bodies of a pair and all that are joined to them, ascending.
+pub fn joined_to(scene: &Scene, pair: &ContactPair) -> Vec<usize> {
+    let group = joined(scene);
+    let of_pair: Vec<usize> = (pair.bodies(&scene.mesh).into_iter().flatten())
+        .map(|body| group[body])
+        .collect();
+    (0..group.len())
+        .filter(|body| of_pair.contains(&group[*body]))
+        .collect()
 }
 
 /// Makes one group of those that `bodies` are in.

@@ -19,7 +19,7 @@ use crate::ground::geometry::planes_through;
 use crate::model::material::Steel;
 use crate::model::mesh::{Mesh, Surface};
 pub use controls::{Controls, ElementKind, SolverKind};
-pub use joined::joined;
+pub use joined::{joined, joined_to};
 pub use loads::{PlaneMotion, Support, Traction, TractionValue};
 pub use pair::{ContactPair, EDGE_REACH, Partner, Side};
 pub use rigid_plane::{PlaneTurn, Pose, RigidPlane};

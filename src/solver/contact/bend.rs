@@ -64,6 +64,15 @@ impl Bend {
         (0..side.nodes.len()).map(bend).collect()
     }
 
+    /// Is the surface plane over the facet with these corners, but for rounding?
+    pub fn is_plane(&self, corners: &[Vec3; 4]) -> bool {
+        const ROUNDING: f64 = 1e-5;
+        let ways = self.along.iter().zip(&self.curvature);
+        ways.fold(0.0, |most: f64, (along, curvature)| {
+            most.max(curvature.abs() * extent(corners, *along))
+        }) <= ROUNDING
+    }
+
     /// The curvature along a direction, or what of it lies in the facet, by Euler's theorem as if the edges followed the
     /// principal ones.
     fn curvature_along(&self, direction: Vec3) -> f64 {

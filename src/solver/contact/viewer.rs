@@ -71,7 +71,7 @@ impl Viewer {
         let side = &self.side;
         let sight = |(index, corner): (usize, Option<usize>)| {
             let shape = shape_of(corner);
-            let seen = at.nearest(side, index, side.at(index, &shape))?;
+            let seen = at.nearest(self, index, side.at(index, &shape))?;
             let own = (side.nodes[index], shape);
             let other = (at.side.nodes[seen.facet], seen.shape);
             let signs = at.side.signs[seen.facet];
@@ -120,9 +120,17 @@ impl Viewer {
 }
 
 impl Scenery {
-    /// What the line along the `outward` normal meets next to `from`, a point of facet `index` of
-    /// `side`; the gap is that to the true surface along the mean of both normals.
-    fn nearest(&self, side: &Side, index: usize, (from, outward): (Vec3, Vec3)) -> Option<Seen> {
+    /// What the line along the `outward` normal meets next to `from`, a point of facet `index` of the viewer. The gap is
+    /// that to the true surface along the mean of both normals. Where exactly one side is plane it is along the normal of that
+    /// side, which stays what it is as the other side slides: the mean would take a slide of s across a radius R, x from the
+    /// line of touch, for a gap of s x/2R.
+    fn nearest(
+        &self,
+        viewer: &Viewer,
+        index: usize,
+        (from, outward): (Vec3, Vec3),
+    ) -> Option<Seen> {
+        let side = &viewer.side;
         let ends = [
             scale(outward, self.distance),
             scale(outward, -self.distance),
@@ -131,6 +139,7 @@ impl Scenery {
         // A little to the side, for lines that run along edges of facets: by a millionth of the diagonal.
         let corners = &side.corners[index];
         let beside = 1e-6 * norm(sub(corners[2], corners[0]));
+        let is_plane = viewer.bends[index].is_plane(corners);
         let mut best: Option<Seen> = None;
         for facet in self.tree.near(&[ends[0], ends[1], from, from], [beside; 3]) {
             if dot(outward, self.side.normals[facet]) > MOST_FACING {
@@ -140,7 +149,12 @@ impl Scenery {
                 continue;
             };
             let (there, inward) = self.side.at(facet, &shape);
-            let normal = unit(sub(outward, inward)).unwrap_or(outward);
+            let other_is_plane = self.bends[facet].is_plane(&self.side.corners[facet]);
+            let normal = match [is_plane, other_is_plane] {
+                [true, false] => outward,
+                [false, true] => scale(inward, -1.0),
+                _ => unit(sub(outward, inward)).unwrap_or(outward),
+            };
             let gap = dot(sub(there, from), normal);
             let nearer = best.as_ref().is_none_or(|b| gap.abs() < b.gap.abs());
             if gap.abs() <= self.distance && nearer {

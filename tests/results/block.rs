@@ -167,6 +167,7 @@ pub fn pressed(scene: &Scene) -> State {
         sagitta: vec![0.0; n],
         penetration: 1e-6,
         unexplained: 0.0,
+        unexplained_at: None,
     };
     let elements = scene.mesh.hexes.len();
     State {

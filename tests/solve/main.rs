@@ -15,6 +15,7 @@ mod misaligned;
 mod reaction;
 mod refined;
 mod resume;
+mod slides;
 mod statics;
 mod symmetry;
 mod thermal;

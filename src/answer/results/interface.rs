@@ -40,6 +40,8 @@ pub struct Interface {
     pub max_penetration: f64,
     /// What of it the facets do not explain, see [`ContactField::unexplained`].
     pub unexplained_penetration: f64,
+    /// Undeformed place of that on the carrier.
+    pub unexplained_at: Option<[f64; 3]>,
     /// Largest weighted gap below zero of a node in contact: how far contact conditions are missed.
     pub contact_error: f64,
     /// Area of the nodes in contact.
@@ -70,6 +72,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
         name: contact.name.clone(),
         max_penetration: field.penetration,
         unexplained_penetration: field.unexplained,
+        unexplained_at: field.unexplained_at,
         centre_of_force: centre_of_force(scene, state, pair),
         ..Interface::default()
     };

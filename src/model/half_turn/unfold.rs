@@ -110,6 +110,7 @@ impl HalfTurn {
         }
         field.penetration = half.penetration;
         field.unexplained = half.unexplained;
+        field.unexplained_at = half.unexplained_at.map(place);
         field
     }
 }

@@ -102,6 +102,8 @@ pub struct ContactField {
     pub penetration: f64,
     /// What of it is deeper than the facets explain, by their sagittas.
     pub unexplained: f64,
+    /// Undeformed place of that on the carrier; `None` where there is none.
+    pub unexplained_at: Option<[f64; 3]>,
 }
 
 /// A rigid plane in a converged state.
@@ -161,6 +163,7 @@ impl ContactField {
             sagitta: vec![0.0; count],
             penetration: 0.0,
             unexplained: 0.0,
+            unexplained_at: None,
         }
     }
 }

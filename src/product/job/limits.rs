@@ -1,12 +1,13 @@
 //! What an answer must keep to, whatever the case.
 
-use crate::answer::Checks;
+use crate::answer::Answer;
 use crate::case::{Case, Kind};
-use crate::render::text::percent;
+use crate::render::text::{percent, place};
 use crate::render::warnings::NOTABLE_SHARE;
 
 /// The checks that are beyond their limit, in words.
-pub fn missed(case: &Case, checks: &Checks) -> Vec<String> {
+pub fn missed(case: &Case, answer: &Answer) -> Vec<String> {
+    let checks = &answer.checks;
     let values = [
         checks.force_balance,
         checks.max_penetration_relative,
@@ -18,10 +19,31 @@ pub fn missed(case: &Case, checks: &Checks) -> Vec<String> {
     beyond
         .map(|(what, value)| {
             let (value, limit) = (percent(value), percent(NOTABLE_SHARE));
-            format!("{what} is {value}, and the limit is {limit}")
+            let advice = match what {
+                PENETRATION => where_deepest(answer),
+                _ => String::new(),
+            };
+            format!("{what} is {value}, and the limit is {limit}{advice}")
         })
         .collect()
 }
+
+/// Where bodies penetrate more than their facets explain, and what to do.
+fn where_deepest(answer: &Answer) -> String {
+    let pairs = answer.interfaces.0.iter();
+    let beyond = pairs
+        .filter_map(|(name, i)| Some((name, i.max_penetration, i.unexplained_penetration_at?)));
+    let deepest = beyond.max_by(|a, b| a.1.total_cmp(&b.1));
+    deepest.map_or_else(String::new, |(name, _, at)| {
+        format!(
+            "; it is deepest in {name} at {}, where faces are long beside what presses or bends there: make those of both sides \
+             shorter",
+            place(at)
+        )
+    })
+}
+
+const PENETRATION: &str = "penetration over descent";
 
 /// The limits that a run of `case` will be held to, in words.
 pub fn all(case: &Case) -> Vec<String> {
@@ -33,7 +55,7 @@ pub fn all(case: &Case) -> Vec<String> {
 /// What is limited to [`NOTABLE_SHARE`].
 const LIMITED: [&str; 4] = [
     "the force balance of an interface",
-    "penetration over descent",
+    PENETRATION,
     "the violation of Coulomb's law",
     "the load that stabilisation carries",
 ];

@@ -24,7 +24,7 @@ pub struct Outcome {
 impl Outcome {
     /// Limits that the answer misses, in words.
     pub fn missed_limits(&self, case: &Case) -> Vec<String> {
-        limits::missed(case, &self.summary.answer.checks)
+        limits::missed(case, &self.summary.answer)
     }
 
     /// The state that the figures are of.

@@ -32,7 +32,7 @@ pub fn write(
             pictures: &pictures,
             calculation: &calculation(case, scene),
             history,
-            missed: &limits::missed(case, &summary.answer.checks),
+            missed: &limits::missed(case, &summary.answer),
             case: (case.source.name(), case.source.text()),
             setting: &[(
                 "threads".to_owned(),

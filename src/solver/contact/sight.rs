@@ -27,6 +27,12 @@ impl Sight {
         self.node.is_none() && self.carrier.1 == [0.25; 4]
     }
 
+    /// Where it looks from or at on the carrier, `points` being those of the mesh.
+    pub fn place(&self, points: &[Vec3]) -> Vec3 {
+        let (nodes, shape) = &self.carrier;
+        interpolate(&nodes.map(|node| points[node as usize]), shape)
+    }
+
     /// The gap under the displacements `u`, open positive.
     pub fn gap_at(&self, u: &[[f64; 3]]) -> f64 {
         let at =

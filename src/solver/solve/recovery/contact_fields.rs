@@ -52,7 +52,7 @@ pub fn contact_fields(
     }
     consistent_tractions(model, evaluation, &mut fields);
     for (field, sights) in fields.iter_mut().zip(sights) {
-        see_gaps(field, sights, u);
+        see_gaps(field, sights, (&scene.mesh.points, u));
     }
     fields
 }

@@ -1,12 +1,13 @@
 //! The gaps of the two surfaces of a pair as they are, whatever rows exist.
 
+use crate::ground::geometry::Vec3;
 use crate::model::state::ContactField;
 use crate::solver::contact::facing::Sight;
 use crate::solver::solve::params::RIM_OVERLAP;
 
 /// What is seen of a pair without any contact row: the gaps of nodes that no row exists for, and the
-/// deepest overlap of the two sides.
-pub fn see_gaps(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
+/// deepest overlap of the two sides. `points` are those of the mesh, and `u` their displacements.
+pub fn see_gaps(field: &mut ContactField, sights: &[Sight], (points, u): (&[Vec3], &[Vec3])) {
     let gaps: Vec<f64> = sights.iter().map(|sight| sight.gap_at(u)).collect();
     let place = |node: u32| field.nodes.binary_search(&node).ok();
     let mut seen = vec![None; field.nodes.len()];
@@ -41,7 +42,10 @@ pub fn see_gaps(field: &mut ContactField, sights: &[Sight], u: &[[f64; 3]]) {
         let of = |share: &[f64]| nodes().map(|at| share[at]).fold(0.0, f64::max);
         let explained = RIM_OVERLAP * (of(&sagitta) + of(&bend));
         field.penetration = field.penetration.max(-gap);
-        field.unexplained = field.unexplained.max(-gap - explained);
+        if -gap - explained > field.unexplained {
+            field.unexplained = -gap - explained;
+            field.unexplained_at = Some(sight.place(points));
+        }
     }
     field.sagitta = sagitta;
     for (gap, seen) in field.gap.iter_mut().zip(seen) {

@@ -62,8 +62,8 @@ impl NoBalance {
                  or offset"
             ),
             None => "no friction helps: bring the load nearer to the middle of what carries it (less offset), or \
-                     support the body; what rolls resists no force across its axis; where the balance is close, a mesh that follows round ends and faces \
-                     more finely"
+                     support the body; what rolls resists no force across its axis, and one that comes to rest farther on is to be \
+                     meshed where it does; where the balance is close, a mesh that follows round ends and faces more finely"
                 .to_owned(),
         }
     }

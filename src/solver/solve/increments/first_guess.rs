@@ -6,6 +6,7 @@ use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::proximal_point::approach_balance;
 use crate::solver::solve::params::FIRST_TOUCH_REACH;
 use crate::solver::solve::rigid::rest::at_rest;
+use crate::solver::solve::rows::least_gaps::LeastGaps;
 
 impl Run<'_, '_> {
     /// Finds a first guess at `target` with rigid bodies, where they find rest, and prepares all rows that press
@@ -75,14 +76,13 @@ impl Run<'_, '_> {
     /// Where nothing presses yet, lets the rows carry that all but touch: bodies float until then.
     pub(super) fn touch(&self, trial: &mut Point) {
         let mut pressed = vec![false; self.model.scene.contacts.len()];
-        let mut least = vec![f64::INFINITY; pressed.len()];
-        for (r, node) in self.model.rows.iter().zip(&trial.nodes) {
-            pressed[r.pair] |= node.closed;
-            least[r.pair] = least[r.pair].min(r.row.gap);
+        for (row, node) in self.model.rows.iter().zip(&trial.nodes) {
+            pressed[row.pair] |= node.closed;
         }
+        let least = LeastGaps::of(&self.model.rows);
         let near = FIRST_TOUCH_REACH * self.model.reach;
-        for (r, node) in self.model.rows.iter().zip(&mut trial.nodes) {
-            if !pressed[r.pair] && r.row.gap <= least[r.pair] + near {
+        for (row, node) in self.model.rows.iter().zip(&mut trial.nodes) {
+            if !pressed[row.pair] && least.beyond(row) <= near {
                 (node.closed, node.sticks) = (true, true);
             }
         }

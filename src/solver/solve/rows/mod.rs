@@ -3,3 +3,4 @@
 pub mod contact_row;
 pub mod contact_rows;
 pub mod held_planes;
+pub mod least_gaps;

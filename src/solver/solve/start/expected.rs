@@ -3,6 +3,7 @@
 use crate::model::scene::Scene;
 use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::rows::contact_row::ContactRow;
+use crate::solver::solve::rows::least_gaps::LeastGaps;
 use crate::solver::solve::start::extent::{likely_gap, reach};
 
 impl Expected {
@@ -18,20 +19,8 @@ impl Expected {
 
     /// Splits rows into those that may close and the others.
     pub fn split(&self, rows: Vec<ContactRow>) -> (Vec<ContactRow>, Vec<ContactRow>) {
-        let least = least_gaps(rows.iter());
+        let least = LeastGaps::of(&rows);
         rows.into_iter()
-            .partition(|r| r.row.gap <= least[r.pair] + self.contact)
+            .partition(|row| least.beyond(row) <= self.contact)
     }
-}
-
-/// Least gap of each pair.
-pub fn least_gaps<'r>(rows: impl Iterator<Item = &'r ContactRow>) -> Vec<f64> {
-    let mut least: Vec<f64> = Vec::new();
-    for r in rows {
-        if least.len() <= r.pair {
-            least.resize(r.pair + 1, f64::INFINITY);
-        }
-        least[r.pair] = r.row.gap.min(least[r.pair]);
-    }
-    least
 }

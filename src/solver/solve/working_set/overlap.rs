@@ -4,7 +4,7 @@ use crate::solver::contact::facing::Sight;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::rows::contact_row::ContactRow;
-use crate::solver::solve::start::expected::least_gaps;
+use crate::solver::solve::rows::least_gaps::LeastGaps;
 use crate::solver::solve::start::extent::extent;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -52,9 +52,9 @@ impl Overlap {
         model.rows.iter().for_each(|row| {
             take(row);
         });
-        let least = least_gaps(model.rows.iter());
+        let least = LeastGaps::of(&model.rows);
         let spare = model.spare.iter().filter(|row| take(row));
-        let left_out = spare.map(|r| r.row.gap - least[r.pair]).reduce(f64::max);
+        let left_out = spare.map(|row| least.beyond(row)).reduce(f64::max);
         // Beyond the size of the model nothing more can be integrated.
         let could = model.reach < extent(model.scene);
         let gaps = overlapped.values().copied().filter(|_| could);
@@ -77,9 +77,7 @@ pub fn closed_throughout<'m>(model: &'m Model, x: &Point) -> Option<&'m ContactR
 
 /// The largest initial gap, over the least one of its pair, of the rows that are closed.
 pub fn farthest_closed(model: &Model, x: &Point) -> f64 {
-    let least = least_gaps(model.rows.iter());
+    let least = LeastGaps::of(&model.rows);
     let closed = model.rows.iter().zip(&x.nodes).filter(|(_, n)| n.closed);
-    closed
-        .map(|(r, _)| r.row.gap - least[r.pair])
-        .fold(0.0, f64::max)
+    closed.map(|(row, _)| least.beyond(row)).fold(0.0, f64::max)
 }

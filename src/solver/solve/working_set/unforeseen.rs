@@ -17,7 +17,7 @@ use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::params::{CLOSING_GROWTH, CLOSING_MARGIN, REACH_MARGIN};
 use crate::solver::solve::rows::contact_row::ContactRow;
-use crate::solver::solve::start::expected::least_gaps;
+use crate::solver::solve::rows::least_gaps::LeastGaps;
 use crate::solver::solve::working_set::flow::{Ahead, unexpected_flow};
 use crate::solver::solve::working_set::overlap::{Overlap, closed_throughout};
 
@@ -44,13 +44,13 @@ impl Unforeseen {
         (x, u): (&Point, &[[f64; 3]]),
         ahead: Ahead,
     ) -> Self {
-        let least = least_gaps(model.rows.iter());
+        let least = LeastGaps::of(&model.rows);
         // A row that was left out is penetrated where the relative displacement exceeds its gap.
         let beyond = |r: &&ContactRow| r.relative(u)[0] > r.row.gap;
         let closing = model.spare.iter().filter(beyond);
-        let closing = closing.map(|r| r.row.gap - least[r.pair]);
+        let closing = closing.map(|row| least.beyond(row));
         let overlap = Overlap::find(model, sights, u);
-        let narrow = closed_throughout(model, x).map(|r| r.row.gap - least[r.pair]);
+        let narrow = closed_throughout(model, x).map(|row| least.beyond(row));
         let contact = closing
             .chain(overlap.left_out)
             .chain(narrow)

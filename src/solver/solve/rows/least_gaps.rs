@@ -1,0 +1,25 @@
+//! How far rows stand open, over the least gap of their pair.
+
+use crate::solver::solve::rows::contact_row::ContactRow;
+
+/// The least initial gap of each pair.
+pub struct LeastGaps(Vec<f64>);
+
+impl LeastGaps {
+    /// Of some rows.
+    pub fn of<'r>(rows: impl IntoIterator<Item = &'r ContactRow>) -> Self {
+        let mut least: Vec<f64> = Vec::new();
+        for row in rows {
+            if least.len() <= row.pair {
+                least.resize(row.pair + 1, f64::INFINITY);
+            }
+            least[row.pair] = row.row.gap.min(least[row.pair]);
+        }
+        Self(least)
+    }
+
+    /// The initial gap of a row of these pairs over the least one of its pair.
+    pub fn beyond(&self, row: &ContactRow) -> f64 {
+        row.row.gap - self.0[row.pair]
+    }
+}

@@ -9,6 +9,10 @@ use crate::model::scene::Scene;
 use crate::model::state::State;
 use serde::Serialize;
 
+/// Force that does not balance, or that stabilisation carries, and overlap of bodies beside the descent: what is said from this share
+/// on, and fails a run.
+pub const NOTABLE_SHARE: f64 = 1e-3;
+
 /// Relative figures that say how well the answer satisfies its own equations.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Checks {

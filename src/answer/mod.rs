@@ -9,7 +9,7 @@ pub mod pictures;
 pub mod results;
 
 mod body;
-mod checks;
+pub(crate) mod checks;
 mod inputs;
 mod interface;
 mod load_line;

@@ -6,6 +6,7 @@ use super::text::percent;
 use crate::answer::Answer;
 use crate::answer::BodyFigures;
 use crate::answer::certify::{Figure, Quantity, WITHOUT_INCREMENTS};
+use crate::answer::checks::NOTABLE_SHARE;
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -14,9 +15,6 @@ pub struct Warning(pub String);
 
 /// Small-strain theory is good to about this strain.
 const SMALL_STRAIN_LIMIT: f64 = 0.02;
-
-/// Force that does not balance, or that stabilisation carries, is said from this share on.
-pub const NOTABLE_SHARE: f64 = 1e-3;
 
 /// The warnings that the figures of an answer call for.
 pub fn warnings(answer: &Answer) -> Vec<Warning> {

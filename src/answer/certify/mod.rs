@@ -18,6 +18,7 @@ mod other;
 mod pressure;
 mod strip_below;
 
+use crate::answer::checks::NOTABLE_SHARE;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
@@ -113,11 +114,16 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             too_stiff: by_motion,
         };
         let own = contact.claims();
-        if contact.has_no_shape(&own)
-            && let Some(descent) = claims.first_mut().filter(|c| c.what == Quantity::Descent)
-        {
-            descent.error.discretisation = None;
-            descent.note = Some(notes::SHAPE);
+        if let Some(descent) = claims.first_mut().filter(|c| c.what == Quantity::Descent) {
+            let pokes = interface.unexplained_penetration > NOTABLE_SHARE * descent.value.abs();
+            let why = [
+                (contact.has_no_shape(&own), notes::SHAPE),
+                (pokes, notes::POKES),
+            ];
+            if let Some((_, note)) = why.into_iter().find(|(is_so, _)| *is_so) {
+                descent.error.discretisation = None;
+                descent.note = Some(note);
+            }
         }
         claims.extend(own);
         claims.extend(horizontal.get(pair).cloned().flatten());

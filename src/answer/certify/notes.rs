@@ -6,5 +6,7 @@ pub(super) const FILLET: &str = "the facets are too long for a fillet under load
                       and narrow peak";
 pub(super) const SHAPE: &str = "the facets there are too coarse for the shape of the surface, such as a fillet: the figure \
                      belongs to the mesh";
+pub(super) const POKES: &str = "a corner or an edge of one side lies deeper in the other than facets explain: how bodies turn about it belongs \
+                     to the mesh";
 pub(super) const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
                           to the mesh";

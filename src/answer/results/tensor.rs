@@ -1,6 +1,7 @@
 //! Symmetric stress tensors in the order xx yy zz xy yz zx.
 
 use crate::ground::geometry::{Vec3, dot};
+use crate::model::material::matrix;
 pub use crate::model::material::mises;
 
 /// Mean of several stress tensors; zero for none.
@@ -15,8 +16,8 @@ pub fn mean(tensors: &[[f64; 6]]) -> [f64; 6] {
 }
 
 /// The traction on a plane with the unit normal `n`.
-pub fn traction([xx, yy, zz, xy, yz, zx]: &[f64; 6], n: Vec3) -> Vec3 {
-    [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| dot(row.map(|s| *s), n))
+pub fn traction(stress: &[f64; 6], n: Vec3) -> Vec3 {
+    matrix(*stress).map(|row| dot(row, n))
 }
 
 #[cfg(test)]

@@ -75,6 +75,11 @@ impl Moduli {
     }
 }
 
+/// The matrix of a stress tensor xx yy zz xy yz zx: its rows are the tractions on planes across the axes.
+pub fn matrix([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> [[f64; 3]; 3] {
+    [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]
+}
+
 /// Mises stress of a stress tensor xx yy zz xy yz zx.
 pub fn mises(s: &[f64; 6]) -> f64 {
     let d = [s[0] - s[1], s[1] - s[2], s[2] - s[0]];

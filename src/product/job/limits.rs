@@ -1,9 +1,9 @@
 //! What an answer must keep to, whatever the case.
 
 use crate::answer::Answer;
+use crate::answer::checks::NOTABLE_SHARE;
 use crate::case::{Case, Kind};
 use crate::render::text::{percent, place};
-use crate::render::warnings::NOTABLE_SHARE;
 
 /// The checks that are beyond their limit, in words.
 pub fn missed(case: &Case, answer: &Answer) -> Vec<String> {

@@ -8,7 +8,7 @@
 //! Tensors are stored xx yy zz xy yz zx; strains carry engineering shears.
 
 use super::hex8::Geometry;
-use crate::model::material::Moduli;
+use crate::model::material::{Moduli, matrix};
 
 /// An element's forces or displacements: node by node, x y z.
 pub type ElementVector = [[f64; 3]; 8];
@@ -46,9 +46,8 @@ pub(super) fn add_stress_force(
     stress: &[f64; 6],
     force: &mut ElementVector,
 ) {
-    let s = stress;
-    let tensor = [[s[0], s[3], s[5]], [s[3], s[1], s[4]], [s[5], s[4], s[2]]];
-    let pressure = (s[0] + s[1] + s[2]) / 3.0;
+    let tensor = matrix(*stress);
+    let pressure = (stress[0] + stress[1] + stress[2]) / 3.0;
     let volume = g.volumes[k];
     let dilatation = g.dilatation(k);
     for (a, f) in force.iter_mut().enumerate() {

@@ -23,6 +23,7 @@ mod tests;
 
 use super::bbar::ElementVector;
 use super::hex8::{Geometry, invert};
+use crate::model::material::matrix;
 use crate::model::mesh::hexahedron::{CORNERS, GAUSS, jacobian_matrix, shape_derivatives};
 use crate::solver::linear::small::SmallCholesky;
 use std::ops::Range;
@@ -90,7 +91,7 @@ impl Enhanced {
 
     /// Bᵀσ of integration point `k` at `node`, per volume.
     fn stress_force(&self, k: usize, node: usize, s: &[f64; 6]) -> [f64; 3] {
-        let tensor = [[s[0], s[3], s[5]], [s[3], s[1], s[4]], [s[5], s[4], s[2]]];
+        let tensor = matrix(*s);
         let pressure = (s[0] + s[1] + s[2]) / 3.0;
         let (d, v) = (self.gradients[k][node], self.volumetric[k][node]);
         std::array::from_fn(|i| {

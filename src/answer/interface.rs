@@ -3,7 +3,8 @@
 use super::inputs::AnswerInputs;
 use super::named::Named;
 use super::patch::PatchFigures;
-use crate::answer::results::contact_lines::{ContactLine, across, contact_lines};
+use crate::answer::results::contact_line::ContactLine;
+use crate::answer::results::contact_lines::{across, contact_lines};
 use crate::answer::results::hertz::{HeaviestLine, line_contact};
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};

@@ -6,7 +6,8 @@
 
 use super::below::{flows_below, is_layered};
 use super::circle::FittedCircle;
-use super::contact_lines::{ContactLine, across, contact_lines, contact_lines_by};
+use super::contact_line::ContactLine;
+use super::contact_lines::{across, contact_lines, contact_lines_by};
 use super::edges::LoadedEdges;
 use super::line_axis::line_axis;
 use super::strip_row::StripRow;

@@ -8,6 +8,7 @@ pub mod balance;
 pub mod below;
 pub mod bore;
 mod circle;
+pub mod contact_line;
 pub mod contact_lines;
 pub mod curvature;
 pub mod dent;

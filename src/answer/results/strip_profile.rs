@@ -1,6 +1,7 @@
 //! The pressure across a strip of contact, at one place along it.
 
-use super::contact_lines::{ContactLine, across};
+use super::contact_line::ContactLine;
+use super::contact_lines::across;
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;

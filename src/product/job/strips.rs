@@ -43,7 +43,7 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
         };
         let lines = contact_lines(scene, state, index, seat.axis);
         let peak =
-            |line: &crate::answer::results::contact_lines::ContactLine| line.peak().map(|p| p.0);
+            |line: &crate::answer::results::contact_line::ContactLine| line.peak().map(|p| p.0);
         let heaviest = lines.iter().filter_map(peak).fold(0.0, f64::max);
         for line in &lines {
             let Some(load) = peak(line).filter(|load| *load >= LIGHT * heaviest) else {

@@ -29,8 +29,8 @@ const OF_FLOW: f64 = 2.0;
 
 /// Of the same and of the root of the share that is spent by flow that no strip is above, as of a ring that bends. Such flow
 /// begins by itself where stress reaches yield: its energy grows with the square of the excess, and what an error of the
-/// stress makes of it with the root of that energy. (Of 14 rollers in V-blocks, rings among them, 10 travels of 24 are outside
-/// without it, 6 with it.)
+/// stress makes of it with the root of that energy. (Of 24 travels of rollers in V-blocks, rings among them, 9 are outside
+/// without it, 4 with it.)
 const OF_FREE_FLOW: f64 = 2.0;
 
 /// Of the energy of the error of bodies that no long strip presses, how far off what it says may be. Where contact along a

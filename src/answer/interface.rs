@@ -46,7 +46,9 @@ pub struct InterfaceFigures {
     pub largest_line_load: Option<f64>,
     /// Deepest overlap of the two sides, zero or positive.
     pub max_penetration: f64,
-    /// Where it is deeper than the facets explain, most of all.
+    /// What of it the facets do not explain,
+    pub unexplained_penetration: f64,
+    /// and where that is, undeformed.
     pub unexplained_penetration_at: Option<[f64; 3]>,
     /// Penetration relative to the shortest side of a face that carries pressure.
     pub penetration_per_element: Option<f64>,
@@ -143,6 +145,7 @@ fn interface(
         hertz_p0: heaviest.and_then(HeaviestLine::pressure),
         largest_line_load: heaviest.map(|h| h.line_load),
         max_penetration: measured.max_penetration,
+        unexplained_penetration: measured.unexplained_penetration,
         unexplained_penetration_at: measured.unexplained_at,
         penetration_per_element: measured
             .face_side

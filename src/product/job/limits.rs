@@ -1,7 +1,7 @@
 //! What an answer must keep to, whatever the case.
 
-use crate::answer::Answer;
 use crate::answer::checks::NOTABLE_SHARE;
+use crate::answer::{Answer, InterfaceFigures, Named};
 use crate::case::{Case, Kind};
 use crate::render::text::{percent, place};
 
@@ -20,7 +20,7 @@ pub fn missed(case: &Case, answer: &Answer) -> Vec<String> {
         .map(|(what, value)| {
             let (value, limit) = (percent(value), percent(NOTABLE_SHARE));
             let advice = match what {
-                PENETRATION => where_deepest(answer),
+                PENETRATION => where_deepest(&answer.interfaces),
                 _ => String::new(),
             };
             format!("{what} is {value}, and the limit is {limit}{advice}")
@@ -29,10 +29,15 @@ pub fn missed(case: &Case, answer: &Answer) -> Vec<String> {
 }
 
 /// Where bodies penetrate more than their facets explain, and what to do.
-fn where_deepest(answer: &Answer) -> String {
-    let pairs = answer.interfaces.0.iter();
-    let beyond = pairs
-        .filter_map(|(name, i)| Some((name, i.max_penetration, i.unexplained_penetration_at?)));
+fn where_deepest(interfaces: &Named<InterfaceFigures>) -> String {
+    let pairs = interfaces.0.iter();
+    let beyond = pairs.filter_map(|(name, i)| {
+        Some((
+            name,
+            i.unexplained_penetration,
+            i.unexplained_penetration_at?,
+        ))
+    });
     let deepest = beyond.max_by(|a, b| a.1.total_cmp(&b.1));
     deepest.map_or_else(String::new, |(name, _, at)| {
         format!(
@@ -65,5 +70,28 @@ fn first(case: &Case) -> usize {
     match &case.kind {
         Kind::Bearing(_) => 0,
         Kind::General(_) => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_place_is_that_of_what_facets_do_not_explain() {
+        let interface = |name: &str, overlap, unexplained, x| {
+            let figures = InterfaceFigures {
+                max_penetration: overlap,
+                unexplained_penetration: unexplained,
+                unexplained_penetration_at: (unexplained > 0.0).then_some([x, 0.0, 0.0]),
+                ..InterfaceFigures::default()
+            };
+            (name.to_owned(), figures)
+        };
+        let round = interface("round", 0.3, 0.0, 1.0);
+        let corner = interface("corner", 0.2, 0.1, 2.5);
+        let said = where_deepest(&Named(vec![round.clone(), corner]));
+        assert!(said.contains("corner at (2.5000, 0, 0)"), "{said}");
+        assert_eq!(where_deepest(&Named(vec![round])), "");
     }
 }

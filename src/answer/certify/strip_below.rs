@@ -1,4 +1,4 @@
-//! Hertzian strips and the stress below them, as a half space has it.
+//! Long strips and the stress below them, as a half space has it.
 
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
@@ -16,7 +16,7 @@ const COARSEST: f64 = 0.9;
 /// on.
 const GROWTH: f64 = 1.4;
 
-/// A Hertzian strip on a body.
+/// A long strip on a body.
 pub(super) struct StripBelow<'l> {
     pub body: usize,
     /// Largest Mises stress below its heaviest row, in a half space; `None` where a layer makes it another one.
@@ -31,20 +31,21 @@ impl<'l> StripBelow<'l> {
     pub fn all(scene: &Scene, lines: &'l [Option<HeaviestLine>]) -> Vec<Self> {
         let of_pair = |(pair, line): (&ContactPair, &'l Option<HeaviestLine>)| {
             let line = line.as_ref()?;
-            // Of the elastic peak, flow or not; where lines merge no strip makes it.
-            let merges = line.departs == Some(Departure::Width);
-            let is_layered = line.is_long() && line.departs == Some(Departure::Layered);
-            let hertz = line.strip().filter(|_| !merges);
-            let half_width = match hertz {
-                Some(hertz) => hertz.half_width,
-                None => Some(line.line.heaviest.half_width).filter(|_| is_layered)?,
+            let (half_space, half_width) = match line.departs {
+                // Of the elastic peak, flow or not; where lines merge no strip makes it.
+                Some(Departure::Width) => return None,
+                Some(Departure::Layered) if line.is_long() => (None, line.line.heaviest.half_width),
+                _ => line.strip().map(|hertz| (Some(hertz), hertz.half_width))?,
             };
             let on = |body: usize| {
                 let nu = scene.materials.get(body)?.poissons_ratio;
-                let below = hertz.and_then(|hertz| LineField::below(&hertz, nu).ok());
+                let mises = match half_space {
+                    Some(hertz) => Some(LineField::below(&hertz, nu).ok()?.peak_mises().value),
+                    None => None,
+                };
                 Some(Self {
                     body,
-                    mises: below.map(|field| field.peak_mises().value),
+                    mises,
                     half_width,
                     line,
                 })

@@ -13,6 +13,17 @@ pub(super) fn normal(facet: &[Vec3; 4]) -> Option<Vec3> {
     unit(cross(sub(facet[2], facet[0]), sub(facet[3], facet[1])))
 }
 
+/// The direction from one side to the other, of their outward normals and whether each is flat there: where exactly one is,
+/// the normal of that side, which is known to the last digit and stays what it is as the other side slides; elsewhere the mean
+/// of both, not normalised.
+pub(super) fn facing([own, across]: [Vec3; 2], is_flat: [bool; 2]) -> Vec3 {
+    match is_flat {
+        [true, false] => own,
+        [false, true] => scale(across, -1.0),
+        _ => sub(own, across),
+    }
+}
+
 /// Area of a facet.
 pub(super) fn area([a, b, c, d]: &[Vec3; 4]) -> f64 {
     0.5 * norm(cross(sub(*c, *a), sub(*d, *b)))

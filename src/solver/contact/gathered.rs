@@ -1,6 +1,7 @@
 //! Integrals with the hat function of one carrier node.
 
-use crate::ground::geometry::{Vec3, add, norm, scale, sub};
+use super::facet::facing;
+use crate::ground::geometry::{Vec3, add, norm, scale};
 
 /// ∫ N_A (…) dA over the overlap, N_A being the hat function of one carrier node.
 #[derive(Debug, Clone, Copy, Default)]
@@ -35,20 +36,12 @@ impl Gathered {
         }
     }
 
-    /// The direction of the contact normal, from the carrier to the other side.
-    ///
-    /// Where exactly one side is flat around the node, it is the normal of that side, which is known to the last
-    /// digit. Elsewhere it is the mean of both. The mean over a curved side leans where nodes do not lie evenly
-    /// about the line of contact, and the contact force would lean with it.
+    /// The direction of the contact normal, from the carrier to the other side, see [`facing`]. The mean over a curved side
+    /// leans where nodes do not lie evenly about the line of contact, and the contact force would lean with it.
     pub fn normal(&self) -> Vec3 {
         /// A side is flat where the mean of its unit normals is shorter than one by no more than this: rounding.
         const ROUNDING: f64 = 1e-10;
         let flat = |normal: Vec3| norm(normal) >= (1.0 - ROUNDING) * self.area;
-        let [own, across] = self.normals;
-        match [own, across].map(flat) {
-            [true, false] => own,
-            [false, true] => scale(across, -1.0),
-            _ => sub(own, across),
-        }
+        facing(self.normals, self.normals.map(flat))
     }
 }

@@ -121,9 +121,9 @@ impl Viewer {
 
 impl Scenery {
     /// What the line along the `outward` normal meets next to `from`, a point of facet `index` of the viewer. The gap is
-    /// that to the true surface along the mean of both normals. Where exactly one side is plane it is along the normal of that
-    /// side, which stays what it is as the other side slides: the mean would take a slide of s across a radius R, x from the
-    /// line of touch, for a gap of s x/2R.
+    /// that to the true surface along the normal of the side that is plane, where exactly one is, or the mean of both
+    /// ([`facet::facing`]): with a plane side the mean would take a slide of s across a radius R, x from the line of touch, for a
+    /// gap of s x/2R.
     fn nearest(
         &self,
         viewer: &Viewer,
@@ -150,11 +150,8 @@ impl Scenery {
             };
             let (there, inward) = self.side.at(facet, &shape);
             let other_is_plane = self.bends[facet].is_plane(&self.side.corners[facet]);
-            let normal = match [is_plane, other_is_plane] {
-                [true, false] => outward,
-                [false, true] => scale(inward, -1.0),
-                _ => unit(sub(outward, inward)).unwrap_or(outward),
-            };
+            let normal = facet::facing([outward, inward], [is_plane, other_is_plane]);
+            let normal = unit(normal).unwrap_or(outward);
             let gap = dot(sub(there, from), normal);
             let nearer = best.as_ref().is_none_or(|b| gap.abs() < b.gap.abs());
             if gap.abs() <= self.distance && nearer {

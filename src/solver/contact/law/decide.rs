@@ -62,12 +62,12 @@ impl Law {
 
     /// The multiplier of a closed cautious node takes the shear, which leaves the node without elastic
     /// slip. Where λ comes nearer too slowly, as under a pattern of shear that the bodies hardly give way
-    /// to, ε_t is raised (a rule of Bertsekas, *Constrained Optimization and Lagrange Multiplier
-    /// Methods*, 1982).
+    /// to, or at a node that slips by next to nothing, ε_t is raised (a rule of Bertsekas, *Constrained
+    /// Optimization and Lagrange Multiplier Methods*, 1982).
     pub fn take_shear(&self, node: &mut Node, answer: &NodeResponse) {
         /// What may be left of the distance after λ took the shear; with more left, ε_t is raised.
         const MOST_LEFT: f64 = 0.5;
-        let missed = self.violation(node, answer);
+        let missed = self.shear_missed(node, answer);
         if missed > MOST_LEFT * node.missed && node.missed > 0.0 && node.raised < MOST_RAISED {
             node.raised += 1;
         }

@@ -40,6 +40,12 @@ impl Law {
         self.friction * traction[0].max(0.0)
     }
 
+    /// How far the shear of a cautious node still is from λ, as a length, whether it sticks or slips.
+    pub(super) fn shear_missed(&self, node: &Node, answer: &NodeResponse) -> f64 {
+        let miss = |i: usize| answer.traction[i] - node.multiplier[i];
+        miss(1).hypot(miss(2)) / self.tangential_penalty(node)
+    }
+
     /// How far λ still is from the traction, as a length: the closure, and where the node sticks also
     /// its elastic slip. Zero where the contact conditions hold.
     pub fn violation(&self, node: &Node, answer: &NodeResponse) -> f64 {
@@ -50,10 +56,9 @@ impl Law {
         if answer.status != Status::Stick {
             return closure;
         }
-        let slip = miss(1).hypot(miss(2));
         closure.max(match node.cautious {
-            true => SLIP_WEIGHT * slip / self.tangential_penalty(node),
-            false => slip / self.penalty(node),
+            true => SLIP_WEIGHT * self.shear_missed(node, answer),
+            false => miss(1).hypot(miss(2)) / self.penalty(node),
         })
     }
 }

@@ -177,6 +177,27 @@ fn caution_returns_to_the_disc_within_the_iteration() {
     assert!((answer.traction[2] + 1.2).abs() < 1e-14);
 }
 
+/// Bodies that all but hold a node let it slip by next to nothing: its shear turns that way all the same.
+#[test]
+fn the_shear_of_a_cautious_node_turns_with_the_least_slip() {
+    let bound = 0.15 * 10.0;
+    let (pull, held) = ([0.0, 2.0 * bound], 1e4 * LAW.stiffness);
+    let mut node = Node {
+        cautious: true,
+        ..closed([10.0, bound, 0.0], false)
+    };
+    for _ in 0..25 {
+        let mut d = [0.0; 3];
+        for _ in 0..100 {
+            let [_, s, t] = LAW.traction(&node, &d).traction;
+            d = [0.0, (pull[0] - s) / held, (pull[1] - t) / held];
+        }
+        LAW.take_shear(&mut node, &LAW.traction(&node, &d));
+    }
+    let [_, s, t] = node.multiplier;
+    assert!(s.abs() < 1e-6 && (t - bound).abs() < 1e-6, "{s} {t}");
+}
+
 #[test]
 fn a_soft_penalty_is_raised_as_far_as_the_automatic_one() {
     let law = Law {

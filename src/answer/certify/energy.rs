@@ -1,6 +1,7 @@
 //! The energy of the error, from a smoother stress.
 
 use super::strip_below::StripBelow;
+use super::thin_walls::smooth_stress;
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hex::{GaussRule, centre};
 use crate::answer::results::recovery::Recovered;
@@ -25,7 +26,8 @@ pub struct Missing {
 /// ∫ (σ* − σ) : C⁻¹ : (σ* − σ) dV + 2 ∫ (σ* − σ) : ε̃ dV.
 ///
 /// σ* is interpolated from the nodal averages of the stress σ at the integration points and stands for the true
-/// stress (Zienkiewicz and Zhu 1987); the first term is the energy of the error. ε̃ is the strain that an element
+/// stress (Zienkiewicz and Zhu 1987), but for the faces of [thin walls](smooth_stress); the first term is the energy of the
+/// error, which is returned of the averages everywhere. ε̃ is the strain that an element
 /// assumes beyond that of its displacements: B-bar's mean dilatation, the modes of the enhanced hexahedron. They make
 /// it softer; of the plain hexahedron there are none. Where steel has flowed only its volume says how much is assumed,
 /// as flow keeps the volume. Where a body is warmed nothing does.
@@ -39,7 +41,10 @@ pub fn missing_work(
     let points = scene.mesh.points.par_iter();
     let is_near: Vec<bool> = points.map(|at| edges.are_near(at)).collect();
     let warmed = !scene.temperatures.is_empty();
-    let of_bodies = integrals(scene, recovered, |steel, element, nodal| {
+    let smooth = smooth_stress(scene, state, recovered);
+    let of_bodies = integrals(scene, recovered, |steel, element| {
+        let at_nodes = |of: &[[f64; 6]]| recovered.points.cells[element].map(|p| of[p as usize]);
+        let (smooth, averages) = (at_nodes(&smooth), at_nodes(&recovered.nodal_stress));
         let corners = scene.mesh.corners(element);
         let nodes = &scene.mesh.hexes[element];
         let moved = nodes.map(|n| state.displacement[n as usize]);
@@ -47,13 +52,17 @@ pub fn missing_work(
         let beside = f64::from(u8::from(nodes.iter().any(|node| is_near[*node as usize])));
         std::array::from_fn(|point| {
             let stress = &state.stress[element][point];
-            let mut missing = stress.map(|s| -s);
-            for (weight, nodal) in rule.shape[point].iter().zip(nodal) {
-                for (m, s) in missing.iter_mut().zip(nodal) {
-                    *m += weight * s;
+            let beyond = |nodal: &[[f64; 6]; 8]| {
+                let mut missing = stress.map(|s| -s);
+                for (weight, nodal) in rule.shape[point].iter().zip(nodal) {
+                    for (m, s) in missing.iter_mut().zip(nodal) {
+                        *m += weight * s;
+                    }
                 }
-            }
-            let error = density(&missing, steel);
+                missing
+            };
+            let missing = beyond(&smooth);
+            let error = density(&beyond(&averages), steel);
             if warmed {
                 return [error, error, beside * error];
             }
@@ -67,7 +76,7 @@ pub fn missing_work(
                 assumed = [third, third, third, 0.0, 0.0, 0.0];
             }
             [
-                error + 2.0 * work(&missing, &assumed),
+                density(&missing, steel) + 2.0 * work(&missing, &assumed),
                 error,
                 beside * error,
             ]
@@ -82,7 +91,7 @@ pub fn missing_work(
 
 /// The same of the stress itself, ∫ σ : C⁻¹ : σ dV. Twice a strain energy, as ∫ σ : ε is.
 pub fn of_solution(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
-    let of_bodies = integrals(scene, recovered, |steel, element, _| {
+    let of_bodies = integrals(scene, recovered, |steel, element| {
         state.stress[element].map(|stress| [density(&stress, steel)])
     });
     of_bodies.iter().map(|[energy]| energy).sum()
@@ -95,7 +104,7 @@ pub(super) fn flow_away(
     recovered: &Recovered,
     strips: &[StripBelow<'_>],
 ) -> f64 {
-    let of_bodies = integrals(scene, recovered, |steel, element, _| {
+    let of_bodies = integrals(scene, recovered, |steel, element| {
         let at = centre(&scene.mesh.corners(element));
         let is_away = !strips.iter().any(|strip| strip.is_above(&at));
         let away = f64::from(u8::from(is_away));
@@ -113,12 +122,11 @@ pub(super) fn flow_away(
     if all > 0.0 { sum(1) / all } else { 0.0 }
 }
 
-/// The integrals of densities that the points of an element have, by its steel, its number and the stresses of its
-/// nodes, over each body.
+/// The integrals of densities that the points of an element have, by its steel and its number, over each body.
 fn integrals<const N: usize>(
     scene: &Scene,
     recovered: &Recovered,
-    of: impl Fn(&Steel, usize, &[[f64; 6]; 8]) -> [[f64; N]; 8] + Sync,
+    of: impl Fn(&Steel, usize) -> [[f64; N]; 8] + Sync,
 ) -> Vec<[f64; N]> {
     let add = |mut sum: [f64; N], more: [f64; N]| {
         sum.iter_mut()
@@ -128,9 +136,7 @@ fn integrals<const N: usize>(
     };
     let of_body = |(body, steel): (&Body, &Steel)| {
         let of_element = |element: usize| {
-            let corners = recovered.points.cells[element];
-            let nodal = corners.map(|p| recovered.nodal_stress[p as usize]);
-            let densities = of(steel, element, &nodal).into_iter();
+            let densities = of(steel, element).into_iter();
             let weighed =
                 (densities.zip(&recovered.volumes[element])).map(|(d, v)| d.map(|d| d * v));
             weighed.fold([0.0; N], add)

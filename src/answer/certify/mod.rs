@@ -17,6 +17,7 @@ mod notes;
 mod other;
 mod pressure;
 mod strip_below;
+mod thin_walls;
 
 use crate::answer::checks::NOTABLE_SHARE;
 use crate::answer::results::bore::BoreStress;

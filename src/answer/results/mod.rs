@@ -25,6 +25,7 @@ pub mod line_axis;
 pub mod line_load;
 pub mod load;
 pub mod means;
+pub mod outer_faces;
 pub mod peaks;
 pub mod quad;
 pub mod recovery;

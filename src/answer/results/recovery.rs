@@ -125,14 +125,19 @@ fn nodal_average(
         }
     }
     for ((s, n), node) in sum.iter_mut().zip(count).zip(&points.node) {
-        *s = s.map(|v| v / f64::from(n.max(1)));
-        // The mirrored elements bring the opposite shear.
-        for axis in scene.mirrors_through(&scene.mesh.points[*node as usize]) {
-            let [one, other] = SHEARS[axis];
-            (s[one], s[other]) = (0.0, 0.0);
-        }
+        *s = symmetric(scene, *node, s.map(|v| v / f64::from(n.max(1))));
     }
     sum
+}
+
+/// An average of stresses at a node, with what the elements beyond mirror planes through it bring: the opposite shears.
+pub fn symmetric(scene: &Scene, node: u32, mut average: [f64; 6]) -> [f64; 6] {
+    for axis in scene.mirrors_through(&scene.mesh.points[node as usize]) {
+        for shear in SHEARS[axis] {
+            average[shear] = 0.0;
+        }
+    }
+    average
 }
 
 /// A stress as the mirror plane across `axis` shows it.

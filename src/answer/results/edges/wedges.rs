@@ -7,31 +7,17 @@
 //! free or both are held, 63 where one is held and the other free, 90 where one is held as by a mirror, as the image
 //! doubles the wedge. Next to these angles the power is so small that no mesh shows it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::super::hex::distance;
+use super::super::outer_faces::{Bound, OuterFaces};
 use super::super::seams::Seams;
 use super::boundary::longest_side;
 use super::reach::EdgeNodes;
-use crate::ground::geometry::{Vec3, add, dot, scale, sub, unit};
-use crate::model::mesh::surface::sorted;
-use crate::model::mesh::{Face, Mesh};
-use crate::model::scene::{EDGE_REACH, PlaneMotion, Scene};
-
-/// What a face of a body may do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Bound {
-    Free,
-    /// Along itself it does not move, or as a rigid plane does.
-    Held,
-    /// It slides along itself, as on a mirror plane.
-    Slides,
-    /// The material of another body goes on behind it.
-    Joined,
-    /// On the cut of a half turn: the body goes on, turned.
-    Cut,
-}
+use crate::ground::geometry::{Vec3, add, dot, scale, sub};
+use crate::model::mesh::Face;
+use crate::model::scene::{EDGE_REACH, Scene};
 
 /// Angle of a wedge of one held and one free face from which on it is singular, of π. (Williams: 63 degrees for ν = 0.3.)
 const HELD: f64 = 70.0 / 180.0;
@@ -146,14 +132,11 @@ fn off_segment(at: Vec3, a: Vec3, b: Vec3) -> f64 {
 /// The edges of all bodies at which two outer faces meet that are not parts of one smooth surface doing one thing.
 fn wedges(scene: &Scene) -> Vec<Wedge> {
     let mesh = &scene.mesh;
-    let outer: Vec<Vec<Face>> = (0..mesh.bodies.len())
-        .map(|body| mesh.outer_faces(body))
-        .collect();
-    let bounds = Bounds::new(scene, &outer);
+    let outer = OuterFaces::of(scene);
     let mut found = Vec::new();
-    for (body, faces) in outer.iter().enumerate() {
+    for (body, faces) in outer.by_body.iter().enumerate() {
         let seams = Seams::of(faces);
-        let kinds: Vec<Bound> = faces.iter().map(|face| bounds.of(mesh, face)).collect();
+        let kinds: Vec<Bound> = faces.iter().map(|face| outer.bound(face)).collect();
         for (nodes, shared) in seams.all() {
             let (&[first, second], Some((own, _))) = (shared, seams.turn(mesh, nodes)) else {
                 continue;
@@ -180,80 +163,4 @@ fn wedges(scene: &Scene) -> Vec<Wedge> {
         }
     }
     found
-}
-
-/// What the outer faces of bodies may do.
-struct Bounds<'s> {
-    scene: &'s Scene,
-    /// Axes along which faces are held, by their nodes, ascending.
-    held: BTreeMap<[u32; 4], [bool; 3]>,
-    joined: BTreeSet<[u32; 4]>,
-    cut: BTreeSet<u32>,
-}
-
-impl<'s> Bounds<'s> {
-    fn new(scene: &'s Scene, outer: &[Vec<Face>]) -> Self {
-        let mesh = &scene.mesh;
-        let mut held: BTreeMap<[u32; 4], [bool; 3]> = BTreeMap::new();
-        let mut hold = |surface: &str, axes: [bool; 3]| {
-            for face in mesh.surface(surface).iter().flat_map(|s| &s.faces) {
-                let known = held.entry(sorted(face.nodes)).or_default();
-                (0..3).for_each(|k| known[k] |= axes[k]);
-            }
-        };
-        for support in &scene.supports {
-            hold(&support.surface, support.components.map(|c| c.is_some()));
-        }
-        for plane in &scene.rigid_planes {
-            hold(&plane.surface, plane.motion.map(|m| m != PlaneMotion::Free));
-        }
-        let mut joined = BTreeSet::new();
-        for surface in scene.ties.iter().filter_map(|tie| tie.of(mesh)).flatten() {
-            joined.extend(surface.faces.iter().map(|face| sorted(face.nodes)));
-        }
-        // Faces of two bodies that share their nodes.
-        let mut seen = BTreeSet::new();
-        for face in outer.iter().flatten() {
-            let nodes = sorted(face.nodes);
-            if !seen.insert(nodes) {
-                joined.insert(nodes);
-            }
-        }
-        Self {
-            scene,
-            held,
-            joined,
-            cut: scene.half_turn.iter().map(|[node, _]| *node).collect(),
-        }
-    }
-
-    fn of(&self, mesh: &Mesh, face: &Face) -> Bound {
-        /// Sine of the angle by which a held direction may be off the normal of a face that slides.
-        const OFF: f64 = 0.05;
-        let nodes = sorted(face.nodes);
-        if self.joined.contains(&nodes) {
-            return Bound::Joined;
-        }
-        if nodes.iter().all(|node| self.cut.contains(node)) {
-            return Bound::Cut;
-        }
-        let mut axes = self.held.get(&nodes).copied().unwrap_or_default();
-        for axis in self.scene.mirrors.iter().copied().filter(|axis| *axis < 3) {
-            let on = |at: &Vec3| self.scene.mirrors_through(at).any(|found| found == axis);
-            axes[axis] |= face.corners(mesh).iter().all(on);
-        }
-        let Some(normal) = unit(face.area_vector(mesh)) else {
-            return Bound::Free;
-        };
-        let along = |axis: usize| (1.0 - normal[axis] * normal[axis]).max(0.0).sqrt();
-        match (0..3)
-            .filter(|axis| axes[*axis])
-            .map(along)
-            .reduce(f64::max)
-        {
-            None => Bound::Free,
-            Some(off) if off <= OFF => Bound::Slides,
-            Some(_) => Bound::Held,
-        }
-    }
 }

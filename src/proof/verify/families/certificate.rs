@@ -1,4 +1,4 @@
-//! Estimated errors beside true ones, on problem H, on a sphere and at the bores of tubes.
+//! Estimated errors beside true ones, on problem H, on a sphere, at the bores of tubes and of strips that bend.
 //!
 //! A bar holds where the true error is no larger. How wide bars are beside true errors is asked of many
 //! bearings, by the coverage suite.
@@ -10,7 +10,7 @@ use crate::answer::results::recovery::recover;
 use crate::answer::{Answer, AnswerInputs};
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::{Scene, Step};
+use crate::model::scene::{ElementKind, Scene, Step};
 use crate::proof::closed_forms::steel::BilinearSteel;
 use crate::proof::closed_forms::tube::Tube;
 use crate::proof::verify::kit::{self, SolvedScene};
@@ -28,6 +28,7 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = plane()?;
     claims.extend(sphere()?);
     claims.extend(tubes()?);
+    claims.extend(strips()?);
     Ok(claims)
 }
 
@@ -122,6 +123,47 @@ fn tubes() -> Result<Vec<LadderClaim>, VerifyError> {
                 let problem = format!("tube, b/a = {outer}, {name}, {cells} in the wall");
                 claims.extend(judged(&problem, &run, &certificate, &known));
             }
+        }
+    }
+    Ok(claims)
+}
+
+/// A strip in plane strain that is held at one end and bent by a pressure, with one element in its height or a few.
+fn strips() -> Result<Vec<LadderClaim>, VerifyError> {
+    let bent = |kind, cells: [usize; 2]| {
+        let [along, layers] = cells;
+        let mesh = Block::new(
+            "strip",
+            uniform(0.0, 10.0, along),
+            uniform(0.0, 1.0, layers),
+            uniform(0.0, 0.1, 1),
+        );
+        let faces = ["x_min", "y_max", "z_min", "z_max"];
+        let mesh = (faces.into_iter()).fold(mesh, |mesh, face| mesh.face(face, face));
+        let mut scene = Scene::bare("strip", mesh.build()?, Steel::elastic(1e3, POISSON));
+        scene.controls.element = kind;
+        scene.supports = vec![
+            kit::support("x_min", [Some(0.0), Some(0.0), None]),
+            kit::support("z_min", [None, None, Some(0.0)]),
+            kit::support("z_max", [None, None, Some(0.0)]),
+        ];
+        scene.tractions = vec![kit::pressure("y_max", 1e-3)];
+        scene.steps = vec![Step::to("pressure", 1.0)];
+        kit::run(scene)
+    };
+    let travel = |layers: usize| -> Result<f64, VerifyError> {
+        let run = bent(ElementKind::Enhanced, [10 * layers, layers])?;
+        Ok(descent(&run.scene, run.state()).unwrap_or(f64::NAN))
+    };
+    let (coarse, fine) = (travel(8)?, travel(16)?);
+    let known = [(Quantity::Descent, "overall", fine + (fine - coarse) / 3.0)];
+    let mut claims = Vec::new();
+    for (kind, name) in kit::ELEMENTS {
+        for (along, layers) in [(5, 1), (10, 1), (20, 2), (40, 2), (40, 4)] {
+            let run = bent(kind, [along, layers])?;
+            let certificate = certified(&run)?;
+            let problem = format!("bent strip, {name}, {along} by {layers}");
+            claims.extend(judged(&problem, &run, &certificate, &known));
         }
     }
     Ok(claims)

@@ -177,7 +177,8 @@ fn caution_returns_to_the_disc_within_the_iteration() {
     assert!((answer.traction[2] + 1.2).abs() < 1e-14);
 }
 
-/// Bodies that all but hold a node let it slip by next to nothing: its shear turns that way all the same.
+/// Bodies that all but hold a node let it slip by next to nothing: its shear turns that way all the same. What is left of its angle
+/// falls by 1/(1 + ε_t (pull - bound) / (K bound)) each time: 0.77 once ε_t is raised, 0.997 if it never were.
 #[test]
 fn the_shear_of_a_cautious_node_turns_with_the_least_slip() {
     let bound = 0.15 * 10.0;
@@ -186,16 +187,17 @@ fn the_shear_of_a_cautious_node_turns_with_the_least_slip() {
         cautious: true,
         ..closed([10.0, bound, 0.0], false)
     };
-    for _ in 0..25 {
+    for _ in 0..60 {
         let mut d = [0.0; 3];
         for _ in 0..100 {
             let [_, s, t] = LAW.traction(&node, &d).traction;
             d = [0.0, (pull[0] - s) / held, (pull[1] - t) / held];
         }
-        LAW.take_shear(&mut node, &LAW.traction(&node, &d));
+        let answer = LAW.traction(&node, &d);
+        LAW.take_shear(&mut node, &answer);
     }
     let [_, s, t] = node.multiplier;
-    assert!(s.abs() < 1e-6 && (t - bound).abs() < 1e-6, "{s} {t}");
+    assert!(s.abs() < 1e-5 && (t - bound).abs() < 1e-5, "{s} {t}");
 }
 
 #[test]

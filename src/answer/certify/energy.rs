@@ -26,7 +26,7 @@ pub struct Missing {
 /// ∫ (σ* − σ) : C⁻¹ : (σ* − σ) dV + 2 ∫ (σ* − σ) : ε̃ dV.
 ///
 /// σ* is interpolated from the nodal averages of the stress σ at the integration points and stands for the true
-/// stress (Zienkiewicz and Zhu 1987), but for the faces of [thin walls](smooth_stress); the first term is the energy of the
+/// stress (Zienkiewicz and Zhu 1987), but for the faces of thin walls (`thin_walls.rs`); the first term is the energy of the
 /// error, which is returned of the averages everywhere. ε̃ is the strain that an element
 /// assumes beyond that of its displacements: B-bar's mean dilatation, the modes of the enhanced hexahedron. They make
 /// it softer; of the plain hexahedron there are none. Where steel has flowed only its volume says how much is assumed,

@@ -34,6 +34,12 @@ impl Figure {
         share.is_finite().then_some(share)
     }
 
+    /// Says that the mesh does not resolve it, and why.
+    pub(super) fn leave_open(&mut self, why: &'static str) {
+        self.error.discretisation = None;
+        self.note = Some(why);
+    }
+
     /// Is its error known?
     pub fn is_resolved(&self) -> bool {
         self.bar().is_some()

@@ -98,6 +98,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let before = if moved { evidence.forces_before } else { &[] };
     let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, by_motion, before));
+    let travels = evidence.travel.map_or(0.0, |travel| travel.value().abs());
+    let pokes = |i: &Interface| i.unexplained_penetration > NOTABLE_SHARE * travels;
+    let pokes = evidence.travel.is_some() && interfaces.iter().any(pokes);
+    let mut unclear = pokes.then_some(notes::POKES);
     let mut touches = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {
         let line = evidence.lines.get(pair).and_then(Option::as_ref);
@@ -115,22 +119,23 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             too_stiff: by_motion,
         };
         let own = contact.claims();
-        if let Some(descent) = claims.first_mut().filter(|c| c.what == Quantity::Descent) {
-            let pokes = interface.unexplained_penetration > NOTABLE_SHARE * descent.value.abs();
-            let why = [
-                (contact.has_no_shape(&own), notes::SHAPE),
-                (pokes, notes::POKES),
-            ];
-            if let Some((_, note)) = why.into_iter().find(|(is_so, _)| *is_so) {
-                descent.error.discretisation = None;
-                descent.note = Some(note);
-            }
+        unclear = unclear.or(contact.has_no_shape(&own).then_some(notes::SHAPE));
+        let mut across = horizontal.get(pair).cloned().flatten();
+        if let (Some(across), None) = (&mut across, line) {
+            other::add_rim(across, &own);
+        }
+        if let Some(across) = across.as_mut().filter(|_| pokes) {
+            across.leave_open(notes::POKES);
         }
         claims.extend(own);
-        claims.extend(horizontal.get(pair).cloned().flatten());
+        claims.extend(across);
         if tilted {
             claims.extend(other::eccentricity(scene, interface, line, too_stiff));
         }
+    }
+    let descent = claims.first_mut().filter(|c| c.what == Quantity::Descent);
+    if let (Some(descent), Some(why)) = (descent, unclear) {
+        descent.leave_open(why);
     }
     let strips = StripBelow::all(scene, evidence.lines);
     let patches = BelowPatches::new((scene, state), interfaces, &touches, &claims);

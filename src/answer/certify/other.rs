@@ -2,6 +2,7 @@
 
 use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
+use super::line::turned_by_place;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
@@ -48,13 +49,6 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Figure> {
 /// Share of a horizontal force that depends on the mesh, over the distance of the nodes in half-widths of the strip:
 /// shears settle as contact grows, node by node. The largest of 108 readings of bearings is 0.026 (docs/coverage.md).
 const SHEAR: f64 = 0.03;
-
-/// Of the distance of nodes, how far from the middle of a strip its force may act where one row of them carries all.
-const ONE_ROW: f64 = 0.5;
-
-/// Of that, what is left with two nodes and more to a half-width: shears of a small turn of a plate, 1e-4 of the load,
-/// were found off by half of it.
-const WELL_PLACED: f64 = 0.05;
 
 /// The forces of all interfaces across the load, in their order; `None` where there is none.
 ///
@@ -122,14 +116,8 @@ fn horizontal_force(
         let strip = &line.line.heaviest;
         strip.spacing() / strip.half_width
     });
-    let misplaced = line.map_or(0.0, |line| {
-        line.contact.map_or(0.0, |hertz| {
-            let spacing = line.line.heaviest.middle_spacing();
-            let unplaced = (2.0 - hertz.half_width / spacing).clamp(WELL_PLACED, 1.0);
-            // A roller has two such places, as far apart as it is wide.
-            ONE_ROW * unplaced * spacing / (2.0 * hertz.radius)
-        })
-    });
+    // A roller has two such places, as far apart as it is wide.
+    let misplaced = 0.5 * line.map_or(0.0, turned_by_place);
     let unturned = line.map_or(0.0, |line| {
         let half_length = 0.5 * (line.line.length + line.line.lifted_off);
         missed_travel.unwrap_or(0.0) / half_length

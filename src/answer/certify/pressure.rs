@@ -45,6 +45,9 @@ const OFF_NODE: f64 = 0.6;
 /// Share of the square of the distance from the stress across the surface: that falls with the spacing, the error with its
 /// square.
 const OF_STRESS_SQUARED: f64 = 2.0;
+/// Share of its third power below a strip that flows: coarse meshes press as if less did. (Of 67 such strips, whose pressures fall to
+/// 0.68 of Hertz's, 7 were outside without it, 3 of 61 with it.)
+const OF_STRESS_IN_FLOW: f64 = 10.0;
 /// Sagitta of the facets at the peak over the length by which the pressure there presses a facet's depth
 /// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
 /// the spacing over four half-widths.
@@ -156,7 +159,9 @@ impl Contact<'_> {
                 let a = line.line.heaviest.half_width.max(hertz.half_width);
                 // Flow only lowers the pressure that a load makes.
                 let above = (value / hertz.peak_pressure - 1.0).max(0.0);
-                above.max(of_nodes(&line.line.heaviest, a)) + self.load_error(line)
+                let unseen = OF_STRESS_IN_FLOW * self.off_stress(field, top).powi(3);
+                let read = of_nodes(&line.line.heaviest, a).hypot(unseen);
+                above.max(read) + self.load_error(line)
             }
             (None, _) => by_stress(),
             (_, Some(departs)) if !departs.keeps_half_spaces() => by_stress(),

@@ -7,6 +7,7 @@ use crate::answer::Answer;
 use crate::answer::BodyFigures;
 use crate::answer::certify::{Figure, Quantity, WITHOUT_INCREMENTS};
 use crate::answer::checks::NOTABLE_SHARE;
+use crate::answer::results::hertz::HALF_STRIP;
 
 /// A sentence of warning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -62,6 +63,11 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
         if interface.max_pressure <= 0.0 {
             warn(format!(
                 "{name}: the surfaces do not touch, so this contact pair carries nothing"
+            ));
+        }
+        if interface.not_hertz == Some(HALF_STRIP) {
+            warn(format!(
+                "{name}: the line of contact is no strip of Hertz's: {HALF_STRIP}"
             ));
         }
         let (Some(q), load) = (&interface.q, interface.normal_force.abs()) else {

@@ -6,7 +6,7 @@
 use super::contact::Contact;
 use super::figure::{Figure, Quantity};
 use super::notes::{COARSE, FILLET};
-use crate::answer::results::hertz::{Departure, HeaviestLine};
+use crate::answer::results::hertz::{Departure, HALF_STRIP, HeaviestLine};
 use crate::answer::results::strip_row::StripRow;
 
 const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
@@ -69,6 +69,7 @@ impl Contact<'_> {
             0.0
         };
         let (error, why) = match line.departs {
+            _ if line.is_half() => (None, HALF_STRIP),
             Some(Departure::Width) => (None, MERGED),
             _ if self.hides_load(line) => (None, FILLET),
             _ => (Some(self.load_error(line) + beside), COARSE),

@@ -79,6 +79,10 @@ impl Departure {
     }
 }
 
+/// Of a strip that is cut, see [`HeaviestLine::is_half`].
+pub const HALF_STRIP: &str = "it presses most where the surface ends, as half of a strip does: if that is a plane of symmetry, name it in \
+                              `symmetry`, or its load per length counts half and p0 is too small by a root of two";
+
 /// Half-width of a strip over the smallest radius of its surfaces from which on it is conformal. Hertz's theory takes that for
 /// small (Johnson, Contact Mechanics, section 4.2); of pins in holes the largest pressure is 5 % above Hertz's with 0.3, and 15 % with 0.5.
 const CONFORMAL: f64 = 0.25;
@@ -170,9 +174,18 @@ impl HeaviestLine {
         self.contact.filter(|_| self.is_long() && is_half_space)
     }
 
+    /// Is it the half of a strip? It presses most where a surface ends, and yet no edge is loaded there: supports hold a plane of symmetry
+    /// that the scene does not name. The whole strip carries twice its load.
+    pub fn is_half(&self) -> bool {
+        self.departs != Some(Departure::LoadedEdge) && self.line.heaviest.is_cut()
+    }
+
     /// Why the strip is not Hertz's, in words; `None` where it is, and where it has no closed form at all.
     pub fn not_hertz(&self) -> Option<&'static str> {
         self.contact?;
+        if self.is_half() {
+            return Some(HALF_STRIP);
+        }
         match self.departs {
             Some(departure) => Some(departure.in_words()),
             None => (!self.is_long()).then_some("it is no longer than three widths"),
@@ -183,7 +196,7 @@ impl HeaviestLine {
     pub fn pressure(&self) -> Option<f64> {
         let contact = self
             .contact
-            .filter(|_| self.departs.is_none() && self.is_long())?;
+            .filter(|_| self.departs.is_none() && self.is_long() && !self.is_half())?;
         Some(contact.peak_pressure)
     }
 }

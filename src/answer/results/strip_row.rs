@@ -36,6 +36,16 @@ impl StripRow {
         }
     }
 
+    /// Does it press where the surface ends, by half of its largest pressure and more? Then it is the half of a strip, unless a
+    /// mirror plane is known to cut it there.
+    pub fn is_cut(&self) -> bool {
+        let most = self.nodes.iter().map(|(_, c)| *c).fold(0.0, f64::max);
+        let ends = [self.nodes.first(), self.nodes.last()]
+            .into_iter()
+            .flatten();
+        !self.mirrored && most > 0.0 && ends.into_iter().any(|(_, c)| *c >= 0.5 * most)
+    }
+
     /// How much of the row the nodes in contact stand for.
     pub fn pressed_width(&self) -> f64 {
         let pressed = |node: &(f64, f64)| f64::from(u8::from(node.1 > 0.0));
@@ -95,6 +105,11 @@ mod tests {
             false,
         );
         let half = row(&[(0.0, 2.0), (1.0, 1.0), (3.0, 0.0)], true);
+        let cut = row(&half.nodes, false);
+        assert_eq!(
+            [&whole, &half, &cut].map(StripRow::is_cut),
+            [false, false, true]
+        );
         assert_eq!([whole, half].map(|row| row.pressed_width()), [4.0; 2]);
     }
 }

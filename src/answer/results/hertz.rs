@@ -177,7 +177,8 @@ impl HeaviestLine {
     /// Is it the half of a strip? It presses most where a surface ends, and yet no edge is loaded there: supports hold a plane of symmetry
     /// that the scene does not name. The whole strip carries twice its load.
     pub fn is_half(&self) -> bool {
-        self.departs != Some(Departure::LoadedEdge) && self.line.heaviest.is_cut()
+        let is_loaded_edge = self.departs == Some(Departure::LoadedEdge);
+        self.contact.is_some() && !is_loaded_edge && self.line.heaviest.is_cut()
     }
 
     /// Why the strip is not Hertz's, in words; `None` where it is, and where it has no closed form at all.

@@ -36,14 +36,12 @@ impl StripRow {
         }
     }
 
-    /// Does it press where the surface ends, by half of its largest pressure and more? Then it is the half of a strip, unless a
-    /// mirror plane is known to cut it there.
+    /// Does it press at one end of the surface, by half of its largest pressure and more? Then it is the half of a strip, unless a mirror
+    /// plane is known to cut it there.
     pub fn is_cut(&self) -> bool {
         let most = self.nodes.iter().map(|(_, c)| *c).fold(0.0, f64::max);
-        let ends = [self.nodes.first(), self.nodes.last()]
-            .into_iter()
-            .flatten();
-        !self.mirrored && most > 0.0 && ends.into_iter().any(|(_, c)| *c >= 0.5 * most)
+        let presses = |end: Option<&(f64, f64)>| end.is_some_and(|(_, c)| *c > 0.5 * most);
+        !self.mirrored && presses(self.nodes.first()) != presses(self.nodes.last())
     }
 
     /// How much of the row the nodes in contact stand for.

@@ -13,7 +13,7 @@ use crate::answer::results::load::{
 };
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strip_row::StripRow;
-use crate::ground::geometry::{dot, norm, scale, sub};
+use crate::ground::geometry::{cross, norm, sub};
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
 use crate::model::state::{Energy, State};
 use crate::solver::solve::overlap_at_touch;
@@ -265,8 +265,7 @@ impl Contacts<'_> {
                 plane.point(&scene.mesh, &scene.mirrors),
                 interface.centre_of_force?,
             );
-            let across = norm(sub(arm, scale(along, dot(arm, along))));
-            Some(across * turned_by_place(line))
+            Some(norm(cross(arm, along)) * turned_by_place(line))
         };
         let of_plane = |plane: &RigidPlane| {
             let pairs = self.interfaces.iter().zip(self.lines);

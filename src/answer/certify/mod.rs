@@ -98,9 +98,10 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let before = if moved { evidence.forces_before } else { &[] };
     let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, by_motion, before));
-    let travels = evidence.travel.map_or(0.0, |travel| travel.value().abs());
-    let pokes = |i: &Interface| i.unexplained_penetration > NOTABLE_SHARE * travels;
-    let pokes = evidence.travel.is_some() && interfaces.iter().any(pokes);
+    let pokes = evidence.travel.is_some_and(|travel| {
+        let most = NOTABLE_SHARE * travel.value().abs();
+        interfaces.iter().any(|i| i.unexplained_penetration > most)
+    });
     let mut unclear = pokes.then_some(notes::POKES);
     let mut touches = Vec::new();
     for (pair, interface) in interfaces.iter().enumerate() {

@@ -10,7 +10,7 @@ use crate::answer::results::hex::GaussRule;
 use crate::answer::results::outer_faces::{Bound, OuterFaces};
 use crate::answer::results::recovery::{Recovered, symmetric};
 use crate::answer::results::strain::strain;
-use crate::answer::results::tensor::{self, traction};
+use crate::answer::results::tensor::{mean, traction};
 use crate::ground::geometry::{Vec3, add, cross, dot, unit};
 use crate::model::material::{Steel, matrix};
 use crate::model::mesh::Face;
@@ -23,21 +23,15 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Cosine of the angle between faces up to which they are one.
 const ONE_FACE: f64 = 0.8;
 
-/// A point on the faces of thin walls: sums over what meets there.
+/// A point on the faces of thin walls, and what meets there.
 #[derive(Default)]
 struct WallPoint {
     /// Areas of its faces, outwards; those that are about parallel as one.
     faces: Vec<Vec3>,
-    /// Stress of the strain of the displacements.
-    own: StressSum,
-    /// Mean stress through the wall.
-    wall: StressSum,
-}
-
-#[derive(Default)]
-struct StressSum {
-    sum: [f64; 6],
-    count: f64,
+    /// Stress of the strain of the displacements, of each element.
+    own: Vec<[f64; 6]>,
+    /// Mean stress of each element through the wall.
+    wall: Vec<[f64; 6]>,
 }
 
 /// The stress at [`points`](Recovered::points) that stands for the true one: the nodal average, and at the faces of thin walls
@@ -61,7 +55,7 @@ pub(super) fn smooth_stress<'r>(
             continue;
         };
         let node = recovered.points.node[index];
-        let [own, wall] = [point.own, point.wall].map(|sum| symmetric(scene, node, sum.mean()));
+        let [own, wall] = [point.own, point.wall].map(|all| symmetric(scene, node, mean(&all)));
         let normals: Vec<Vec3> = point.faces.into_iter().filter_map(unit).collect();
         smooth[index] = at_faces(&own, &wall, &normals, &scene.materials[body]);
     }
@@ -96,11 +90,8 @@ fn wall_points(scene: &Scene, state: &State, recovered: &Recovered) -> BTreeMap<
             for (_, point) in nodes.filter(|(node, _)| face.nodes.contains(node)) {
                 let point = points.entry(*point as usize).or_default();
                 point.add_face(face.area_vector(mesh));
-                for element in wall {
-                    point
-                        .wall
-                        .add(&tensor::mean(&state.stress[*element as usize]));
-                }
+                let stresses = wall.iter().map(|e| mean(&state.stress[*e as usize]));
+                point.wall.extend(stresses);
             }
         }
     }
@@ -136,7 +127,7 @@ fn add_own(
             });
             for (point, own) in cells.iter().zip(rule.extrapolate(&own)) {
                 if let Some(point) = points.get_mut(&(*point as usize)) {
-                    point.own.add(&own);
+                    point.own.push(own);
                 }
             }
         }
@@ -189,20 +180,6 @@ impl WallPoint {
             Some(face) => *face = add(*face, area),
             None => self.faces.push(area),
         }
-    }
-}
-
-impl StressSum {
-    fn add(&mut self, stress: &[f64; 6]) {
-        self.count += 1.0;
-        self.sum
-            .iter_mut()
-            .zip(stress)
-            .for_each(|(sum, s)| *sum += s);
-    }
-
-    fn mean(&self) -> [f64; 6] {
-        self.sum.map(|sum| sum / self.count.max(1.0))
     }
 }
 

@@ -63,7 +63,11 @@ fixed = "z"
 /// A steel cylinder of 50 mm on an aluminium block under 35 kN/mm (NAFEMS, advanced contact benchmark 1):
 /// contact grows to 6.2 mm, far beyond what touches at first.
 fn cylinder(mesh: u32, friction: f64, first: f64) -> Summary {
-    solve(&format!(
+    solve(&cylinder_case(mesh, friction, first))
+}
+
+fn cylinder_case(mesh: u32, friction: f64, first: f64) -> String {
+    format!(
         r#"
 title = "cylinder on a block"
 units = "mm-N-MPa"
@@ -87,7 +91,34 @@ value = "350 MPa"
 [controls]
 first_increment = {first}
 {SLICE}"#
-    ))
+    )
+}
+
+/// A plane of symmetry is one whether `symmetry` names it, supports hold it, or both. Where they only hold it, forces are those of
+/// the half; the load per length is that of the whole strip, for its pressure and width are.
+#[test]
+fn a_plane_of_symmetry_is_named_or_held() {
+    let both = cylinder_case(8, 0.0, 1.0);
+    let named = both.replace("[[support]]\nsurface = \"symmetry\"\nfixed = \"x\"\n", "");
+    let held = both.replace("symmetry = [\"x\"]", "");
+    assert!(both != named && both != held);
+    let [both, named, held] = [both, named, held].map(|text| solve(&text));
+    let force = |summary: &Summary| summary.answer.interfaces.0[0].1.normal_force;
+    for (other, share) in [(&named, 1.0), (&held, 0.5)] {
+        for what in [
+            Quantity::PeakPressure,
+            Quantity::HertzPressure,
+            Quantity::LineLoad,
+            Quantity::HalfWidth,
+        ] {
+            let [a, b] = [&both, other].map(|summary| figure(summary, what, "contact"));
+            assert!((a.value / b.value - 1.0).abs() < 1e-8, "{}", what.name());
+            assert!((a.bar().unwrap() / b.bar().unwrap() - 1.0).abs() < 1e-6);
+        }
+        assert!((force(other) / force(&both) - share).abs() < 1e-8);
+    }
+    // 350 MPa on 100 mm.
+    check(figure(&held, Quantity::LineLoad, "contact"), 35_000.0, 0.01);
 }
 
 /// Without friction Hertz has 3585 MPa and 6.21 mm; MARC and Code_Aster with friction of 0.1 between 3543

@@ -8,7 +8,7 @@ use super::steel::Steels;
 use crate::ground::geometry::AXES;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{self, ContactPair, Controls, Partner, Scene, Tie};
+use crate::model::scene::{self, ContactPair, Controls, OFF_PLANE, Partner, Scene, Tie};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,7 @@ impl MeshlessScene {
                 return Err(temperature.place.unknown(why, name, known));
             }
         }
-        Ok(Scene {
+        let mut scene = Scene {
             name: self.name.clone(),
             materials,
             contacts,
@@ -81,14 +81,16 @@ impl MeshlessScene {
             half_turn: Vec::new(),
             controls: self.controls,
             mesh,
-        })
+        };
+        scene.hold_mirrors();
+        Ok(scene)
     }
 
     /// Half of a model lies on the positive side of its symmetry plane.
     fn check_mirrors(&self, mesh: &Mesh) -> Result<(), CaseError> {
         for axis in &self.mirrors {
             let [low, high] = mesh.range_along(*axis);
-            let tolerance = 1e-6 * (high - low);
+            let tolerance = OFF_PLANE * (high - low);
             if low < -tolerance {
                 let axis = AXES.get(*axis).copied().unwrap_or_default();
                 let (where_it_is, help) = if high > tolerance {

@@ -2,6 +2,8 @@ use crate::block::{close, pressed, settle, stack};
 use brinell::answer::results::contact_lines::contact_lines;
 use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::hertz::HeaviestLine;
+use brinell::answer::results::strip_profile::strip_profile;
+use brinell::model::scene::Support;
 
 #[test]
 fn a_line_cut_by_a_mirror_is_one_and_whole() {
@@ -16,6 +18,42 @@ fn a_line_cut_by_a_mirror_is_one_and_whole() {
     close(line.mean(), 32.5);
     close(line.length, 2.0);
     close(line.lifted_off, 0.0);
+}
+
+/// The same half, moved and turned over: supports hold its plane, and `symmetry` says nothing.
+#[test]
+fn a_line_cut_by_a_plane_that_supports_make_is_whole_too() {
+    for (sign, offset) in [(1.0, 0.0), (1.0, 37.0), (-1.0, 0.0), (-1.0, -5.0)] {
+        let mut scene = stack();
+        let state = pressed(&scene);
+        scene.mirrors = vec![1];
+        let slides = |surface: &str| Support {
+            surface: surface.to_string(),
+            components: [Some(0.0), None, None],
+            ..Support::default()
+        };
+        (scene.supports).extend(["block_u-", "plate_u-"].map(slides));
+        (scene.mesh.points.iter_mut()).for_each(|point| point[0] = sign * point[0] + offset);
+        let [line] = contact_lines(&scene, &state, 0, 1).try_into().unwrap();
+        assert_eq!((line.across, line.images), (offset, 1));
+        line.load.iter().for_each(|load| close(*load, 32.5));
+        assert!(line.heaviest.mirrored && !line.heaviest.is_cut());
+        assert!(
+            line.heaviest.nodes[0].0.abs() < 1e-12,
+            "outwards from the plane"
+        );
+        let profile = strip_profile(&scene, &state, 0, 1, &line).unwrap();
+        let (first, last) = (profile.points[0].0, profile.points.last().unwrap().0);
+        close(first, -last);
+        // A plane that one of both bodies only ends at is none; nor is one that is held along itself.
+        for (body, held) in [("none", None), ("plate_u-", Some(0.0))] {
+            let mut other = scene.clone();
+            (other.supports[2].surface, other.supports[2].components[2]) = (body.to_string(), held);
+            let [line] = contact_lines(&other, &state, 0, 1).try_into().unwrap();
+            assert!(!line.heaviest.mirrored);
+            line.load.iter().for_each(|load| close(*load, 16.25));
+        }
+    }
 }
 
 #[test]

@@ -9,8 +9,8 @@ pub struct ContactLine {
     pub across: f64,
     /// Coordinates of the rows along the surface, ascending.
     pub at: Vec<f64>,
-    /// Force normal to the surface per length at each row, of the whole line where a mirror plane
-    /// cuts it; zero where it has lifted off.
+    /// Force normal to the surface per length at each row, of the whole line where a plane of symmetry
+    /// cuts it, whether `symmetry` names it or supports make it; zero where it has lifted off.
     pub load: Vec<f64>,
     /// Length over which it carries and length over which it does not, in the whole.
     pub length: f64,

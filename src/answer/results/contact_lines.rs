@@ -3,6 +3,7 @@
 use super::contact_line::{ContactLine, lengths};
 use super::load::{cutting_pair, upright};
 use super::strip_row::StripRow;
+use super::symmetry_planes::{End, SymmetryPlanes};
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -17,8 +18,8 @@ struct PressingRun {
     across: f64,
     width: f64,
     force: f64,
-    /// Does it reach a mirror plane?
-    mirrored: bool,
+    /// The end at which it reaches a plane of symmetry, if it does.
+    cut: Option<End>,
 }
 
 /// The lines of contact pair `pair` along `axis`, by their place across; empty where the carrier's
@@ -71,10 +72,10 @@ struct Rows {
     /// Places in the contact field of the nodes of each row that face the other side, by their
     /// coordinate across.
     members: Vec<Vec<usize>>,
-    /// Coordinates that differ by no more are the same.
-    same: f64,
     /// The mirrors that cut both bodies.
     mirrors: Vec<usize>,
+    /// The planes of symmetry across at which they end.
+    planes: SymmetryPlanes,
 }
 
 impl Rows {
@@ -134,15 +135,14 @@ impl Rows {
             length: lengths(&at),
             at,
             members,
-            same,
             mirrors: cutting_pair(scene, pair),
+            planes: SymmetryPlanes::of(scene, pair, across),
         })
     }
 
     fn runs(&self, scene: &Scene, state: &State, pair: usize) -> Vec<PressingRun> {
         let field = &state.contacts[pair];
         let across = |i: usize| scene.mesh.points[field.nodes[i] as usize][self.across];
-        let mirrored = scene.mirrors.contains(&self.across);
         let mut runs = Vec::new();
         for (row, members) in self.members.iter().enumerate() {
             let presses = |k: &usize| field.is_active(members[*k]);
@@ -155,14 +155,14 @@ impl Rows {
                 let total: f64 = run.iter().map(force).sum();
                 let area: f64 = run.iter().map(|i| field.area[*i]).sum();
                 let moment: f64 = run.iter().map(|i| force(i) * across(*i)).sum();
-                let cut = mirrored && across(run[0]).abs() <= self.same;
+                let cut = self.planes.cut(across(run[0]), across(run[run.len() - 1]));
                 runs.push(PressingRun {
                     row,
                     nodes: first..after,
-                    across: if cut { 0.0 } else { moment / total },
+                    across: cut.map_or(moment / total, |(_, at)| at),
                     width: area / self.length[row],
-                    force: if cut { 2.0 * total } else { total },
-                    mirrored: cut,
+                    force: if cut.is_some() { 2.0 * total } else { total },
+                    cut: cut.map(|(end, _)| end),
                 });
                 next = after;
             }
@@ -180,7 +180,12 @@ impl Rows {
         let mut before: Option<[f64; 3]> = None;
         let mut places = Vec::new();
         let mut nodes = Vec::new();
-        for i in &members[from..to] {
+        // From the plane that cuts it outwards.
+        let mut outwards: Vec<usize> = members[from..to].to_vec();
+        if run.cut == Some(End::High) {
+            outwards.reverse();
+        }
+        for i in &outwards {
             let at = scene.mesh.points[field.nodes[*i] as usize];
             arc += before.map_or(0.0, |before| norm(sub(at, before)));
             before = Some(at);
@@ -198,7 +203,7 @@ impl Rows {
             }
         }
         let [force, first, second] = moments;
-        let centre = match run.mirrored || force <= 0.0 {
+        let centre = match run.cut.is_some() || force <= 0.0 {
             true => 0.0,
             false => first / force,
         };
@@ -219,7 +224,7 @@ impl Rows {
             half_width: 2.0 * (second / force - centre * centre).max(0.0).sqrt(),
             centre: [0, 1, 2].map(|k| low[k] + share * (high[k] - low[k])),
             nodes: nodes.iter().map(|(s, c)| (s - centre, *c)).collect(),
-            mirrored: run.mirrored,
+            mirrored: run.cut.is_some(),
         }
     }
 
@@ -231,9 +236,9 @@ impl Rows {
         runs: &[PressingRun],
         counts: &dyn Fn(&StripRow) -> bool,
     ) -> Option<ContactLine> {
-        // Where a mirror cuts a line in some rows only, those beside it in the others have an image that belongs to it.
-        let cut = runs.iter().any(|r| r.mirrored);
-        let force = |run: &PressingRun| match cut && !run.mirrored {
+        // Where a plane of symmetry cuts a line in some rows only, those beside it in the others have an image that belongs to it.
+        let cut = runs.iter().any(|r| r.cut.is_some());
+        let force = |run: &PressingRun| match cut && run.cut.is_none() {
             true => 2.0 * run.force,
             false => run.force,
         };

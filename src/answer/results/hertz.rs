@@ -81,7 +81,7 @@ impl Departure {
 
 /// Of a strip that is cut, see [`HeaviestLine::is_half`].
 pub const HALF_STRIP: &str = "it presses most where the surface ends, as half of a strip does: if that is a plane of symmetry, name it in \
-                              `symmetry`, or its load per length counts half and p0 is too small by a root of two";
+                              `symmetry` or hold all nodes there, of both bodies, square to it, or its load per length counts half and p0 is too small by a root of two";
 
 /// Half-width of a strip over the smallest radius of its surfaces from which on it is conformal. Hertz's theory takes that for
 /// small (Johnson, Contact Mechanics, section 4.2); of pins in holes the largest pressure is 5 % above Hertz's with 0.3, and 15 % with 0.5.
@@ -174,8 +174,8 @@ impl HeaviestLine {
         self.contact.filter(|_| self.is_long() && is_half_space)
     }
 
-    /// Is it the half of a strip? It presses most where a surface ends, and yet no edge is loaded there: supports hold a plane of symmetry
-    /// that the scene does not name. The whole strip carries twice its load.
+    /// Is it the half of a strip? It presses most where a surface ends, and yet no edge is loaded there: neither `symmetry` nor supports
+    /// of all nodes there say that it is cut. The whole strip carries twice its load.
     pub fn is_half(&self) -> bool {
         let is_loaded_edge = self.departs == Some(Departure::LoadedEdge);
         self.contact.is_some() && !is_loaded_edge && self.line.heaviest.is_cut()

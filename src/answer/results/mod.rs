@@ -34,4 +34,5 @@ pub mod strain;
 pub mod strip;
 pub mod strip_profile;
 pub mod strip_row;
+pub mod symmetry_planes;
 pub mod tensor;

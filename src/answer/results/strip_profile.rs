@@ -2,6 +2,7 @@
 
 use super::contact_line::ContactLine;
 use super::contact_lines::across;
+use super::symmetry_planes::{End, SymmetryPlanes};
 use crate::ground::geometry::{norm, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -14,8 +15,8 @@ pub struct StripProfile {
     /// Force per length of the strip.
     pub line_load: f64,
     /// Distance along the surface from the centre of pressure, ascending, and the pressure there;
-    /// from the open node on one side to that on the other. The other half of a line that a mirror
-    /// plane cuts is written out.
+    /// from the open node on one side to that on the other. The other half of a line that a plane
+    /// of symmetry cuts is written out.
     pub points: Vec<(f64, f64)>,
     /// The centre of pressure on the undeformed carrier, and the unit normal that points out of it.
     pub centre: [f64; 3],
@@ -58,8 +59,13 @@ pub fn strip_profile(
             end = next;
         }
     }
-    let edge = point(*run.first()?)[across];
-    let mirrored = scene.mirrors.contains(&across) && edge.abs() <= same;
+    let ends = [*run.first()?, *run.last()?].map(|i| point(i)[across]);
+    let cut = SymmetryPlanes::of(scene, pair, across).cut(ends[0], ends[1]);
+    // From the plane that cuts it outwards.
+    if let Some((End::High, _)) = cut {
+        run.reverse();
+    }
+    let mirrored = cut.is_some();
     let run = run.as_slice();
     let mut points = along_surface(run, &point, axis, |i| field.pressure[i].max(0.0));
     let centre = if mirrored { 0.0 } else { centroid(&points) };
@@ -73,12 +79,15 @@ pub fn strip_profile(
         let away = |i: usize| norm(sub(point(i), place));
         away(**a).total_cmp(&away(**b))
     })?;
+    let mirror = cut
+        .filter(|_| Some(heaviest) == run.first())
+        .map(|_| across);
     Some(StripProfile {
         at,
         line_load,
         points,
         centre: place,
-        normal: normal(scene, pair, field.nodes[*heaviest], axis)?,
+        normal: normal(scene, pair, field.nodes[*heaviest], (axis, mirror))?,
     })
 }
 
@@ -131,8 +140,13 @@ fn between(
     Some([0, 1, 2].map(|k| from[k] + share * (to[k] - from[k])))
 }
 
-/// Unit normal of the carrier at `node`, square to `axis` and to the mirror planes through it.
-fn normal(scene: &Scene, pair: usize, node: u32, axis: usize) -> Option<[f64; 3]> {
+/// Unit normal of the carrier at `node`, square to `axis` and to the axis of the plane of symmetry through it.
+fn normal(
+    scene: &Scene,
+    pair: usize,
+    node: u32,
+    (axis, mirror): (usize, Option<usize>),
+) -> Option<[f64; 3]> {
     let mut sum = [0.0; 3];
     let faces = scene.carrier(pair)?.faces.iter();
     for face in faces.filter(|face| face.nodes.contains(&node)) {
@@ -142,7 +156,7 @@ fn normal(scene: &Scene, pair: usize, node: u32, axis: usize) -> Option<[f64; 3]
         }
     }
     sum[axis] = 0.0;
-    for mirror in scene.mirrors_through(&scene.mesh.points[node as usize]) {
+    if let Some(mirror) = mirror {
         sum[mirror] = 0.0;
     }
     let length = norm(sum);

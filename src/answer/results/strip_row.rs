@@ -9,11 +9,11 @@ pub struct StripRow {
     pub at: f64,
     /// Distance of its nodes along the surface from the centre of pressure, ascending, and the
     /// coefficients of their hat functions: from the open node on one side to that on the other, or
-    /// from the mirror plane that cuts the strip.
+    /// from the plane of symmetry that cuts the strip.
     pub nodes: Vec<(f64, f64)>,
     /// The centre of pressure, on the undeformed carrier.
     pub centre: [f64; 3],
-    /// Does a mirror plane cut it?
+    /// Does a plane of symmetry cut it?
     pub mirrored: bool,
     /// Half-width 2 sqrt(∫ p x² / ∫ p), p = Σ c N.
     pub half_width: f64,
@@ -36,8 +36,8 @@ impl StripRow {
         }
     }
 
-    /// Does it press at one end of the surface, by half of its largest pressure and more? Then it is the half of a strip, unless a mirror
-    /// plane is known to cut it there.
+    /// Does it press at one end of the surface, by half of its largest pressure and more? Then it is the half of a strip, unless a plane of
+    /// symmetry is known to cut it there.
     pub fn is_cut(&self) -> bool {
         let most = self.nodes.iter().map(|(_, c)| *c).fold(0.0, f64::max);
         let presses = |end: Option<&(f64, f64)>| end.is_some_and(|(_, c)| *c > 0.5 * most);

@@ -64,8 +64,8 @@ pub const SCENE: Keys = Keys {
             "symmetry",
             "list of `x`, `y`, `z`",
             "none",
-            "axes whose coordinate plane mirrors the model: the mesh is on one side of it, the \
-             surface in it is supported, and forces are given for the whole",
+            "axes whose coordinate plane mirrors the model: the mesh is on the positive side of it, all faces \
+             in it are held square to it, and forces are given for the whole",
         ),
     ],
 };

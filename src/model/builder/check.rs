@@ -4,8 +4,8 @@ use super::axis::Axis;
 use super::error::BuildError;
 use super::load::Load;
 use crate::model::material::Steel;
-use crate::model::mesh::Mesh;
-use crate::model::scene::{Step, Support, Tie};
+use crate::model::mesh::{Face, Mesh};
+use crate::model::scene::{OFF_PLANE, Step, Support, Tie};
 
 /// The steel of every body, in the order of the mesh; of several for one body the last.
 pub(super) fn check_steels(
@@ -152,18 +152,19 @@ fn unknown<'n>(
     }
 }
 
-/// Marks the outer faces in the plane of symmetry across `axis`, and says what they are called.
-///
-/// A model that lies on the negative side of the plane too, or has no face in it, is not the half that is asked for.
-pub(super) fn mirror_plane(mesh: &mut Mesh, axis: Axis, scene: &str) -> Result<String, BuildError> {
-    let name = format!("{}_mirror", axis.letter());
+/// Refuses a model that lies on the negative side of the plane of symmetry across `axis` too, or has no face in it: it is
+/// not the half that is asked for.
+pub(super) fn check_mirror(mesh: &Mesh, axis: Axis, scene: &str) -> Result<(), BuildError> {
     let [low, high] = mesh.range_along(axis.index());
-    // Files have rounded coordinates.
-    let near = 1e-6 * (high - low);
-    mesh.mark_all(&name, |p| p[axis.index()].abs() <= near);
-    let faces = mesh.surface(&name).map_or(0, |surface| surface.faces.len());
+    let near = OFF_PLANE * (high - low);
+    let in_plane = |face: &Face| {
+        let mut corners = face.corners(mesh).into_iter();
+        corners.all(|p| p[axis.index()].abs() <= near)
+    };
+    let outer = (0..mesh.bodies.len()).flat_map(|body| mesh.outer_faces(body));
+    let faces = outer.filter(in_plane).count();
     match faces > 0 && low >= -near {
-        true => Ok(name),
+        true => Ok(()),
         false => Err(BuildError::Mirror {
             scene: scene.into(),
             axis: axis.letter(),

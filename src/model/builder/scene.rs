@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::check::{
-    check_loads, check_steels, check_steps, check_surface, check_ties, mirror_plane,
+    check_loads, check_mirror, check_steels, check_steps, check_surface, check_ties,
 };
 use super::contact::Contact;
 use super::error::BuildError;
@@ -176,9 +176,8 @@ impl SceneBuilder {
         }
         let materials = check_steels(&mesh, &self.steels)?;
         self.mirrors.sort_by_key(|axis| axis.index());
-        for axis in self.mirrors.clone() {
-            let surface = mirror_plane(&mut mesh, axis, &self.name)?;
-            self = self.hold(&surface, axis);
+        for axis in &self.mirrors {
+            check_mirror(&mesh, *axis, &self.name)?;
         }
         if let Some(axis) = self.plane_strain {
             for surface in ends(&mut mesh, axis) {
@@ -204,7 +203,7 @@ impl SceneBuilder {
         if self.steps.is_empty() {
             self.steps.push(Step::to("load", 1.0));
         }
-        Ok(Scene {
+        let mut scene = Scene {
             name: self.name,
             materials,
             contacts,
@@ -218,7 +217,9 @@ impl SceneBuilder {
             half_turn: Vec::new(),
             controls: self.controls,
             mesh,
-        })
+        };
+        scene.hold_mirrors();
+        Ok(scene)
     }
 }
 

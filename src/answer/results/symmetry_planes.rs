@@ -1,0 +1,85 @@
+//! The planes of symmetry at which the bodies of a contact end, whether the scene names them or supports make them.
+
+use std::collections::BTreeSet;
+
+use crate::ground::geometry::range;
+use crate::model::scene::{Scene, Support};
+
+/// Those square to one axis, at which both bodies of a pair end and their mirror images go on.
+pub struct SymmetryPlanes {
+    /// Their coordinates.
+    at: Vec<f64>,
+    /// Does the scene name one?
+    named: bool,
+    /// Coordinates that differ by no more are the same.
+    same: f64,
+}
+
+/// Of nodes by their coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The first of them.
+    Low,
+    /// The last.
+    High,
+}
+
+impl SymmetryPlanes {
+    /// Those of contact pair `pair` square to `axis`: zero where `symmetry` names it, and an end of both bodies where supports
+    /// hold all nodes square to the plane and not along it. That is how a half is modelled without a name for the
+    /// plane; loads and forces are then those of the half.
+    pub fn of(scene: &Scene, pair: usize, axis: usize) -> Self {
+        /// Share of the size of the mesh by which places differ that are the same.
+        const SAME: f64 = 1e-6;
+        let same = SAME * scene.mesh.extent(axis);
+        let named = scene.mirrors.contains(&axis);
+        let mut at: Vec<f64> = named.then_some(0.0).into_iter().collect();
+        at.extend(held_ends(scene, pair, axis, same));
+        Self { at, named, same }
+    }
+
+    /// At which end one of them cuts what reaches from `low` to `high`, and its coordinate. What goes from one plane to
+    /// another has no end of its own, and is cut where the scene says so.
+    pub fn cut(&self, low: f64, high: f64) -> Option<(End, f64)> {
+        let plane = |x: f64| {
+            self.at
+                .iter()
+                .copied()
+                .find(|at| (at - x).abs() <= self.same)
+        };
+        match [low, high].map(plane) {
+            [Some(_), Some(_)] if !self.named => None,
+            [Some(at), _] => Some((End::Low, at)),
+            [None, high] => high.map(|at| (End::High, at)),
+        }
+    }
+}
+
+/// Where the bodies of a pair end together along `axis` and supports let all that is there slide.
+fn held_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> Vec<f64> {
+    let slides = |support: &&Support| {
+        let only = (0..3).all(|i| support.components[i].is_some() == (i == axis));
+        only && !support.moves()
+    };
+    let held: BTreeSet<u32> = (scene.supports.iter().filter(slides))
+        .flat_map(|support| scene.mesh.nodes_of_surface(&support.surface))
+        .collect();
+    if held.is_empty() {
+        return Vec::new();
+    }
+    let contact = &scene.contacts[pair];
+    let bodies: Vec<Vec<u32>> = ([&contact.upper, &contact.lower].into_iter())
+        .filter_map(|side| side.body(&scene.mesh))
+        .map(|body| scene.mesh.nodes_of_body(body))
+        .collect();
+    let at = |node: &u32| scene.mesh.points[*node as usize][axis];
+    let ranges: Vec<[f64; 2]> = bodies.iter().map(|b| range(b.iter().map(at))).collect();
+    let is_plane = |end: usize| {
+        let place = ranges.first()?[end];
+        let is_there = |x: f64| (x - place).abs() <= same;
+        let common = ranges.iter().all(|range| is_there(range[end]));
+        let mut there = bodies.iter().flatten().filter(|node| is_there(at(node)));
+        (common && there.all(|node| held.contains(node))).then_some(place)
+    };
+    [0, 1].into_iter().filter_map(is_plane).collect()
+}

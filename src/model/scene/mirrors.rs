@@ -1,0 +1,54 @@
+//! What holds a model in its planes of symmetry.
+
+use std::collections::BTreeSet;
+
+use super::{Scene, Support};
+use crate::ground::geometry::AXES;
+use crate::model::mesh::{Face, Surface};
+
+/// Share of the size of a mesh by which nodes may be off a plane of symmetry and yet lie in it: files have rounded coordinates.
+pub const OFF_PLANE: f64 = 1e-6;
+
+impl Scene {
+    /// Holds the outer faces in the planes of symmetry square to these, where supports do not do so already: the image of a
+    /// body goes on behind them.
+    pub fn hold_mirrors(&mut self) {
+        for axis in self.mirrors.clone() {
+            let faces = self.loose_faces(axis);
+            if faces.is_empty() {
+                continue;
+            }
+            let mut name = format!("{}_mirror", AXES[axis]);
+            while self.mesh.surface(&name).is_some() {
+                name.push('_');
+            }
+            let mut components = [None; 3];
+            components[axis] = Some(0.0);
+            self.supports.push(Support {
+                name: name.clone(),
+                surface: name.clone(),
+                components,
+                ..Support::default()
+            });
+            self.mesh.surfaces.push(Surface { name, faces });
+        }
+    }
+
+    /// Outer faces in the plane of symmetry across `axis` with a node that no support holds along it.
+    fn loose_faces(&self, axis: usize) -> Vec<Face> {
+        let mesh = &self.mesh;
+        let holds = |support: &&Support| support.components[axis].is_some();
+        let held: BTreeSet<u32> = (self.supports.iter().filter(holds))
+            .flat_map(|support| mesh.nodes_of_surface(&support.surface))
+            .collect();
+        let near = OFF_PLANE * mesh.extent(axis);
+        let in_plane = |node: &u32| mesh.points[*node as usize][axis].abs() <= near;
+        let is_loose = |face: &Face| {
+            face.nodes.iter().all(in_plane) && face.nodes.iter().any(|n| !held.contains(n))
+        };
+        (0..mesh.bodies.len())
+            .flat_map(|body| mesh.outer_faces(body))
+            .filter(is_loose)
+            .collect()
+    }
+}

@@ -7,7 +7,7 @@
 use super::contact::{Contact, Touch};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
-use super::notes::{COARSE, FILLET, SHAPE};
+use super::notes::{COARSE, FILLET, LONG_FACES, SHAPE};
 use crate::answer::results::edges::EVEN;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -52,10 +52,6 @@ const OF_STRESS_IN_FLOW: f64 = 10.0;
 /// together: beyond this the shape, such as a fillet, is not there for the solution. Of a cylinder it is
 /// the spacing over four half-widths.
 const SHAPELESS: f64 = 0.5;
-
-/// Share that a pressure away from a loaded edge is off at least where faces at that edge are longer than its stress reaches: it is
-/// read where they end. (Of 53 pressures of flat wedges 15 were outside without it.)
-const BESIDE_LONG_FACES: f64 = 0.1;
 
 impl Contact<'_> {
     /// The largest pressure; where an edge decides it, the largest away from edges, too.
@@ -105,11 +101,14 @@ impl Contact<'_> {
         near.map(rise).fold(0.0, f64::max)
     }
 
-    /// Does a loaded edge whose faces are longer than its stress reaches press more than a node that is away from it?
-    fn is_less_than_at_long_faces(&self, field: &ContactField, node: usize) -> bool {
-        let larger = (0..field.nodes.len()).filter(|i| field.pressure[*i] > field.pressure[node]);
-        let mut at = larger.map(|i| &self.scene.mesh.points[field.nodes[i] as usize]);
-        at.any(|at| self.edges.are_coarsely_near(at))
+    /// By how much a loaded edge whose faces are longer than its stress reaches presses more than a node that is away from it, of that: the
+    /// pressure where the stress of the edge ceases lies within these faces, and between both.
+    fn rise_in_long_faces(&self, field: &ContactField, node: usize) -> f64 {
+        let at = |i: usize| &self.scene.mesh.points[field.nodes[i] as usize];
+        let at_edge = self.largest(field, |i| self.edges.are_coarsely_near(at(i)));
+        at_edge.map_or(0.0, |i| {
+            (field.pressure[i] / field.pressure[node] - 1.0).max(0.0)
+        })
     }
 
     /// The node with the largest pressure of those that press and count.
@@ -170,12 +169,9 @@ impl Contact<'_> {
         // Where loads alternate from row to row, so do pressures.
         let alternates = line.map_or(0.0, |line| line.alternates);
         let error = error + self.rise_to_edge(field, top) + alternates;
-        let least = if self.is_less_than_at_long_faces(field, top) {
-            BESIDE_LONG_FACES
-        } else {
-            0.0
-        };
-        self.claim(what, value, Some(error.max(least)), COARSE)
+        let rise = self.rise_in_long_faces(field, top);
+        let why = if rise > error { LONG_FACES } else { COARSE };
+        self.claim(what, value, Some(error.max(rise)), why)
     }
 
     /// By how much the stress across the surfaces at a node differs from the pressure there, of that: of the carrier, or of the

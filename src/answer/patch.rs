@@ -5,6 +5,7 @@ use crate::analytic::subsurface::EllipseField;
 use crate::answer::results::below::{flows_below, is_layered};
 use crate::answer::results::interface::Interface;
 use crate::answer::results::load::{cutting_pair, times};
+use crate::answer::results::symmetry_planes::SymmetryPlanes;
 use crate::ground::geometry::dot;
 use crate::model::mesh::shape::Shape;
 use crate::model::scene::Scene;
@@ -57,16 +58,24 @@ impl PatchFigures {
         if sides.contains(&Shape::Facets) {
             return None;
         }
-        let at = centre(scene, field)?;
+        let mut at = centre(scene, field)?;
+        let pressing = || (0..field.nodes.len()).filter(|i| field.is_active(*i));
+        // Planes of symmetry that supports make cut it in half, and forces are those of the half.
+        let mut halves = 1.0;
+        for (axis, centre) in at.iter_mut().enumerate() {
+            let places = pressing().map(|i| scene.mesh.points[field.nodes[i] as usize][axis]);
+            if let Some(plane) = SymmetryPlanes::of(scene, pair, axis).held(places) {
+                (*centre, halves) = (plane, 2.0 * halves);
+            }
+        }
         let curvatures = relative_curvatures(&sides, at)?;
         if curvatures[0] <= FLAT * curvatures[1] {
             return None;
         }
         // What is measured is of all that mirrors through the bodies make of the pair; one patch is what those through it make.
-        let active = (0..field.nodes.len()).filter(|i| field.is_active(*i));
-        let cut = scene.mirrors_that_cut(active.map(|i| field.nodes[i]));
+        let cut = scene.mirrors_that_cut(pressing().map(|i| field.nodes[i]));
         let images = 1 << (scene.mirrors.len() - cut.len());
-        let one = times(&cut) / times(&cutting_pair(scene, pair));
+        let one = halves * times(&cut) / times(&cutting_pair(scene, pair));
         let [force, area] = [measured.pressure_integral, measured.area].map(|all| one * all);
         let compliance = scene.compliance(contact).ok()?;
         let hertz = EllipticContact::new(force, curvatures.map(|k| 0.5 * k), compliance).ok()?;

@@ -89,7 +89,7 @@ pub fn combinations_of(name: &str, text: &str) -> Result<Option<Vec<Combination>
                 .error(ErrorKind::Value, "another combination has that name"));
         }
         let factors = factors(&table, &actions)?;
-        let text = text_of(text, units, &named.value, &factors, is_bearing);
+        let text = text_of(text, units, &named.value, (&actions, &factors), is_bearing);
         let text = NamedFiles::new(Path::new(name)).absolute(text);
         all.push(Combination {
             factors: factors
@@ -189,7 +189,7 @@ fn text_of(
     text: &str,
     units: UnitSystem,
     name: &str,
-    factors: &[(&Action, f64)],
+    (actions, factors): (&[Action], &[(&Action, f64)]),
     is_bearing: bool,
 ) -> String {
     // It was read before, so it is TOML.
@@ -213,8 +213,12 @@ fn text_of(
         }
         return case.to_string();
     }
-    // A load that several actions name acts with the sum of their factors.
+    // A load that several actions name acts with the sum of their factors, and that of an action that the combination does
+    // not name does not act.
     let mut by_load = toml::Table::new();
+    for load in actions.iter().flat_map(|action| &action.loads) {
+        by_load.insert(load.clone(), 0.0.into());
+    }
     for (action, factor) in factors {
         for load in &action.loads {
             let before = by_load

@@ -15,6 +15,7 @@ mod contact;
 mod controls;
 mod document;
 mod error;
+mod fits_mesh;
 mod general;
 pub mod grades;
 #[doc(hidden)]

@@ -2,13 +2,13 @@
 
 use super::contact::Contact;
 use super::error::{CaseError, ErrorKind};
+use super::fits_mesh::{check_mirrors, check_turns};
 use super::load::Loads;
 use super::place::{KeyPlace, Located};
 use super::steel::Steels;
-use crate::ground::geometry::AXES;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{self, ContactPair, Controls, OFF_PLANE, Partner, Scene, Tie};
+use crate::model::scene::{self, ContactPair, Controls, Partner, Scene, Tie};
 
 /// Everything of a scene but the mesh, with the places where names stand in the case file.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +38,6 @@ impl MeshlessScene {
             .iter()
             .map(|body| self.steels.of(body))
             .collect::<Result<Vec<Steel>, _>>()?;
-        self.check_mirrors(&mesh)?;
         let contacts = self
             .contacts
             .iter()
@@ -67,6 +66,8 @@ impl MeshlessScene {
                 return Err(temperature.place.unknown(why, name, known));
             }
         }
+        check_mirrors(self, &mesh)?;
+        check_turns(self, &mesh)?;
         let mut scene = Scene {
             name: self.name.clone(),
             materials,
@@ -84,31 +85,6 @@ impl MeshlessScene {
         };
         scene.hold_mirrors();
         Ok(scene)
-    }
-
-    /// Half of a model lies on the positive side of its symmetry plane.
-    fn check_mirrors(&self, mesh: &Mesh) -> Result<(), CaseError> {
-        for axis in &self.mirrors {
-            let [low, high] = mesh.range_along(*axis);
-            let tolerance = OFF_PLANE * (high - low);
-            if low < -tolerance {
-                let axis = AXES.get(*axis).copied().unwrap_or_default();
-                let (where_it_is, help) = if high > tolerance {
-                    let help = format!("drop \"{axis}\" from `symmetry`, or mesh one half");
-                    ("on both sides", help)
-                } else {
-                    let help = format!("mesh the half of the model where {axis} is positive");
-                    ("on the negative side", help)
-                };
-                let message = format!(
-                    "the mesh {} lies {where_it_is} of {axis} = 0 (from {low} to {high}), so it \
-                     cannot be half of a symmetric model",
-                    mesh.source
-                );
-                return Err(CaseError::new(ErrorKind::Mesh, message).help(help));
-            }
-        }
-        Ok(())
     }
 }
 

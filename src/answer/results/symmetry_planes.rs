@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::ground::geometry::range;
-use crate::model::scene::{Scene, Support};
+use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Support};
 
 /// Those square to one axis, at which both bodies of a pair end and their mirror images go on.
 pub struct SymmetryPlanes {
@@ -26,7 +26,7 @@ pub enum End {
 
 impl SymmetryPlanes {
     /// Those of contact pair `pair` square to `axis`: zero where `symmetry` names it, and an end of both bodies where supports
-    /// hold all nodes square to the plane and not along it. That is how a half is modelled without a name for the
+    /// or rigid planes hold all nodes square to the plane and not along it. That is how a half is modelled without a name for the
     /// plane; loads and forces are then those of the half.
     pub fn of(scene: &Scene, pair: usize, axis: usize) -> Self {
         /// Share of the size of the mesh by which places differ that are the same.
@@ -36,6 +36,12 @@ impl SymmetryPlanes {
         let mut at: Vec<f64> = named.then_some(0.0).into_iter().collect();
         at.extend(held_ends(scene, pair, axis, same));
         Self { at, named, same }
+    }
+
+    /// Which of some coordinates lies on one that supports make, and no name says.
+    pub fn held(&self, mut coordinates: impl Iterator<Item = f64>) -> Option<f64> {
+        let on = |x: &f64| self.at.iter().any(|at| (at - x).abs() <= self.same);
+        coordinates.find(on).filter(|_| !self.named)
     }
 
     /// At which end one of them cuts what reaches from `low` to `high`, and its coordinate. What goes from one plane to
@@ -61,8 +67,18 @@ fn held_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> Vec<f64> {
         let only = (0..3).all(|i| support.components[i].is_some() == (i == axis));
         only && !support.moves()
     };
-    let held: BTreeSet<u32> = (scene.supports.iter().filter(slides))
-        .flat_map(|support| scene.mesh.nodes_of_surface(&support.surface))
+    let keeps = |plane: &&RigidPlane| {
+        let motion = |i| match i == axis {
+            true => PlaneMotion::Held(0.0),
+            false => PlaneMotion::Free,
+        };
+        !plane.turns() && (0..3).all(|i| plane.motion[i] == motion(i))
+    };
+    let supports = scene.supports.iter().filter(slides).map(|s| &s.surface);
+    let planes = scene.rigid_planes.iter().filter(keeps).map(|p| &p.surface);
+    let held: BTreeSet<u32> = supports
+        .chain(planes)
+        .flat_map(|surface| scene.mesh.nodes_of_surface(surface))
         .collect();
     if held.is_empty() {
         return Vec::new();

@@ -109,7 +109,7 @@ pub const ACTION: Keys = Keys {
             "loads",
             "list of names",
             "required of a general scene",
-            "what acts; what no action of a combination names acts with factor 1",
+            "what acts; an action that a combination does not name does not act in it, and what belongs to no action acts with factor 1",
         ),
     ],
 };

@@ -11,6 +11,8 @@ use crate::model::mesh::{Mesh, Surface};
 pub(super) struct Patch {
     /// Its nodes, about the middle of their bounding box, in units of its diagonal.
     pub points: Vec<Vector3<f64>>,
+    /// The same of each part of it that hangs together.
+    pieces: Vec<Vec<Vector3<f64>>>,
     pub facets: Vec<Facet>,
     /// Area divided by the diagonal: about the smaller extent of the surface.
     pub width: f64,
@@ -59,7 +61,12 @@ impl Patch {
                 area: area.norm(),
             });
         }
+        let of_piece = |nodes: Vec<u32>| {
+            let places = nodes.into_iter().filter_map(place);
+            places.map(scaled).collect()
+        };
         Some(Self {
+            pieces: pieces(mesh, surface).into_iter().map(of_piece).collect(),
             points: points.into_iter().map(scaled).collect(),
             width: facets.iter().map(|f| f.area).sum(),
             facets,
@@ -92,27 +99,10 @@ impl Patch {
         )
     }
 
-    /// In how many rows along `axis` the nodes stand.
+    /// In how many rows along `axis` the nodes stand, of the piece that has most.
     pub fn rows(&self, point: Vector3<f64>, axis: Vector3<f64>, radius: f64) -> usize {
-        // Angles from the middle of the nodes, or from the first where they are all around.
-        let across = |p: &Vector3<f64>| (p - point) - axis * (p - point).dot(&axis);
-        let sum: Vector3<f64> = self.points.iter().map(across).sum();
-        let mean = sum / self.points.len() as f64;
-        let first = self.points.first().map(across).unwrap_or_default();
-        let start = if mean.norm() > 1e-3 * radius {
-            mean
-        } else {
-            first
-        };
-        let side = axis.cross(&start);
-        let angle = |p: &Vector3<f64>| across(p).dot(&side).atan2(across(p).dot(&start));
-        let mut angles: Vec<f64> = self.points.iter().map(angle).collect();
-        angles.sort_unstable_by(f64::total_cmp);
-        let (Some(low), Some(high)) = (angles.first(), angles.last()) else {
-            return 0;
-        };
-        let apart = 1e-3 * (high - low);
-        1 + angles.windows(2).filter(|w| w[1] - w[0] > apart).count()
+        let rows = self.pieces.iter().map(|p| rows(p, (point, axis, radius)));
+        rows.max().unwrap_or(0)
     }
 
     /// `shape` of the patch as a shape of the surface.
@@ -159,4 +149,59 @@ fn has_inner_node(surface: &Surface, count: usize) -> bool {
     }
     let rim = edges.into_iter().filter(|(_, facets)| *facets == 1);
     ascending(rim.flat_map(|(edge, _)| edge)).len() < count
+}
+
+/// In how many rows along an axis some points of a cylinder stand.
+fn rows(
+    points: &[Vector3<f64>],
+    (point, axis, radius): (Vector3<f64>, Vector3<f64>, f64),
+) -> usize {
+    // Angles from the middle of the nodes, or from the first where they are all around.
+    let across = |p: &Vector3<f64>| (p - point) - axis * (p - point).dot(&axis);
+    let sum: Vector3<f64> = points.iter().map(across).sum();
+    let mean = sum / points.len() as f64;
+    let first = points.first().map(across).unwrap_or_default();
+    let start = if mean.norm() > 1e-3 * radius {
+        mean
+    } else {
+        first
+    };
+    let side = axis.cross(&start);
+    let angle = |p: &Vector3<f64>| across(p).dot(&side).atan2(across(p).dot(&start));
+    let mut angles: Vec<f64> = points.iter().map(angle).collect();
+    angles.sort_unstable_by(f64::total_cmp);
+    let (Some(low), Some(high)) = (angles.first(), angles.last()) else {
+        return 0;
+    };
+    let apart = 1e-3 * (high - low);
+    1 + angles.windows(2).filter(|w| w[1] - w[0] > apart).count()
+}
+
+/// The nodes of each part of a surface that hangs together, without those that hang.
+fn pieces(mesh: &Mesh, surface: &Surface) -> Vec<Vec<u32>> {
+    let mut faces_at: HashMap<u32, Vec<usize>> = HashMap::new();
+    for (index, face) in surface.faces.iter().enumerate() {
+        for node in face.nodes {
+            faces_at.entry(node).or_default().push(index);
+        }
+    }
+    let mut seen = vec![false; surface.faces.len()];
+    let mut pieces = Vec::new();
+    for start in 0..seen.len() {
+        let (mut next, mut nodes) = (vec![start], Vec::new());
+        while let Some(face) = next.pop() {
+            if std::mem::replace(&mut seen[face], true) {
+                continue;
+            }
+            for node in surface.faces[face].nodes {
+                nodes.push(node);
+                next.extend(faces_at[&node].iter().filter(|other| !seen[**other]));
+            }
+        }
+        let mut nodes = ascending(nodes);
+        nodes.retain(|node| mesh.hung(*node).is_none());
+        pieces.push(nodes);
+    }
+    pieces.retain(|nodes| !nodes.is_empty());
+    pieces
 }

@@ -13,10 +13,14 @@ pub enum Owner {
 }
 
 impl Owner {
-    /// Do both say the same?
-    pub fn agrees(&self, other: &Self) -> bool {
+    /// Do both say the same, in every step?
+    pub fn agrees(&self, other: &Self, scene: &Scene) -> bool {
         match (self, other) {
-            (Self::Held(a, _), Self::Held(b, _)) => a == b,
+            (Self::Held(a, by), Self::Held(b, other)) => {
+                let factor = |source: &Source, step| scene.factor(source.load(scene), step, 1.0);
+                let mut steps = 0..scene.steps.len();
+                a == b && (*a == 0.0 || steps.all(|s| factor(by, s) == factor(other, s)))
+            }
             (Self::Plane(a), Self::Plane(b)) => a == b,
             _ => false,
         }

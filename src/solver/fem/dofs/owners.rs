@@ -22,7 +22,7 @@ pub fn owners(scene: &Scene) -> Result<Owners, Conflict> {
             let new = owns(node);
             let slot = &mut owner[node as usize][axis];
             match *slot {
-                Some(old) if !old.agrees(&new) => {
+                Some(old) if !old.agrees(&new, scene) => {
                     return Err(Conflict {
                         first: old.name(scene).to_owned(),
                         second: new.name(scene).to_owned(),

@@ -1,5 +1,7 @@
 //! Displacement components whose values are given.
 
+use crate::model::scene::Scene;
+
 /// A displacement component whose value is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prescribed {
@@ -20,4 +22,14 @@ pub enum Source {
     Support(usize),
     /// A rigid plane, by its index in the scene.
     Plane(usize),
+}
+
+impl Source {
+    /// The name by which steps call it.
+    pub fn load(self, scene: &Scene) -> &str {
+        match self {
+            Self::Support(index) => &scene.supports[index].name,
+            Self::Plane(index) => &scene.rigid_planes[index].name,
+        }
+    }
 }

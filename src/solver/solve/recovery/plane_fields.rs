@@ -4,7 +4,7 @@ use crate::model::scene::{PlaneMotion, PlaneTurn, Pose, RigidPlane, Scene};
 use crate::model::state::PlaneField;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::model::system::Model;
-use crate::solver::solve::recovery::reaction::reaction;
+use crate::solver::solve::recovery::reaction::{SharedNodes, reaction};
 
 /// The field of each plane, from what is `left` over at nodes once ties have handed it on.
 pub fn plane_fields(
@@ -14,12 +14,14 @@ pub fn plane_fields(
     u: &[[f64; 3]],
 ) -> Vec<PlaneField> {
     let scene = model.scene;
+    let shared = SharedNodes::of(scene);
     let of = |(index, plane): (usize, &RigidPlane)| {
         let Pose { travel, turn } = pose(scene, plane, u);
         let factor = scene.factor(&plane.name, point.step, point.time);
         let moved = plane.motion.map(|m| m != PlaneMotion::Free);
         let about = plane.point(&scene.mesh, &scene.mirrors);
-        let [force, moment] = reaction(&scene.mesh, left, &plane.surface, (moved, about));
+        let [force, moment] =
+            reaction(&scene.mesh, (left, &shared), &plane.surface, (moved, about));
         let (driven, turned) = (&model.all.planes[index], &model.all.turns[index]);
         PlaneField {
             travel,

@@ -120,12 +120,11 @@ impl VGroove {
         })
     }
 
-    /// A roller displaced from the root rests on one slope, without friction with N = w / cos θ;
-    /// the second value is the horizontal force per length w tan θ that others must react.
+    /// A roller displaced from the root touches a flat face and one slope, and nothing else acts on it: the forces of both lie on
+    /// the line through both lines of touch, θ/2 off the vertical. The force per length normal to the slope is that of the
+    /// load, w; the second value is the horizontal one, w tan θ/2, which friction carries on both sides. It rolls where the
+    /// coefficient of friction is tan θ/2 at least, and is pushed out where it is less.
     pub fn on_one_slope(&self) -> [f64; 2] {
-        [
-            self.line_load / self.slope.cos(),
-            self.line_load * self.slope.tan(),
-        ]
+        [self.line_load, self.line_load * (0.5 * self.slope).tan()]
     }
 }

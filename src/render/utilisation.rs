@@ -87,7 +87,7 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
     for line in &sizing.lines {
         let Some(limit) = line.limit else { continue };
         let (at, unit) = (significant(line.across, 3), &summary.units.length);
-        let doubt = summary.answer.hertz_pressure_bar(&line.interface);
+        let doubt = (summary.answer.hertz_pressure_bar(&line.interface)).filter(|_| !line.merged);
         all.push(Utilisation {
             what: "Hertz p0 under the largest line load".to_string(),
             place: format!("{}, line at {at} {unit}", line.interface),

@@ -111,8 +111,8 @@ pub struct Displaced {
     pub block: Spread,
     /// Linear load without tension.
     pub linear: Spread,
-    /// On one slope of the groove, block load: force per length across it, and the horizontal
-    /// force on the whole roller that the other contacts must react.
+    /// On one slope of the groove, block load: force per length normal to it, and the horizontal
+    /// force on the whole roller, which friction carries.
     pub on_slope: Option<[f64; 2]>,
 }
 

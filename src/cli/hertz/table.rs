@@ -181,7 +181,7 @@ fn sections(t: &mut HandbookTable, answer: &HandbookAnswer) {
         spread(t, "linear, no tension", &displaced.linear);
         if let Some([normal, push]) = displaced.on_slope {
             t.line_load("force across the one line on the slope", normal);
-            t.force("horizontal force to be reacted", push);
+            t.force("horizontal force, by friction", push);
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::analytic::rules::{RuleInput, RuleSteel};
 use crate::analytic::sizing::effective_length;
-use crate::answer::LineFigures;
+use crate::answer::{InterfaceFigures, LineFigures};
 use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, CaseError, Kind, Steels};
 use crate::ground::geometry::{AXES, range};
@@ -142,13 +142,19 @@ impl Span {
 }
 
 /// Is this both lines of a V, which the mesh does not tell apart?
-pub fn is_merged(case: &Case, interface: &str, line: &LineFigures) -> bool {
-    let seat = case.bearing().and_then(|bearing| bearing.seat(interface));
-    seat.is_some_and(|seat| rests_on_one(&seat, line))
+pub fn is_merged(
+    case: &Case,
+    (name, interface): (&str, &InterfaceFigures),
+    line: &LineFigures,
+) -> bool {
+    let seat = case.bearing().and_then(|bearing| bearing.seat(name));
+    seat.is_some_and(|seat| rests_on_one(&seat, interface, line))
 }
 
 /// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
-fn rests_on_one(seat: &Seat, line: &LineFigures) -> bool {
+fn rests_on_one(seat: &Seat, interface: &InterfaceFigures, line: &LineFigures) -> bool {
     let outermost = seat.lines.last().copied().unwrap_or(0.0);
-    seat.is_valley() && line.across.abs() < 0.5 * outermost
+    // Beside each other by less than the nodes are, one of them may stand for both at its own place.
+    let lines: usize = interface.lines.iter().map(|line| line.images).sum();
+    seat.is_valley() && (lines == 1 || line.across.abs() < 0.5 * outermost)
 }

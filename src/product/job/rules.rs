@@ -30,7 +30,7 @@ pub fn rules(case: &Case, scene: &Scene, answer: &Answer) -> Result<Option<RuleS
             let Some(roller) = roller(case, scene, (pair, line))? else {
                 continue;
             };
-            if is_merged(case, interface, line) {
+            if is_merged(case, (interface, figures), line) {
                 let note =
                     format!("{interface}: two lines that the mesh does not tell apart, left out");
                 if !sheet.notes.contains(&note) {

@@ -19,6 +19,7 @@ use crate::case::{BearingCase, Case, Kind};
 use crate::model::material::Steel;
 use crate::model::scene::Scene;
 use crate::render::summary::{Demand, EvenLoad, SizedLine, SizedPatch, Sizing, SizingRule};
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// What the rules say of the lines of contact, and first yield of the patches; `None` where a general scene has neither.
 pub fn sizing(case: &Case, scene: &Scene, answer: &Answer) -> Result<Option<Sizing>, JobError> {
@@ -61,10 +62,10 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
                 (Kind::General(_), None) => continue,
             };
             let is_heaviest = interface.largest_line_load == Some(line.peak);
+            let merged = is_merged(case, (name, interface), line);
             sizing.lines.push(SizedLine {
-                merged: is_merged(case, name, line),
                 not_hertz: interface.not_hertz.filter(|_| is_heaviest),
-                ..pair(radius)?.line(name, line, [length, from_end], bar)?
+                ..pair(radius)?.line(name, line, [length, from_end], (bar, merged))?
             });
         }
         let Some(bearing) = case.bearing() else {
@@ -146,21 +147,30 @@ impl SizedPair {
         interface: &str,
         line: &LineFigures,
         [roller, from_end]: [f64; 2],
-        bar: Option<f64>,
+        (bar, merged): (Option<f64>, bool),
     ) -> Result<SizedLine, DomainError> {
         let peak = self.pressed(line.peak)?;
+        let bar = bar.filter(|_| !merged);
         let error = peak.utilisation.zip(bar).map(|(used, bar)| used * bar);
         let verdict = |used: f64| match error {
+            // Of two lines in one, each carries half of the load at least when both are alike, and all of it at most.
+            _ if merged => RuleVerdict::of(Standing::Rule, used * FRAC_1_SQRT_2, used),
             Some(error) => RuleVerdict::of(Standing::Rule, used - error, used + error),
             None => RuleVerdict::Unresolved,
         };
-        let force = line.mean * (line.length + line.lifted_off);
+        let verdict = peak.utilisation.map(verdict);
+        let met = match merged {
+            true => verdict.and_then(RuleVerdict::is_within),
+            false => peak.met,
+        };
+        let lines = if merged { 2.0 } else { 1.0 };
+        let force = line.mean * (line.length + line.lifted_off) / lines;
         Ok(SizedLine {
             interface: interface.to_owned(),
             across: line.across,
             images: line.images,
             relative_radius: self.radius,
-            merged: false,
+            merged,
             not_hertz: None,
             peak_line_load: line.peak,
             at: line.peak_at,
@@ -169,8 +179,8 @@ impl SizedPair {
             limit: self.limit(),
             utilisation: peak.utilisation,
             error,
-            met: peak.met,
-            verdict: peak.utilisation.map(verdict),
+            met,
+            verdict,
             even: self.pressed(force / roller)?,
         })
     }

@@ -133,7 +133,10 @@ fn lines(sizing: &Sizing, summary: &Summary) -> Table {
         }
     }
     if sizing.lines.iter().any(|line| line.merged) {
-        table.note("both: both lines of the V in one: the mesh is too coarse to tell them apart");
+        table.note(
+            "both: both lines of the V in one, which the mesh does not tell apart, or which press as one: largest is the \
+             load of both and p0 as if one line carried it, even that of each",
+        );
     }
     table
 }

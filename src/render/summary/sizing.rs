@@ -79,8 +79,8 @@ pub struct SizedLine {
     pub relative_radius: f64,
     /// Why the strip is not Hertz's, where that is known of this line and it is not.
     pub not_hertz: Option<&'static str>,
-    /// Is this both lines of a V, which the mesh is too coarse to tell apart? Then it carries the
-    /// load of two.
+    /// Is this both lines of a V, which the mesh does not tell apart? Then its largest load is that of both, p0 that of one
+    /// line under it, which is a bound, and the even load that of each.
     pub merged: bool,
     /// Largest force normal to the surface per length, and the coordinate along where it is.
     pub peak_line_load: f64,
@@ -96,7 +96,7 @@ pub struct SizedLine {
     pub utilisation: Option<f64>,
     /// What that may be off by; none where nothing is known of it.
     pub error: Option<f64>,
-    /// Is p0 within the limit, whatever it may be off by?
+    /// Is p0 within the limit, whatever it may be off by? Null of two lines in one, where that is open.
     pub met: Option<bool>,
     /// What (2-49) says, as far as p0 is known.
     pub verdict: Option<RuleVerdict>,

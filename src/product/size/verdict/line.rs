@@ -16,7 +16,7 @@ pub fn checks(limits: &Limits, summary: &Summary) -> Vec<LimitCheck> {
 
 fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
     let limit = limits.pressure;
-    let share = summary.answer.hertz_pressure_bar(&line.interface);
+    let share = (summary.answer.hertz_pressure_bar(&line.interface)).filter(|_| !line.merged);
     let error = share.map(|share| share * line.hertz_pressure);
     let mut remarks = Vec::new();
     let at_edge = line.from_end <= AT_THE_END * limits.radius;

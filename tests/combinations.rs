@@ -132,17 +132,24 @@ loads = ["wind"]
 [[combination]]
 name = "all"
 factors = { weather = 1.5, gusts = 0.5 }
+[[combination]]
+name = "a gust"
+factors = { gusts = 2 }
 "#;
     let all = all(scene);
-    let Kind::General(general) = &all[0].case.kind else {
-        panic!("a scene is expected")
-    };
-    let steps = &general.model.loads.steps;
-    assert_eq!(steps.len(), 1);
-    assert_eq!(
-        (steps[0].factor_of("snow"), steps[0].factor_of("wind")),
-        (1.5, 2.0)
-    );
+    // An action that a combination does not name does not act, and what belongs to none always does.
+    for (one, wanted) in all.iter().zip([[1.5, 2.0, 1.0], [0.0, 2.0, 1.0]]) {
+        let Kind::General(general) = &one.case.kind else {
+            panic!("a scene is expected")
+        };
+        let [step] = &general.model.loads.steps[..] else {
+            panic!("one step is expected")
+        };
+        assert_eq!(
+            ["snow", "wind", "dead"].map(|load| step.factor_of(load)),
+            wanted
+        );
+    }
 }
 
 #[test]

@@ -120,11 +120,19 @@ impl VGroove {
         })
     }
 
-    /// A roller displaced from the root touches a flat face and one slope, and nothing else acts on it: the forces of both lie on
-    /// the line through both lines of touch, θ/2 off the vertical. The force per length normal to the slope is that of the
-    /// load, w; the second value is the horizontal one, w tan θ/2, which friction carries on both sides. It rolls where the
-    /// coefficient of friction is tan θ/2 at least, and is pushed out where it is less.
+    /// A roller displaced from the root rests on one slope, without friction with N = w / cos θ;
+    /// the second value is the horizontal force per length w tan θ that others must react.
     pub fn on_one_slope(&self) -> [f64; 2] {
-        [self.line_load, self.line_load * (0.5 * self.slope).tan()]
+        [
+            self.line_load / self.slope.cos(),
+            self.line_load * self.slope.tan(),
+        ]
+    }
+
+    /// The horizontal force per length of such a roller where friction holds it, on the flat face opposite as on the slope: nothing
+    /// else acts on it, so the forces of both lie on the line through both lines of touch, θ/2 off the vertical, and this is
+    /// w tan θ/2. The force normal to the slope is w. It takes a coefficient of friction of tan θ/2 at least.
+    pub fn rolling_push(&self) -> f64 {
+        self.line_load * (0.5 * self.slope).tan()
     }
 }

@@ -5,6 +5,7 @@ use super::named::Named;
 use crate::answer::results::balance::balances;
 use crate::answer::results::interface::Interface;
 use crate::answer::results::{levels, load};
+use crate::ground::geometry::norm;
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use serde::Serialize;
@@ -19,7 +20,8 @@ pub struct Checks {
     /// Largest difference between the load and the force that passes between two levels of the stack, relative to the
     /// load: of an interface, or of all that lie side by side. Levels below a load that others do not share are left out.
     pub force_balance: Option<f64>,
-    /// Largest penetration that the facets do not explain, relative to the descent.
+    /// Largest penetration that the facets do not explain, relative to the descent; where loads oppose each other, to the largest
+    /// displacement.
     pub max_penetration_relative: Option<f64>,
     /// Largest tangential traction beyond μ p, relative to μ times the largest pressure.
     pub coulomb_violation: Option<f64>,
@@ -31,16 +33,28 @@ pub struct Checks {
 
 /// The checks of the answer.
 pub fn checks(solved: &AnswerInputs, measured: &[Interface], load: f64) -> Checks {
-    let descent = load::descent(solved.scene, solved.state);
+    let (scene, state) = (solved.scene, solved.state);
+    let largest_motion = || {
+        state
+            .displacement
+            .iter()
+            .map(|u| norm(*u))
+            .fold(0.0, f64::max)
+    };
+    let opposed = load::oppose(scene, state);
+    let descent = match opposed {
+        true => Some(largest_motion()),
+        false => load::descent(scene, state),
+    };
     let largest = |of: &dyn Fn(&Interface) -> f64| measured.iter().map(of).fold(0.0, f64::max);
-    let passing = levels::passing(solved.scene, solved.state, measured);
+    let passing = levels::passing(scene, state, measured);
     let off = passing.iter().map(|force| (force - load).abs());
     let off = off.fold(0.0, f64::max);
     let relative = |value: f64, to: f64| (to != 0.0).then(|| value / to.abs());
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
     let penetration = || relative(largest(&|i| i.unexplained_penetration), descent?);
     Checks {
-        force_balance: some(relative(off, load)),
+        force_balance: some(relative(off, load)).filter(|_| !opposed),
         max_penetration_relative: some(penetration()),
         coulomb_violation: some(Some(largest(&|i| i.coulomb_violation))),
         energy_imbalance: solved.state.energy.and_then(|energy| energy.imbalance()),

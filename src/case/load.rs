@@ -92,7 +92,7 @@ impl Loads {
         if !loads.moves() {
             let message = "the case has no load: no pressure, traction, force, displacement or temperature that a step does not \
                  take to zero";
-            let help = "an interference fit is no load by its mesh: mesh its bodies in touch, and warm the inner one by the interference \
+            let help = "an interference fit alone is no load by its mesh: mesh its bodies in touch, and warm the inner one by the interference \
                  over its size and thermal expansion";
             return Err(root.error(ErrorKind::MissingKey, message).help(help));
         }

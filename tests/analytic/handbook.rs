@@ -107,6 +107,9 @@ fn displaced_designs() {
             1e-12,
         );
         close("push", push, 65.0 * slope.tan(), 1e-12);
+        // 65 kip go up by s tan 4° while the bearing moves by 2 s, but for θ².
+        let rolling = displaced.rolling_push.unwrap();
+        close("work", rolling, 0.5 * 65.0 * slope.tan(), 2e-3);
     }
 }
 

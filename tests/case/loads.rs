@@ -1,6 +1,6 @@
 //! Planes that turn, temperatures, and loads of the template off its centre.
 
-use crate::kit::{BEARING, SCENE, bad, blocks, good, with};
+use crate::kit::{BEARING, SCENE, bad, blocks, good, render, with};
 use brinell::case::Kind;
 use brinell::model::scene::{PlaneMotion, PlaneTurn, RigidPlane, Scene};
 
@@ -53,6 +53,52 @@ fn turns_that_cannot_be_are_refused() {
     assert!(bad(&lid("turns = \"xx\"")).contains("each once"));
     let loose = lid("turns = \"z\"").replace("fixed = \"xy\"\n", "");
     assert!(bad(&loose).contains("moves nothing"));
+    // A flat face that is driven across itself only has no lever.
+    let flat = format!(
+        "{SCENE}[[rigid_plane]]\nname = \"lid\"\nsurface = \"top\"\nforce = {{ x = \"1 N\" }}\n\
+         turns = \"y\"\nmoment = {{ y = \"1 N*mm\" }}\n"
+    );
+    let error = render(&good(&flat).scene(blocks()).unwrap_err());
+    assert!(error.contains("a turn about y moves nothing"), "{error}");
+    let driven = with(&flat, "x = \"1 N\"", "x = \"1 N\", z = 0");
+    assert!(good(&driven).scene(blocks()).is_ok());
+}
+
+#[test]
+fn a_mesh_ends_in_its_plane_of_symmetry_and_is_held_there() {
+    let half = with(SCENE, "[mesh]", "symmetry = [\"x\"]\n[mesh]");
+    let off = |x: f64| {
+        let mut mesh = blocks();
+        mesh.points.iter_mut().for_each(|point| point[0] += x);
+        good(&half).scene(mesh)
+    };
+    let scene = off(0.0).unwrap();
+    let own = scene.supports.last().unwrap();
+    assert_eq!(own.components, [Some(0.0), None, None]);
+    assert_eq!(scene.mesh.surface(&own.surface).unwrap().faces.len(), 2);
+    // Rounded coordinates are meant to be zero.
+    let rounded = off(1e-9).unwrap();
+    assert!(
+        rounded
+            .mesh
+            .points
+            .iter()
+            .all(|p| p[0] == 0.0 || p[0] > 0.5)
+    );
+    for (x, says) in [
+        (1e-4, "next to the plane of symmetry"),
+        (0.1, "no face of the mesh"),
+        (-0.1, "on both sides"),
+        (-1.0, "on the negative side"),
+    ] {
+        let error = render(&off(x).unwrap_err());
+        assert!(error.contains(says), "{error}");
+    }
+    let moved = format!(
+        "{half}[[support]]\nname = \"pull\"\nsurface = \"upper_face\"\ndisplacement = {{ x = 0.1 }}\n"
+    );
+    let error = render(&good(&moved).scene(blocks()).unwrap_err());
+    assert!(error.contains("which symmetry holds"), "{error}");
 }
 
 #[test]

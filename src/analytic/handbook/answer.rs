@@ -111,9 +111,11 @@ pub struct Displaced {
     pub block: Spread,
     /// Linear load without tension.
     pub linear: Spread,
-    /// On one slope of the groove, block load: force per length normal to it, and the horizontal
-    /// force on the whole roller, which friction carries.
+    /// On one slope of the groove without friction, block load: force per length across it, and the horizontal
+    /// force on the whole roller that the other contacts must react.
     pub on_slope: Option<[f64; 2]>,
+    /// That force where friction between flat faces and slope holds the roller, half as large.
+    pub rolling_push: Option<f64>,
 }
 
 /// What the handbooks say.

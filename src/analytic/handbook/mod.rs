@@ -334,15 +334,19 @@ fn displaced(input: &Handbook, bodies: &ContactBodies) -> Result<Option<Displace
         })
     };
     let block = spread(roller.block())?;
-    let slope = |angle: f64| -> Result<[f64; 2], DomainError> {
+    let groove = |angle: f64| {
         let (w, c) = (block.line_load, bodies.compliance);
-        let [normal, push] = VGroove::new(w, bodies.radius, angle.to_radians(), c)?.on_one_slope();
-        Ok([normal, push * block.bearing_length])
+        VGroove::new(w, bodies.radius, angle.to_radians(), c)
     };
-    let on_slope = input.groove_angle.map(slope).transpose()?;
+    let groove = input.groove_angle.map(groove).transpose()?;
+    let on_slope = groove.map(|groove| {
+        let [normal, push] = groove.on_one_slope();
+        [normal, push * block.bearing_length]
+    });
     Ok(Some(Displaced {
         block,
         linear: spread(roller.linear())?,
         on_slope,
+        rolling_push: groove.map(|groove| groove.rolling_push() * block.bearing_length),
     }))
 }

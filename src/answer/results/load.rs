@@ -5,6 +5,7 @@ use crate::ground::geometry::{add, dot, norm, scale};
 use crate::model::mesh::quadrilateral::area_vector;
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Traction, TractionValue};
 use crate::model::state::{PlaneField, State};
+use std::iter;
 
 /// How many times the modelled part makes the whole: each mirror doubles.
 pub fn copies(scene: &Scene) -> f64 {
@@ -60,32 +61,57 @@ struct Load<'s> {
     name: &'s str,
     /// On the modelled part.
     force: [f64; 3],
+    /// Sum of the sizes of what it is the resultant of: of the forces on single faces.
+    gross: f64,
 }
+
+/// Of the sum of the sizes of all forces, the resultant below which they oppose each other: it says neither where the load goes nor
+/// how far.
+const OPPOSED: f64 = 0.1;
 
 /// The prescribed forces of a scene: of the planes, then of the tractions.
 fn loads(scene: &Scene) -> Vec<Load<'_>> {
-    let planes = scene.rigid_planes.iter().map(|plane| Load {
-        name: &plane.name,
-        force: plane.motion.map(|m| match m {
+    let planes = scene.rigid_planes.iter().map(|plane| {
+        let force = plane.motion.map(|m| match m {
             PlaneMotion::Driven(force) => force,
             _ => 0.0,
-        }),
+        });
+        Load {
+            name: &plane.name,
+            force,
+            gross: norm(force),
+        }
     });
-    let tractions = scene.tractions.iter().map(|traction| Load {
-        name: &traction.name,
-        force: traction_force(scene, traction),
+    let tractions = scene.tractions.iter().map(|traction| {
+        let faces = || face_forces(scene, traction);
+        Load {
+            name: &traction.name,
+            force: faces().fold([0.0; 3], add),
+            gross: faces().map(norm).sum(),
+        }
     });
     planes.chain(tractions).collect()
 }
 
-/// Total force of a traction on the modelled part.
-fn traction_force(scene: &Scene, traction: &Traction) -> [f64; 3] {
+/// Forces of a traction on its faces, on the modelled part.
+fn face_forces<'a>(
+    scene: &'a Scene,
+    traction: &'a Traction,
+) -> impl Iterator<Item = [f64; 3]> + 'a {
     let surface = scene.mesh.surface(&traction.surface);
     let faces = surface.into_iter().flat_map(|s| &s.faces);
-    faces.fold([0.0; 3], |sum, face| {
-        let corners = face.corners(&scene.mesh);
-        add(sum, face_force(&traction.value, &corners))
-    })
+    faces.map(|face| face_force(&traction.value, &face.corners(&scene.mesh)))
+}
+
+/// The sum of the sizes of all that acts on the whole, each prescribed force times `factor` of its name, and `moved` planes.
+fn gross(
+    scene: &Scene,
+    factor: impl Fn(&str) -> f64,
+    moved: impl Iterator<Item = [f64; 3]>,
+) -> f64 {
+    let loads = loads(scene).into_iter();
+    let prescribed: f64 = loads.map(|load| load.gross * factor(load.name).abs()).sum();
+    copies(scene) * (prescribed + moved.map(norm).sum::<f64>())
 }
 
 /// Total of the prescribed forces on the whole, each times `factor` of its name.
@@ -139,13 +165,14 @@ fn held(scene: &Scene) -> [f64; 3] {
 }
 
 /// Unit vector along which the scene is loaded when every factor is one: of the resultant of driven
-/// planes and tractions, else of the prescribed motion of planes or supports, else straight down.
+/// planes and tractions, where these oppose each other of the largest, else of the prescribed motion of planes or supports, else straight down.
 pub fn direction(scene: &Scene) -> [f64; 3] {
-    let force = full(scene);
-    let along = if norm(force) > 0.0 {
+    let (force, gross) = (full(scene), gross(scene, |_| 1.0, iter::empty()));
+    let along = if norm(force) > OPPOSED * gross {
         force
     } else {
-        held(scene)
+        let forces = loads(scene).into_iter().map(|load| load.force);
+        largest(scene, forces, gross).unwrap_or_else(|| held(scene))
     };
     let length = norm(along);
     if length > 0.0 {
@@ -153,6 +180,19 @@ pub fn direction(scene: &Scene) -> [f64; 3] {
     } else {
         [0.0, 0.0, -1.0]
     }
+}
+
+/// Of forces that oppose each other, on the modelled part, the largest on the whole, and the first of those that are as large;
+/// `None` where none is large beside their `gross` sum.
+fn largest(scene: &Scene, forces: impl Iterator<Item = [f64; 3]>, gross: f64) -> Option<[f64; 3]> {
+    /// By how much another has to be larger.
+    const LARGER: f64 = 1.01;
+    let forces = forces.map(|force| whole(scene, force));
+    let large = forces.filter(|force| norm(*force) > OPPOSED * gross);
+    large.reduce(|most, force| match norm(force) > LARGER * norm(most) {
+        true => force,
+        false => most,
+    })
 }
 
 /// The axis next to the load.
@@ -173,11 +213,7 @@ pub fn upward(scene: &Scene) -> (usize, f64) {
 /// without any, the forces that moved planes exert.
 pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {
     let prescribed = driven(scene, |name| scene.factor(name, state.step, state.time));
-    let others = driven_axes(scene).map(|driven| !driven);
-    let planes = scene.rigid_planes.iter().zip(&state.planes);
-    let moved = planes.fold([0.0; 3], |sum, (plane, field)| {
-        add(sum, moving_force(plane, field, others))
-    });
+    let moved = moved(scene, state).fold([0.0; 3], add);
     if moved == [0.0; 3] {
         return prescribed;
     }
@@ -186,20 +222,45 @@ pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {
     add(prescribed, whole(scene, moved))
 }
 
-/// Unit vector along the load that acts in `state`; where next to none does, or planes are moved
+/// Forces with which what is moved resists, along axes without a prescribed force, plane by plane; modelled part.
+fn moved<'a>(scene: &'a Scene, state: &'a State) -> impl Iterator<Item = [f64; 3]> + 'a {
+    let others = driven_axes(scene).map(|driven| !driven);
+    let planes = scene.rigid_planes.iter().zip(&state.planes);
+    planes.map(move |(plane, field)| moving_force(plane, field, others))
+}
+
+/// Do the loads that act in `state` oppose each other, so that next to nothing of them is left for the whole? Then there is no travel
+/// along their resultant, and no interface that all of it passes.
+pub fn oppose(scene: &Scene, state: &State) -> bool {
+    norm(resultant(scene, state)) < OPPOSED * gross_now(scene, state)
+}
+
+fn gross_now(scene: &Scene, state: &State) -> f64 {
+    let now = |name: &str| scene.factor(name, state.step, state.time);
+    gross(scene, now, moved(scene, state))
+}
+
+/// Unit vector along the load that acts in `state`; where next to none does, where loads oppose each other, or planes are moved
 /// along one axis only, that of [`direction`].
 pub fn along(scene: &Scene, state: &State) -> [f64; 3] {
     let force = resultant(scene, state);
-    let size = norm(force);
+    let (size, gross) = (norm(force), gross_now(scene, state));
+    let unit = |force: [f64; 3]| scale(force, 1.0 / norm(force));
+    if size < OPPOSED * gross {
+        let now = |load: Load| scale(load.force, scene.factor(load.name, state.step, state.time));
+        let forces = loads(scene).into_iter().map(now);
+        let largest = largest(scene, forces.chain(moved(scene, state)), gross);
+        return largest.map_or_else(|| direction(scene), unit);
+    }
     match size > least(scene) {
-        true => force.map(|f| f / size),
+        true => unit(force),
         false => direction(scene),
     }
 }
 
 /// Size of a resultant that has a direction. Below it a reaction is what the residual leaves.
 fn least(scene: &Scene) -> f64 {
-    let prescribed = norm(full(scene));
+    let prescribed = gross(scene, |_| 1.0, iter::empty());
     if prescribed > 0.0 {
         return 1e-6 * prescribed;
     }
@@ -232,8 +293,11 @@ pub fn applied(scene: &Scene, state: &State) -> f64 {
 /// Travel along [`along`] of what loads the scene: of the rigid plane that is driven or moved. Where
 /// several load it, or planes and tractions do, the work of the forces that act on these travels over
 /// the load. Under tractions alone, of their surfaces, weighted by the tractions. `None` where nothing
-/// loads the scene.
+/// loads the scene, and where loads oppose each other.
 pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
+    if oppose(scene, state) {
+        return None;
+    }
     let along = along(scene, state);
     let loads = |m: &PlaneMotion| match m {
         PlaneMotion::Driven(x) | PlaneMotion::Held(x) => *x != 0.0,

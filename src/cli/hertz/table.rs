@@ -180,8 +180,11 @@ fn sections(t: &mut HandbookTable, answer: &HandbookAnswer) {
         spread(t, "even over the effective length", &displaced.block);
         spread(t, "linear, no tension", &displaced.linear);
         if let Some([normal, push]) = displaced.on_slope {
-            t.line_load("force across the one line on the slope", normal);
-            t.force("horizontal force, by friction", push);
+            t.line_load("across the one line on the slope, without friction", normal);
+            t.force("  horizontal force to be reacted", push);
+        }
+        if let Some(push) = displaced.rolling_push {
+            t.force("horizontal force as it rolls, by friction", push);
         }
     }
 }

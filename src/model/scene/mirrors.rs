@@ -10,10 +10,13 @@ use crate::model::mesh::{Face, Surface};
 pub const OFF_PLANE: f64 = 1e-6;
 
 impl Scene {
-    /// Holds the outer faces in the planes of symmetry square to these, where supports do not do so already: the image of a
-    /// body goes on behind them.
+    /// Puts the nodes that lie in the planes of symmetry there, and holds the outer faces in these square to them, where supports do
+    /// not do so already: the image of a body goes on behind them.
     pub fn hold_mirrors(&mut self) {
         for axis in self.mirrors.clone() {
+            let near = OFF_PLANE * self.mesh.extent(axis);
+            let in_plane = (self.mesh.points.iter_mut()).filter(|at| at[axis].abs() <= near);
+            in_plane.for_each(|at| at[axis] = 0.0);
             let faces = self.loose_faces(axis);
             if faces.is_empty() {
                 continue;
@@ -41,8 +44,7 @@ impl Scene {
         let held: BTreeSet<u32> = (self.supports.iter().filter(holds))
             .flat_map(|support| mesh.nodes_of_surface(&support.surface))
             .collect();
-        let near = OFF_PLANE * mesh.extent(axis);
-        let in_plane = |node: &u32| mesh.points[*node as usize][axis].abs() <= near;
+        let in_plane = |node: &u32| mesh.points[*node as usize][axis] == 0.0;
         let is_loose = |face: &Face| {
             face.nodes.iter().all(in_plane) && face.nodes.iter().any(|n| !held.contains(n))
         };

@@ -260,3 +260,23 @@ fn distorted_facets_on_a_cylinder_are_accepted() {
     let mesh = block.mapped(|p| cylindrical(wander(p))).build().unwrap();
     assert_cylinder(shape(&mesh, "x_max"), 2.0, true, 1e-9);
 }
+
+/// Top and bottom of a slab of one layer lie on some cylinder, whatever the slab is: four rows, but two in each piece.
+#[test]
+fn flat_pieces_apart_are_no_cylinder() {
+    let block = Block::new(
+        "slab",
+        uniform(0.0, 10.0, 5),
+        uniform(-6.0, 0.0, 3),
+        uniform(0.0, 1.0, 1),
+    );
+    let mesh = block.build().unwrap();
+    let faces = ["y_min", "y_max"]
+        .map(|name| mesh.surface(name).unwrap().faces.clone())
+        .concat();
+    let both = crate::model::mesh::Surface {
+        name: "both".into(),
+        faces,
+    };
+    assert_eq!(fit(&mesh, &both), Shape::Facets);
+}

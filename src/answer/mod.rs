@@ -182,7 +182,10 @@ impl Answer {
             ties: tie::ties(scene, state),
             rollers: Named(rollers.collect()),
             balance: checks::balance(scene, state),
-            stiffness: descent.filter(|d| *d != 0.0).map(|d| load / d),
+            // Warm bodies, and what tips, go another way than the load pushes.
+            stiffness: descent
+                .filter(|d| *d * load > 0.0 && scene.temperatures.is_empty())
+                .map(|d| load / d),
             unloaded,
             energy: state.energy.map(|e| e.times(load::copies(scene))),
             checks: checks::checks(solved, &measured, load),

@@ -1,7 +1,7 @@
 //! What a case says of symmetry and of turns, asked of its mesh.
 
 use super::error::{CaseError, ErrorKind};
-use super::model::MeshlessScene;
+use super::load::Loads;
 use crate::ground::geometry::{AXES, range};
 use crate::model::mesh::{Face, Mesh};
 use crate::model::scene::{OFF_PLANE, PlaneMotion, PlaneTurn};
@@ -13,8 +13,11 @@ const NEARLY: f64 = 1e-3;
 ///
 /// # Errors
 /// [`CaseError`] where the mesh lies elsewhere, and where a support moves what lies in the plane along its normal.
-pub(super) fn check_mirrors(case: &MeshlessScene, mesh: &Mesh) -> Result<(), CaseError> {
-    for axis in case.mirrors.iter().copied() {
+pub(super) fn check_mirrors(
+    (loads, mirrors): (&Loads, &[usize]),
+    mesh: &Mesh,
+) -> Result<(), CaseError> {
+    for axis in mirrors.iter().copied() {
         let letter = AXES[axis];
         let source = &mesh.source;
         let [low, high] = mesh.range_along(axis);
@@ -69,7 +72,7 @@ pub(super) fn check_mirrors(case: &MeshlessScene, mesh: &Mesh) -> Result<(), Cas
             let help = format!("mesh it up to {letter} = 0, or drop \"{letter}\" from `symmetry`");
             return refuse(message, help);
         }
-        for support in &case.loads.supports {
+        for support in &loads.supports {
             let nodes = mesh.nodes_of_surface(&support.value.surface);
             let in_plane = nodes.iter().map(|node| &mesh.points[*node as usize]);
             let mut in_plane = in_plane.filter(|at| at[axis].abs() <= near);
@@ -91,10 +94,13 @@ pub(super) fn check_mirrors(case: &MeshlessScene, mesh: &Mesh) -> Result<(), Cas
 ///
 /// # Errors
 /// [`CaseError`] where it moves none.
-pub(super) fn check_turns(case: &MeshlessScene, mesh: &Mesh) -> Result<(), CaseError> {
-    for located in &case.loads.planes {
+pub(super) fn check_turns(
+    (loads, mirrors): (&Loads, &[usize]),
+    mesh: &Mesh,
+) -> Result<(), CaseError> {
+    for located in &loads.planes {
         let plane = &located.value;
-        let about = plane.point(mesh, &case.mirrors);
+        let about = plane.point(mesh, mirrors);
         let nodes = mesh.nodes_of_surface(&plane.surface);
         let turning = (0..3).filter(|axis| plane.turn[*axis] != PlaneTurn::Held(0.0));
         for axis in turning {

@@ -66,8 +66,8 @@ impl MeshlessScene {
                 return Err(temperature.place.unknown(why, name, known));
             }
         }
-        check_mirrors(self, &mesh)?;
-        check_turns(self, &mesh)?;
+        check_mirrors((loads, &self.mirrors), &mesh)?;
+        check_turns((loads, &self.mirrors), &mesh)?;
         let mut scene = Scene {
             name: self.name.clone(),
             materials,

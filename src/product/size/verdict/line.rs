@@ -5,6 +5,7 @@ use super::limits::Limits;
 use super::standing::SizeStanding;
 use crate::render::Summary;
 use crate::render::summary::SizedLine;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Nearer to the end of a roller than this share of its radius, a peak is made by the end.
 const AT_THE_END: f64 = 0.02;
@@ -16,7 +17,11 @@ pub fn checks(limits: &Limits, summary: &Summary) -> Vec<LimitCheck> {
 
 fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
     let limit = limits.pressure;
-    let share = (summary.answer.hertz_pressure_bar(&line.interface)).filter(|_| !line.merged);
+    let share = match line.merged {
+        // Each of two lines in one carries half of the load at least.
+        true => Some(1.0 - FRAC_1_SQRT_2),
+        false => summary.answer.hertz_pressure_bar(&line.interface),
+    };
     let error = share.map(|share| share * line.hertz_pressure);
     let mut remarks = Vec::new();
     let at_edge = line.from_end <= AT_THE_END * limits.radius;
@@ -24,7 +29,7 @@ fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
         remarks.push("at the very end of the roller, which makes the peak: it belongs to the mesh");
     }
     if line.merged {
-        remarks.push("both lines of the V in one: the mesh is too coarse to tell them apart");
+        remarks.push("both lines of the V in one, which the mesh does not tell apart: p0 as if one line carried all");
     }
     LimitCheck {
         kind: LimitKind::ContactPressure,

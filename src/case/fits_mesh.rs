@@ -4,7 +4,7 @@ use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
 use crate::ground::geometry::{AXES, range};
 use crate::model::mesh::{Face, Mesh};
-use crate::model::scene::{OFF_PLANE, PlaneMotion, PlaneTurn};
+use crate::model::scene::{OFF_PLANE, PlaneMotion, PlaneTurn, faces_in_plane};
 
 /// Of the length of a body, the distance of a flat end from a plane of symmetry up to which it is meant to lie in it.
 const NEARLY: f64 = 1e-3;
@@ -57,15 +57,7 @@ pub(super) fn check_mirrors(
                 return refuse(message, help);
             }
         }
-        let in_plane = |face: &Face| {
-            let mut at = face
-                .nodes
-                .iter()
-                .map(|node| mesh.points[*node as usize][axis]);
-            at.all(|x| x.abs() <= near)
-        };
-        let mut outer = (0..mesh.bodies.len()).flat_map(|body| mesh.outer_faces(body));
-        if !outer.any(|face| in_plane(&face)) {
+        if faces_in_plane(mesh, axis).is_empty() {
             let message = format!(
                 "no face of the mesh {source} lies in the plane of symmetry {letter} = 0; it begins at {letter} = {low}"
             );
@@ -124,7 +116,7 @@ pub(super) fn check_turns(
                     "a turn about {} moves nothing: its nodes are free along the axis along which it would move them",
                     AXES[axis]
                 );
-                let help = "hold, displace or drive the plane along that axis too, across the plane of a flat face: a force of zero \
+                let help = "hold, displace or drive the plane along that axis too, for a flat face along its normal: a force of zero \
                             will do";
                 return Err(located.place.error(ErrorKind::Conflict, why).help(help));
             }

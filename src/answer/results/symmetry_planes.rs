@@ -84,17 +84,19 @@ fn held_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> Vec<f64> {
         return Vec::new();
     }
     let contact = &scene.contacts[pair];
-    let bodies: Vec<Vec<u32>> = ([&contact.upper, &contact.lower].into_iter())
-        .filter_map(|side| side.body(&scene.mesh))
-        .map(|body| scene.mesh.nodes_of_body(body))
+    let mesh = &scene.mesh;
+    let bodies = contact.bodies(mesh).into_iter().flatten();
+    let corners = bodies.map(|body| mesh.hexes[mesh.bodies[body].elements.clone()].as_flattened());
+    let at = |node: &u32| mesh.points[*node as usize][axis];
+    let bodies: Vec<(&[u32], [f64; 2])> = corners
+        .map(|corners| (corners, range(corners.iter().map(at))))
         .collect();
-    let at = |node: &u32| scene.mesh.points[*node as usize][axis];
-    let ranges: Vec<[f64; 2]> = bodies.iter().map(|b| range(b.iter().map(at))).collect();
     let is_plane = |end: usize| {
-        let place = ranges.first()?[end];
+        let place = bodies.first()?.1[end];
         let is_there = |x: f64| (x - place).abs() <= same;
-        let common = ranges.iter().all(|range| is_there(range[end]));
-        let mut there = bodies.iter().flatten().filter(|node| is_there(at(node)));
+        let common = bodies.iter().all(|(_, ends)| is_there(ends[end]));
+        let nodes = bodies.iter().flat_map(|(corners, _)| *corners);
+        let mut there = nodes.filter(|node| is_there(at(node)));
         (common && there.all(|node| held.contains(node))).then_some(place)
     };
     [0, 1].into_iter().filter_map(is_plane).collect()

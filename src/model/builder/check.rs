@@ -4,8 +4,8 @@ use super::axis::Axis;
 use super::error::BuildError;
 use super::load::Load;
 use crate::model::material::Steel;
-use crate::model::mesh::{Face, Mesh};
-use crate::model::scene::{OFF_PLANE, Step, Support, Tie};
+use crate::model::mesh::Mesh;
+use crate::model::scene::{OFF_PLANE, Step, Support, Tie, faces_in_plane};
 
 /// The steel of every body, in the order of the mesh; of several for one body the last.
 pub(super) fn check_steels(
@@ -157,12 +157,7 @@ fn unknown<'n>(
 pub(super) fn check_mirror(mesh: &Mesh, axis: Axis, scene: &str) -> Result<(), BuildError> {
     let [low, high] = mesh.range_along(axis.index());
     let near = OFF_PLANE * (high - low);
-    let in_plane = |face: &Face| {
-        let mut corners = face.corners(mesh).into_iter();
-        corners.all(|p| p[axis.index()].abs() <= near)
-    };
-    let outer = (0..mesh.bodies.len()).flat_map(|body| mesh.outer_faces(body));
-    let faces = outer.filter(in_plane).count();
+    let faces = faces_in_plane(mesh, axis.index()).len();
     match faces > 0 && low >= -near {
         true => Ok(()),
         false => Err(BuildError::Mirror {

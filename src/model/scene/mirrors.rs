@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{Scene, Support};
 use crate::ground::geometry::AXES;
-use crate::model::mesh::{Face, Surface};
+use crate::model::mesh::{Face, Mesh, Surface};
 
 /// Share of the size of a mesh by which nodes may be off a plane of symmetry and yet lie in it: files have rounded coordinates.
 pub const OFF_PLANE: f64 = 1e-6;
@@ -39,18 +39,22 @@ impl Scene {
 
     /// Outer faces in the plane of symmetry across `axis` with a node that no support holds along it.
     fn loose_faces(&self, axis: usize) -> Vec<Face> {
-        let mesh = &self.mesh;
         let holds = |support: &&Support| support.components[axis].is_some();
         let held: BTreeSet<u32> = (self.supports.iter().filter(holds))
-            .flat_map(|support| mesh.nodes_of_surface(&support.surface))
+            .flat_map(|support| self.mesh.nodes_of_surface(&support.surface))
             .collect();
-        let in_plane = |node: &u32| mesh.points[*node as usize][axis] == 0.0;
-        let is_loose = |face: &Face| {
-            face.nodes.iter().all(in_plane) && face.nodes.iter().any(|n| !held.contains(n))
-        };
-        (0..mesh.bodies.len())
-            .flat_map(|body| mesh.outer_faces(body))
-            .filter(is_loose)
-            .collect()
+        let mut faces = faces_in_plane(&self.mesh, axis);
+        faces.retain(|face| face.nodes.iter().any(|node| !held.contains(node)));
+        faces
     }
+}
+
+/// The outer faces of all bodies in the coordinate plane across `axis`.
+pub fn faces_in_plane(mesh: &Mesh, axis: usize) -> Vec<Face> {
+    let near = OFF_PLANE * mesh.extent(axis);
+    let in_plane = |node: &u32| mesh.points[*node as usize][axis].abs() <= near;
+    (0..mesh.bodies.len())
+        .flat_map(|body| mesh.outer_faces(body))
+        .filter(|face| face.nodes.iter().all(in_plane))
+        .collect()
 }

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use nalgebra::{Rotation3, Vector3};
 
 use super::{Shape, fit};
-use crate::model::mesh::Mesh;
 use crate::model::mesh::block::{Block, cylindrical, graded, uniform};
+use crate::model::mesh::{Mesh, Surface};
 
 /// A tube of radii 1 and 2 from angle -`half` to `half` degrees, `cells` around, 0.7 long.
 fn tube(half: f64, cells: usize, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
@@ -24,6 +24,15 @@ fn tube(half: f64, cells: usize, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
 
 fn shape(mesh: &Mesh, surface: &str) -> Shape {
     fit(mesh, mesh.surface(surface).unwrap())
+}
+
+/// The faces of several surfaces as one.
+fn together<'a>(mesh: &Mesh, names: impl IntoIterator<Item = &'a str>) -> Surface {
+    let surfaces = names.into_iter().map(|name| mesh.surface(name).unwrap());
+    Surface {
+        name: "together".into(),
+        faces: surfaces.flat_map(|surface| surface.faces.clone()).collect(),
+    }
 }
 
 /// Scaled, turned and moved; by a proper rotation, so that the handedness stays.
@@ -211,30 +220,17 @@ fn bars_and_cubes_are_not_round() {
     let mesh = Block::new("cube", cells(), cells(), cells())
         .build()
         .unwrap();
-    let faces = mesh.surfaces.iter().flat_map(|s| s.faces.clone()).collect();
-    let all = crate::model::mesh::Surface {
-        name: "all".into(),
-        faces,
-    };
-    assert_eq!(fit(&mesh, &all), Shape::Facets);
+    let all = mesh.surfaces.iter().map(|surface| surface.name.as_str());
+    assert_eq!(fit(&mesh, &together(&mesh, all)), Shape::Facets);
 }
 
 /// The union of a flat and a round surface is neither.
 #[test]
 fn mixed_and_empty_surfaces_are_facets() {
     let mesh = tube(30.0, 8, |p| p);
-    let faces = ["x_max", "z_max"]
-        .map(|name| mesh.surface(name).unwrap().faces.clone())
-        .concat();
-    let mixed = crate::model::mesh::Surface {
-        name: "mixed".into(),
-        faces,
-    };
+    let mixed = together(&mesh, ["x_max", "z_max"]);
     assert_eq!(fit(&mesh, &mixed), Shape::Facets);
-    assert_eq!(
-        fit(&mesh, &crate::model::mesh::Surface::default()),
-        Shape::Facets
-    );
+    assert_eq!(fit(&mesh, &Surface::default()), Shape::Facets);
     assert_eq!(Shape::Facets.project([0.0; 3]), None);
 }
 
@@ -271,12 +267,6 @@ fn flat_pieces_apart_are_no_cylinder() {
         uniform(0.0, 1.0, 1),
     );
     let mesh = block.build().unwrap();
-    let faces = ["y_min", "y_max"]
-        .map(|name| mesh.surface(name).unwrap().faces.clone())
-        .concat();
-    let both = crate::model::mesh::Surface {
-        name: "both".into(),
-        faces,
-    };
+    let both = together(&mesh, ["y_min", "y_max"]);
     assert_eq!(fit(&mesh, &both), Shape::Facets);
 }

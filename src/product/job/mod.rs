@@ -26,6 +26,7 @@ mod sizing;
 mod strips;
 mod summarise;
 mod verified;
+mod welds;
 
 pub use check::check;
 pub use checkpoint::{Checkpoint, FILE as CHECKPOINT_FILE};

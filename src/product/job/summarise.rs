@@ -4,7 +4,7 @@ use super::error::JobError;
 use super::options::Options;
 use super::outcome::{reported, unloaded};
 use super::second::{ElasticPeaks, Twin};
-use super::{compare, hand_checks, left_out, rules, sizing, strips};
+use super::{compare, hand_checks, left_out, rules, sizing, strips, welds};
 use crate::answer::results::bore::Bore;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::{Answer, AnswerInputs, Named};
@@ -64,7 +64,9 @@ pub fn summarise(
         turned(scene, state),
         strips::shortcoming(case, scene, state),
     ];
-    warnings.extend(told.chain(found.into_iter().flatten()).map(Warning));
+    let found = found.into_iter().flatten();
+    let welds = welds::in_contact(scene);
+    warnings.extend(told.chain(found).chain(welds).map(Warning));
     let sizing = sizing::sizing(case, scene, &answer)?;
     Ok(Summary {
         case: case.title.clone(),

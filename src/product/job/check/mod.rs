@@ -6,6 +6,7 @@ mod strip;
 use super::error::JobError;
 use super::mesh::find_mesh;
 use super::summarise::assumptions;
+use super::welds::welds;
 use super::{left_out, limits};
 use crate::case::{Case, Kind};
 use crate::ground::memory;
@@ -15,7 +16,6 @@ use crate::model::scene::Scene;
 use crate::render::check::{BodyCheck, Check, ContactCheck, Machine, MeshCheck, PredictedCost};
 use crate::render::text::{percent, significant};
 use crate::solver::solve::{Forecast, forecast};
-use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Elements with a smaller scaled Jacobian, or a larger aspect ratio, are worth a warning.
@@ -186,7 +186,7 @@ fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
             ));
         }
     }
-    list.extend(welds(mesh));
+    list.extend(welds(mesh).iter().map(|weld| weld.in_words(mesh)));
     for contact in &check.contacts {
         let name = &contact.name;
         match contact.gap_at_touch {
@@ -215,30 +215,6 @@ fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
         }
     }
     list
-}
-
-/// Bodies that share nodes are one, whatever contact is said to be between them.
-fn welds(mesh: &Mesh) -> Vec<String> {
-    let mut first = vec![usize::MAX; mesh.points.len()];
-    let mut shared: BTreeMap<(usize, usize), BTreeSet<u32>> = BTreeMap::new();
-    for (index, body) in mesh.bodies.iter().enumerate() {
-        for node in mesh.hexes[body.elements.clone()].iter().flatten() {
-            match &mut first[*node as usize] {
-                none if *none == usize::MAX => *none = index,
-                other if *other == index => {}
-                other => {
-                    shared.entry((*other, index)).or_default().insert(*node);
-                }
-            }
-        }
-    }
-    let shared = shared.into_iter();
-    let welds = shared.map(|((a, b), nodes)| {
-        let [a, b] = [a, b].map(|index| mesh.bodies[index].name.as_str());
-        let count = nodes.len();
-        format!("{a} and {b} share {count} nodes: they are joined there, and no contact parts them")
-    });
-    welds.collect()
 }
 
 /// Gaps and ways, as none where they are nothing but rounding.

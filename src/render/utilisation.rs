@@ -87,14 +87,13 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
     for line in &sizing.lines {
         let Some(limit) = line.limit else { continue };
         let (at, unit) = (significant(line.across, 3), &summary.units.length);
-        let doubt = (summary.answer.hertz_pressure_bar(&line.interface)).filter(|_| !line.merged);
         all.push(Utilisation {
             what: "Hertz p0 under the largest line load".to_string(),
             place: format!("{}, line at {at} {unit}", line.interface),
             value: line.hertz_pressure,
             limit,
-            error: doubt.map(|share| share * line.hertz_pressure),
-            resolved: doubt.is_some(),
+            error: line.error.map(|share| share * limit),
+            resolved: line.error.is_some(),
             against: "1.65 yield, (2-49)",
         });
     }

@@ -243,19 +243,18 @@ fn gross_now(scene: &Scene, state: &State) -> f64 {
 /// Unit vector along the load that acts in `state`; where next to none does, where loads oppose each other, or planes are moved
 /// along one axis only, that of [`direction`].
 pub fn along(scene: &Scene, state: &State) -> [f64; 3] {
-    let force = resultant(scene, state);
-    let (size, gross) = (norm(force), gross_now(scene, state));
-    let unit = |force: [f64; 3]| scale(force, 1.0 / norm(force));
-    if size < OPPOSED * gross {
+    let force = if oppose(scene, state) {
         let now = |load: Load| scale(load.force, scene.factor(load.name, state.step, state.time));
         let forces = loads(scene).into_iter().map(now);
-        let largest = largest(scene, forces.chain(moved(scene, state)), gross);
-        return largest.map_or_else(|| direction(scene), unit);
-    }
-    match size > least(scene) {
-        true => unit(force),
-        false => direction(scene),
-    }
+        largest(
+            scene,
+            forces.chain(moved(scene, state)),
+            gross_now(scene, state),
+        )
+    } else {
+        Some(resultant(scene, state)).filter(|force| norm(*force) > least(scene))
+    };
+    force.map_or_else(|| direction(scene), |force| force.map(|f| f / norm(force)))
 }
 
 /// Size of a resultant that has a direction. Below it a reaction is what the residual leaves.

@@ -5,10 +5,11 @@ use super::named::Named;
 use super::patch::PatchFigures;
 use crate::answer::results::contact_line::ContactLine;
 use crate::answer::results::contact_lines::{across, contact_lines};
-use crate::answer::results::hertz::{HeaviestLine, line_contact};
+use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
 use crate::answer::results::load::cutting_pair;
+use crate::answer::results::strip_sides::StripSides;
 use crate::model::scene::Scene;
 use serde::Serialize;
 
@@ -176,8 +177,9 @@ fn line_figures(
     let (peak, peak_at) = line.peak()?;
     let contact = scene.contacts.get(pair);
     let contact = contact.filter(|_| line.is_long());
-    let hertz =
-        contact.and_then(|contact| line_contact(scene, contact, (axis, &line.heaviest), peak));
+    let hertz = contact.and_then(|contact| {
+        StripSides::of(scene, contact, (axis, &line.heaviest)).under(scene, contact, peak)
+    });
     Some(LineFigures {
         relative_radius: hertz.map(|hertz| hertz.radius),
         axis: axis_name(axis),

@@ -5,17 +5,14 @@
 //! form turns it into the pressure.
 
 use super::below::{flows_below, is_layered};
-use super::circle::FittedCircle;
 use super::contact_line::ContactLine;
 use super::contact_lines::{across, contact_lines, contact_lines_by};
 use super::edges::LoadedEdges;
 use super::line_axis::line_axis;
 use super::strip_row::StripRow;
+use super::strip_sides::StripSides;
 use crate::analytic::hertz::LineContact;
-use crate::ground::geometry::{dot, norm, sub};
-use crate::model::mesh::shape::fit;
-use crate::model::mesh::{Face, Mesh, Surface};
-use crate::model::scene::{ContactPair, Partner, Scene};
+use crate::model::scene::{ContactPair, Scene};
 use crate::model::state::State;
 
 /// The line of a pair that carries most per length, and what Hertz says of it.
@@ -83,10 +80,6 @@ impl Departure {
 pub const HALF_STRIP: &str = "it presses most where the surface ends, as half of a strip does: if that is a plane of symmetry, name it in \
                               `symmetry` or hold all nodes there, of both bodies, square to it, or its load per length counts half and p0 is too small by a root of two";
 
-/// Half-width of a strip over the smallest radius of its surfaces from which on it is conformal. Hertz's theory takes that for
-/// small (Johnson, Contact Mechanics, section 4.2); of pins in holes the largest pressure is 5 % above Hertz's with 0.3, and 15 % with 0.5.
-const CONFORMAL: f64 = 0.25;
-
 /// Lines whose middles are nearer than this share of both half-widths press as one. Two that just touch are each
 /// still Hertz's within the errors of a line load (`cases/coverage/solid-heavy.toml`).
 const MERGED: f64 = 0.9;
@@ -129,15 +122,14 @@ impl HeaviestLine {
         let apart = distance_to_the_next(line, lines, mirrored);
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
-        let curvatures = curvatures(scene, contact, (axis, row));
-        let hertz = curvatures.and_then(|both| of_curvatures(scene, contact, both, line_load));
+        let sides = StripSides::of(scene, contact, (axis, row));
+        let hertz = sides.under(scene, contact, line_load);
         let rows = RowsBeside { line, axis, edges };
         let kink = rows.kink(row.row);
         let departs = match hertz {
             Some(hertz) if apart < MERGED * 2.0 * hertz.half_width => Some(Departure::Width),
-            Some(hertz) if curvatures.is_some_and(|both| is_conformal(&hertz, both)) => {
-                Some(Departure::Conformal)
-            }
+            Some(hertz) if sides.are_split(&hertz) => Some(Departure::Width),
+            Some(hertz) if sides.are_conformal(&hertz) => Some(Departure::Conformal),
             Some(hertz) if is_layered(scene, contact, (row.centre, hertz.half_width)) => {
                 Some(Departure::Layered)
             }
@@ -293,102 +285,4 @@ const FLOW_BEGINS: f64 = 1.4;
 /// Mean pressure of the heaviest row of a line.
 fn mean_pressure(line: &ContactLine) -> f64 {
     line.heaviest_load() / (2.0 * line.heaviest.half_width)
-}
-
-/// Hertz's contact of a pair along `axis` under the load per length `load`, with the curvature that its surfaces have
-/// at a row; `None` where that is not known, or they do not curve apart.
-pub fn line_contact(
-    scene: &Scene,
-    pair: &ContactPair,
-    (axis, row): (usize, &StripRow),
-    load: f64,
-) -> Option<LineContact> {
-    of_curvatures(scene, pair, curvatures(scene, pair, (axis, row))?, load)
-}
-
-/// The same of sides with given curvatures.
-fn of_curvatures(
-    scene: &Scene,
-    pair: &ContactPair,
-    [upper, lower]: [f64; 2],
-    load: f64,
-) -> Option<LineContact> {
-    let sum = upper + lower;
-    let radius = (sum > 0.0).then(|| 1.0 / sum)?;
-    LineContact::new(load, radius, scene.compliance(pair).ok()?).ok()
-}
-
-/// See [`CONFORMAL`].
-fn is_conformal(hertz: &LineContact, [upper, lower]: [f64; 2]) -> bool {
-    hertz.half_width * upper.abs().max(lower.abs()) > CONFORMAL
-}
-
-/// Curvatures of the two sides across `axis`, at a row of the strip; `None` where one is not known.
-fn curvatures(
-    scene: &Scene,
-    pair: &ContactPair,
-    (axis, row): (usize, &StripRow),
-) -> Option<[f64; 2]> {
-    let curvature = |side: &Partner| match side {
-        Partner::Plane { .. } => Some(0.0),
-        Partner::Surface(name) => curvature(&scene.mesh, scene.mesh.surface(name)?, axis, row),
-    };
-    Some([curvature(&pair.upper)?, curvature(&pair.lower)?])
-}
-
-/// Curvature of a surface across `axis`, convex positive: of the shape that its nodes lie on, of that of its
-/// nodes about the strip, as on one face of a V, or of the circle through its row of nodes next to the row.
-fn curvature(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Option<f64> {
-    const PARALLEL: f64 = 0.99;
-    let mut along = [0.0; 3];
-    *along.get_mut(axis)? = 1.0;
-    let of = |surface: &Surface| fit(mesh, surface).curvature(along, PARALLEL);
-    of(surface)
-        .or_else(|| of(&about(mesh, surface, axis, row)))
-        .or_else(|| row_curvature(mesh, surface, axis, row.at))
-}
-
-/// The faces of a surface that come as near to the line through the middle of a row along `axis` as three of its
-/// half-widths.
-fn about(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Surface {
-    let reach = 3.0 * row.half_width.max(row.middle_spacing());
-    let from_line = |corner: [f64; 3]| {
-        let mut arm = sub(corner, row.centre);
-        arm[axis] = 0.0;
-        norm(arm)
-    };
-    let near = |face: &&Face| {
-        face.corners(mesh)
-            .into_iter()
-            .any(|c| from_line(c) <= reach)
-    };
-    Surface {
-        name: surface.name.clone(),
-        faces: surface.faces.iter().filter(near).copied().collect(),
-    }
-}
-
-fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option<f64> {
-    let nodes = surface.nodes();
-    let off = |n: &u32| (mesh.points[*n as usize][axis] - at).abs();
-    let nearest = nodes.iter().map(off).fold(f64::INFINITY, f64::min);
-    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-    let size = nodes.iter().map(off).fold(0.0, f64::max);
-    let row = nodes.iter().filter(|n| off(n) <= nearest + 1e-6 * size);
-    let points: Vec<[f64; 2]> = row
-        .map(|n| [u, v].map(|k| mesh.points[*n as usize][k]))
-        .collect();
-    let FittedCircle {
-        centre: middle,
-        radius,
-    } = FittedCircle::through(&points)?;
-    // Convex where facets face away from the middle.
-    let outward = surface.faces.iter().map(|face| {
-        let corners = face.corners(mesh);
-        let normal = face.area_vector(mesh);
-        let mut arm = [0.0; 3];
-        (arm[u], arm[v]) = (corners[0][u] - middle[0], corners[0][v] - middle[1]);
-        dot(normal, arm)
-    });
-    Some(outward.sum::<f64>().signum() / radius)
 }

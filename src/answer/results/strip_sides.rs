@@ -52,7 +52,7 @@ impl StripSides {
         LineContact::new(load, radius, scene.compliance(pair).ok()?).ok()
     }
 
-    /// See [`CONFORMAL`].
+    /// Is the strip wide beside the radii of its sides, as of a pin in a hole?
     pub fn are_conformal(&self, hertz: &LineContact) -> bool {
         let curvatures = self.sides.iter().filter_map(|side| side.curvature);
         let largest = curvatures.map(f64::abs).fold(0.0, f64::max);

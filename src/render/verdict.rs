@@ -136,7 +136,9 @@ fn is_missed(line: &SizedLine) -> bool {
 pub fn open_rule(summary: &Summary) -> Option<String> {
     let lines = &summary.sizing.as_ref()?.lines;
     let open = (lines.iter()).filter(|line| line.verdict.is_some_and(|v| v.is_within().is_none()));
-    let most = first_largest(open, |line| line.utilisation.unwrap_or(0.0))?;
+    let Some(most) = first_largest(open, |line| line.utilisation.unwrap_or(0.0)) else {
+        return harder_step(summary);
+    };
     let used = with_error(
         100.0 * most.utilisation?,
         most.error.map(|error| 100.0 * error),
@@ -149,6 +151,31 @@ pub fn open_rule(summary: &Summary) -> Option<String> {
         "The pressure limit (2-49) is open: {} uses {used} % of it{doubt}",
         most.interface
     ))
+}
+
+/// That (2-49) is open, where a limit that is met is that of a step, and another one presses harder, in words.
+fn harder_step(summary: &Summary) -> Option<String> {
+    /// By how much, of the largest pressure.
+    const HARDER: f64 = 1.01;
+    let judged = (summary.sizing.iter().flat_map(|sizing| &sizing.lines)).any(|l| l.met.is_some());
+    let steps = &summary.answer.steps;
+    let reported = steps.iter().find(|step| step.reported).filter(|_| judged)?;
+    let here = reported.max_pressure()?;
+    let pressed = steps
+        .iter()
+        .filter_map(|step| Some((step.max_pressure()?, step)));
+    let (most, step) = pressed.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (most > HARDER * here).then(|| {
+        format!(
+            "The pressure limit (2-49) is open: it is that of step `{}`, and step `{}` presses harder, {} against {} {}; \
+             end with that step to judge it",
+            reported.name,
+            step.name,
+            significant(most, 4),
+            significant(here, 4),
+            summary.units.stress
+        )
+    })
 }
 
 /// The sizing rules that are missed, in words.

@@ -12,6 +12,8 @@ use crate::answer::results::strip_row::StripRow;
 const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
                       apart, or a shape that is no line";
 
+const NO_ELLIPSE: &str = "it is read as of a pressure that is half an ellipse, and sides without a known curvature do not press like that";
+
 /// A load per length is this good at best: far field, and rows along the line. Half a per cent in the median
 /// of bearings drawn by a seed, two in one of ten.
 const LINE_LOAD: f64 = 0.014;
@@ -105,15 +107,18 @@ impl Contact<'_> {
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
-        let error = match (line.contact, line.departs) {
+        let (error, why) = match (line.contact, line.departs) {
             (Some(hertz), None | Some(Departure::LoadedEdge)) => {
                 let spacing = WIDTH * edge * edge;
-                Some((hertz.half_width / a - 1.0).abs() + spacing + 0.5 * self.load_error(line))
+                let off = (hertz.half_width / a - 1.0).abs();
+                (Some(off + spacing + 0.5 * self.load_error(line)), COARSE)
             }
-            (Some(_), Some(Departure::Width)) => None,
-            _ => Some(0.5 * edge * edge + self.load_error(line)),
+            (Some(_), Some(Departure::Width)) => (None, MERGED),
+            // Of a flat face that presses evenly it is wider than the face by 2/√3.
+            (None, _) => (None, NO_ELLIPSE),
+            _ => (Some(0.5 * edge * edge + self.load_error(line)), COARSE),
         };
-        self.claim(Quantity::HalfWidth, a, error, MERGED)
+        self.claim(Quantity::HalfWidth, a, error, why)
     }
 
     /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.

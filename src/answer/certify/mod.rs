@@ -97,7 +97,11 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
     let before = if moved { evidence.forces_before } else { &[] };
-    let horizontal = other::horizontal_forces(scene, contacts, (missed_travel, by_motion, before));
+    let horizontal = other::horizontal_forces(
+        (scene, evidence.state),
+        contacts,
+        (missed_travel, by_motion, before),
+    );
     let pokes = evidence.travel.is_some_and(|travel| {
         let most = NOTABLE_SHARE * travel.value().abs();
         interfaces.iter().any(|i| i.unexplained_penetration > most)

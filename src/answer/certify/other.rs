@@ -6,9 +6,10 @@ use super::line::turned_by_place;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
-use crate::answer::results::load::direction;
+use crate::answer::results::load::main_direction;
 use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::Scene;
+use crate::model::state::State;
 
 /// What the strain of the surface of a bore misses of the stress there, of itself, for elements as deep as the bore's
 /// radius: the stress falls from the wall as fast as the wall is curved.
@@ -50,19 +51,19 @@ pub(super) fn bores(bores: &[(String, BoreStress)]) -> Vec<Figure> {
 /// shears settle as contact grows, node by node. The largest of 108 readings of bearings is 0.026 (docs/coverage.md).
 const SHEAR: f64 = 0.03;
 
-/// The forces of all interfaces across the load, in their order; `None` where there is none.
+/// The forces of all interfaces across the largest load that acts, in their order; `None` where there is none.
 ///
 /// Bodies that nothing else holds pass such a force from contact to contact: it is as well known as at the worst of those
 /// that carry the same. Where a motion is prescribed, every change since the forces `before`, at the ends of earlier steps,
 /// adds to the error: of what has been taken back, little may be left. Such forces are too large by the share by which the mesh is `too_stiff`.
 pub(super) fn horizontal_forces(
-    scene: &Scene,
+    (scene, state): (&Scene, &State),
     contacts: Contacts,
     (missed_travel, too_stiff, before): (Option<f64>, f64, &[Vec<Vec3>]),
 ) -> Vec<Option<Figure>> {
     /// Of the force along the load, how far forces differ that are the same.
     const SAME: f64 = 1e-6;
-    let along = direction(scene);
+    let along = main_direction(scene, state);
     let across = |force: &Vec3| sub(*force, scale(along, dot(*force, along)));
     let of_pair = |(pair, interface): (usize, &Interface)| {
         let line = contacts.lines.get(pair).and_then(Option::as_ref);

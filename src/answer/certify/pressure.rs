@@ -22,6 +22,8 @@ use std::iter;
 
 const EDGE: &str = "at a loaded edge: singular in elasticity, grows with every refinement";
 
+const TIE: &str = "beside a tie that the contact crosses: nodes that follow carry no pressure, those beside them more than theirs";
+
 /// What a pressure that is read may be off beside its distance from Hertz's.
 const READ: f64 = 0.006;
 /// Error of the pressure for a node spacing of a, in the middle of the strip, and beyond that at its
@@ -60,6 +62,9 @@ impl Contact<'_> {
             return Vec::new();
         };
         let value = field.pressure[top];
+        if self.is_beside_tie(field, top) {
+            return vec![self.claim(Quantity::PeakPressure, value, None, TIE)];
+        }
         let at_edge =
             self.is_near_edge(field, top) && fall(self.scene, field, self.pair, top).mean > EVEN;
         let hides = self.edges.unseen_pressure(self.pair) > if at_edge { 0.0 } else { value };
@@ -76,6 +81,27 @@ impl Contact<'_> {
         let away = self.largest(field, |i| !self.is_near_edge(field, i));
         let away = away.map(|top| self.pressure(Quantity::PressureAway, field, top, line));
         iter::once(whole).chain(away).collect()
+    }
+
+    /// Does a node of either side that follows a tie lie within two faces of a node of the carrier?
+    fn is_beside_tie(&self, field: &ContactField, node: usize) -> bool {
+        const FACES: f64 = 2.0;
+        let mesh = &self.scene.mesh;
+        let at = mesh.points[field.nodes[node] as usize];
+        let faces = self.scene.carrier(self.pair).into_iter();
+        let faces = faces.flat_map(|surface| &surface.faces);
+        let around = faces.filter(|face| face.nodes.contains(&field.nodes[node]));
+        let reach = around.flat_map(|face| face.sides(mesh)).fold(0.0, f64::max) * FACES;
+        let follows = |node: &u32| {
+            let mut ties = self.state.ties.iter();
+            ties.any(|tie| tie.nodes.binary_search(node).is_ok())
+        };
+        let sides = self.scene.contacts[self.pair].carrier_first();
+        let nodes = sides.into_iter().filter_map(|side| side.surface(mesh));
+        let mut nodes = nodes
+            .flat_map(|surface| &surface.faces)
+            .flat_map(|face| face.nodes);
+        nodes.any(|n| distance(mesh.points[n as usize], at) <= reach && follows(&n))
     }
 
     /// By how much the pressure rises, of itself, from a node to where a loaded edge beside it ceases to count, on the straight

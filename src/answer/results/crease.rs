@@ -76,7 +76,9 @@ mod tests {
     /// The top of a block from -1 to 1, its heights a function of the coordinate across.
     fn crease(height: impl Fn(f64) -> f64, middle: f64) -> Option<Crease> {
         let x = (0..=10).map(|i| 0.2 * f64::from(i) - 1.0).collect();
-        let mut mesh = Block::new("b", x, vec![0.0, 1.0, 2.0], vec![0.0, 1.0]).build().unwrap();
+        let mut mesh = Block::new("b", x, vec![0.0, 1.0, 2.0], vec![0.0, 1.0])
+            .build()
+            .unwrap();
         for point in &mut mesh.points {
             point[2] += height(point[0]);
         }

@@ -244,17 +244,26 @@ fn gross_now(scene: &Scene, state: &State) -> f64 {
 /// along one axis only, that of [`direction`].
 pub fn along(scene: &Scene, state: &State) -> [f64; 3] {
     let force = if oppose(scene, state) {
-        let now = |load: Load| scale(load.force, scene.factor(load.name, state.step, state.time));
-        let forces = loads(scene).into_iter().map(now);
-        largest(
-            scene,
-            forces.chain(moved(scene, state)),
-            gross_now(scene, state),
-        )
+        largest_now(scene, state)
     } else {
         Some(resultant(scene, state)).filter(|force| norm(*force) > least(scene))
     };
     force.map_or_else(|| direction(scene), |force| force.map(|f| f / norm(force)))
+}
+
+/// Unit vector along the largest single load that acts in `state`, what others push across it; that of [`along`] where none is large.
+pub fn main_direction(scene: &Scene, state: &State) -> [f64; 3] {
+    largest_now(scene, state).map_or_else(
+        || along(scene, state),
+        |force| scale(force, 1.0 / norm(force)),
+    )
+}
+
+/// Of the loads that act in `state` the [`largest`].
+fn largest_now(scene: &Scene, state: &State) -> Option<[f64; 3]> {
+    let now = |load: Load| scale(load.force, scene.factor(load.name, state.step, state.time));
+    let forces = loads(scene).into_iter().map(now).chain(moved(scene, state));
+    largest(scene, forces, gross_now(scene, state)).filter(|force| norm(*force) > least(scene))
 }
 
 /// Size of a resultant that has a direction. Below it a reaction is what the residual leaves.

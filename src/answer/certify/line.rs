@@ -12,8 +12,6 @@ use crate::answer::results::strip_row::StripRow;
 const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
                       apart, or a shape that is no line";
 
-const NO_ELLIPSE: &str = "it is read as of a pressure that is half an ellipse, and sides without a known curvature do not press like that";
-
 /// A load per length is this good at best: far field, and rows along the line. Half a per cent in the median
 /// of bearings drawn by a seed, two in one of ten.
 const LINE_LOAD: f64 = 0.014;
@@ -45,11 +43,8 @@ impl Contact<'_> {
         if !line.is_long() {
             return Vec::new();
         }
-        let mut claims = vec![
-            self.line_load(Quantity::LineLoad, line),
-            self.half_width(line),
-            self.length(line),
-        ];
+        let mut claims = vec![self.line_load(Quantity::LineLoad, line), self.length(line)];
+        claims.splice(1..1, self.half_width(line));
         claims.extend(self.hertz_pressure(line));
         if let Some(away) = line.away().filter(|_| self.hides_load(line)) {
             claims.push(self.line_load(Quantity::LineLoadAway, away));
@@ -103,22 +98,23 @@ impl Contact<'_> {
         own.max(HIDDEN * line.hidden) + ALTERNATES * line.alternates + self.too_stiff
     }
 
-    fn half_width(&self, line: &HeaviestLine) -> Figure {
+    /// `None` where no curvature is known: it is read as of a pressure that is half an ellipse, and a flat face that presses evenly is
+    /// narrower by √3/2.
+    fn half_width(&self, line: &HeaviestLine) -> Option<Figure> {
+        let hertz = line.contact?;
         let row = &line.line.heaviest;
         let a = row.half_width;
         let edge = row.edge_spacing() / a;
-        let (error, why) = match (line.contact, line.departs) {
-            (Some(hertz), None | Some(Departure::LoadedEdge)) => {
+        let (error, why) = match line.departs {
+            None | Some(Departure::LoadedEdge) => {
                 let spacing = WIDTH * edge * edge;
                 let off = (hertz.half_width / a - 1.0).abs();
                 (Some(off + spacing + 0.5 * self.load_error(line)), COARSE)
             }
-            (Some(_), Some(Departure::Width)) => (None, MERGED),
-            // Of a flat face that presses evenly it is wider than the face by 2/√3.
-            (None, _) => (None, NO_ELLIPSE),
-            _ => (Some(0.5 * edge * edge + self.load_error(line)), COARSE),
+            Some(Departure::Width) => (None, MERGED),
+            Some(_) => (Some(0.5 * edge * edge + self.load_error(line)), COARSE),
         };
-        self.claim(Quantity::HalfWidth, a, error, why)
+        Some(self.claim(Quantity::HalfWidth, a, error, why))
     }
 
     /// Where a line lifts off, the place lies between two rows, or beyond the next one: loads near it are small.

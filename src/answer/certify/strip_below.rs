@@ -32,8 +32,7 @@ impl<'l> StripBelow<'l> {
         let of_pair = |(pair, line): (&ContactPair, &'l Option<HeaviestLine>)| {
             let line = line.as_ref()?;
             let (half_space, half_width) = match line.departs {
-                // Of the elastic peak, flow or not; where lines merge no strip makes it.
-                Some(Departure::Width) => return None,
+                // Of the elastic peak, flow or not.
                 Some(Departure::Layered) if line.is_long() => (None, line.line.heaviest.half_width),
                 _ => line.strip().map(|hertz| (Some(hertz), hertz.half_width))?,
             };
@@ -59,7 +58,9 @@ impl<'l> StripBelow<'l> {
                     || scene.mesh.hexes[elements].iter().flatten().any(is_below)
             };
             let all = joined_to(scene, pair).into_iter().filter_map(on);
-            Some(all.filter(goes_on).collect::<Vec<_>>())
+            // Where lines merge no strip makes the peak; that nodes are too far apart for is narrower still.
+            let makes_it = |strip: &Self| line.departs != Some(Departure::Width) || !strip.shows();
+            Some(all.filter(makes_it).filter(goes_on).collect::<Vec<_>>())
         };
         let pairs = scene.contacts.iter().zip(lines).filter_map(of_pair);
         pairs.flatten().collect()

@@ -157,9 +157,12 @@ pub fn open_rule(summary: &Summary) -> Option<String> {
 fn harder_step(summary: &Summary) -> Option<String> {
     /// By how much, of the largest pressure.
     const HARDER: f64 = 1.01;
-    let judged = (summary.sizing.iter().flat_map(|sizing| &sizing.lines)).any(|l| l.met.is_some());
+    let lines = &summary.sizing.as_ref()?.lines;
+    if lines.iter().all(|line| line.met.is_none()) || lines.iter().any(is_missed) {
+        return None;
+    }
     let steps = &summary.answer.steps;
-    let reported = steps.iter().find(|step| step.reported).filter(|_| judged)?;
+    let reported = steps.iter().find(|step| step.reported)?;
     let here = reported.max_pressure()?;
     let pressed = steps
         .iter()

@@ -174,3 +174,38 @@ fn a_prescribed_motion_loads_by_its_force() {
     close(load::applied(&scene, &state), 65.0);
     close(load::descent(&scene, &state).unwrap(), 0.01);
 }
+
+#[test]
+fn what_pushes_sideways_is_across_the_largest_load() {
+    let mut scene = stack();
+    scene.mirrors.clear();
+    let value = TractionValue::Vector([2.0, 0.0, 0.0]);
+    let (name, surface) = ("side".to_string(), "block_w+".to_string());
+    scene.tractions.push(Traction {
+        name,
+        surface,
+        value,
+    });
+    let state = pressed(&scene);
+    assert!(load::direction(&scene)[0] > 0.0);
+    assert_eq!(load::main_direction(&scene, &state), [0.0, 0.0, -1.0]);
+}
+
+#[test]
+fn planes_that_squeeze_load_along_their_motion() {
+    let mut scene = stack();
+    scene.mirrors.clear();
+    let mut state = pressed(&scene);
+    scene.rigid_planes.push(scene.rigid_planes[0].clone());
+    state.planes.push(state.planes[0]);
+    for (plane, moved, force) in [(0, 0.01, 5.0), (1, -0.01, -5.0)] {
+        scene.rigid_planes[plane].motion = [
+            PlaneMotion::Held(moved),
+            PlaneMotion::Free,
+            PlaneMotion::Free,
+        ];
+        state.planes[plane].force = [force, 0.0, 0.0];
+    }
+    assert!(load::oppose(&scene, &state));
+    assert_eq!(load::along(&scene, &state), [1.0, 0.0, 0.0]);
+}

@@ -43,8 +43,9 @@ impl Contact<'_> {
         if !line.is_long() {
             return Vec::new();
         }
-        let mut claims = vec![self.line_load(Quantity::LineLoad, line), self.length(line)];
-        claims.splice(1..1, self.half_width(line));
+        let mut claims = vec![self.line_load(Quantity::LineLoad, line)];
+        claims.extend(self.half_width(line));
+        claims.push(self.length(line));
         claims.extend(self.hertz_pressure(line));
         if let Some(away) = line.away().filter(|_| self.hides_load(line)) {
             claims.push(self.line_load(Quantity::LineLoadAway, away));

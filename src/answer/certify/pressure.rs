@@ -86,22 +86,25 @@ impl Contact<'_> {
     /// Does a node of either side that follows a tie lie within two faces of a node of the carrier?
     fn is_beside_tie(&self, field: &ContactField, node: usize) -> bool {
         const FACES: f64 = 2.0;
-        let mesh = &self.scene.mesh;
-        let at = mesh.points[field.nodes[node] as usize];
+        let point = |node: u32| self.scene.mesh.points[node as usize];
+        let at = point(field.nodes[node]);
+        let reach = FACES * self.sides_around(field, node).fold(0.0, f64::max);
+        let follow = self.state.ties.iter().flat_map(|tie| &tie.nodes);
+        let mut near = follow.filter(|n| distance(point(**n), at) <= reach);
+        let sides = self.scene.contacts[self.pair].carrier_first();
+        let surfaces = sides.map(|side| side.surface(&self.scene.mesh));
+        near.any(|node| {
+            let faces = surfaces.iter().flatten().flat_map(|surface| &surface.faces);
+            faces.into_iter().any(|face| face.nodes.contains(node))
+        })
+    }
+
+    /// Lengths of the sides of the carrier's faces around a node.
+    fn sides_around(&self, field: &ContactField, node: usize) -> impl Iterator<Item = f64> {
         let faces = self.scene.carrier(self.pair).into_iter();
         let faces = faces.flat_map(|surface| &surface.faces);
-        let around = faces.filter(|face| face.nodes.contains(&field.nodes[node]));
-        let reach = around.flat_map(|face| face.sides(mesh)).fold(0.0, f64::max) * FACES;
-        let follows = |node: &u32| {
-            let mut ties = self.state.ties.iter();
-            ties.any(|tie| tie.nodes.binary_search(node).is_ok())
-        };
-        let sides = self.scene.contacts[self.pair].carrier_first();
-        let nodes = sides.into_iter().filter_map(|side| side.surface(mesh));
-        let mut nodes = nodes
-            .flat_map(|surface| &surface.faces)
-            .flat_map(|face| face.nodes);
-        nodes.any(|n| distance(mesh.points[n as usize], at) <= reach && follows(&n))
+        let around = faces.filter(move |face| face.nodes.contains(&field.nodes[node]));
+        around.flat_map(|face| face.sides(&self.scene.mesh))
     }
 
     /// By how much the pressure rises, of itself, from a node to where a loaded edge beside it ceases to count, on the straight
@@ -227,16 +230,10 @@ impl Contact<'_> {
     /// See [`SHAPELESS`]; at a node.
     fn shapelessness(&self, field: &ContactField, node: usize) -> f64 {
         let (scene, pair) = (self.scene, &self.scene.contacts[self.pair]);
-        let (Some(surface), Ok(compliance)) = (scene.carrier(self.pair), scene.compliance(pair))
-        else {
+        let Ok(compliance) = scene.compliance(pair) else {
             return 0.0;
         };
-        let faces = surface
-            .faces
-            .iter()
-            .filter(|face| face.nodes.contains(&field.nodes[node]));
-        let sides = faces.flat_map(|face| face.sides(&scene.mesh));
-        let side = sides.fold(f64::INFINITY, f64::min);
+        let side = self.sides_around(field, node).fold(f64::INFINITY, f64::min);
         field.sagitta[node] / (compliance * field.pressure[node] * side)
     }
 }

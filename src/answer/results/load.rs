@@ -253,7 +253,8 @@ pub fn along(scene: &Scene, state: &State) -> [f64; 3] {
 
 /// Unit vector along the largest single load that acts in `state`, what others push across it; that of [`along`] where none is large.
 pub fn main_direction(scene: &Scene, state: &State) -> [f64; 3] {
-    largest_now(scene, state).map_or_else(
+    let force = largest_now(scene, state).filter(|force| norm(*force) > least(scene));
+    force.map_or_else(
         || along(scene, state),
         |force| scale(force, 1.0 / norm(force)),
     )
@@ -263,7 +264,7 @@ pub fn main_direction(scene: &Scene, state: &State) -> [f64; 3] {
 fn largest_now(scene: &Scene, state: &State) -> Option<[f64; 3]> {
     let now = |load: Load| scale(load.force, scene.factor(load.name, state.step, state.time));
     let forces = loads(scene).into_iter().map(now).chain(moved(scene, state));
-    largest(scene, forces, gross_now(scene, state)).filter(|force| norm(*force) > least(scene))
+    largest(scene, forces, gross_now(scene, state))
 }
 
 /// Size of a resultant that has a direction. Below it a reaction is what the residual leaves.

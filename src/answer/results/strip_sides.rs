@@ -29,15 +29,10 @@ impl StripSides {
     /// Those of a contact pair, at a row of a strip along `axis`.
     pub fn of(scene: &Scene, pair: &ContactPair, (axis, row): (usize, &StripRow)) -> Self {
         let cut = across(scene, axis).filter(|_| row.mirrored);
+        let of_surface = |surface| Side::of(&scene.mesh, surface, (axis, row), cut);
         let side = |side: &Partner| {
-            let surface = match side {
-                Partner::Plane { .. } => None,
-                Partner::Surface(name) => scene.mesh.surface(name),
-            };
-            match surface {
-                Some(surface) => Side::of(&scene.mesh, surface, (axis, row), cut),
-                None => Side::plane(),
-            }
+            side.surface(&scene.mesh)
+                .map_or_else(Side::plane, of_surface)
         };
         Self {
             sides: [side(&pair.upper), side(&pair.lower)],

@@ -64,19 +64,40 @@ pub(super) fn check_mirrors(
             let help = format!("mesh it up to {letter} = 0, or drop \"{letter}\" from `symmetry`");
             return refuse(message, help);
         }
-        for support in &loads.supports {
-            let nodes = mesh.nodes_of_surface(&support.value.surface);
-            let in_plane = nodes.iter().map(|node| &mesh.points[*node as usize]);
-            let mut in_plane = in_plane.filter(|at| at[axis].abs() <= near);
-            let moves = |at| (support.value.displacement(axis, at)).is_some_and(|u| u != 0.0);
-            if in_plane.any(moves) {
-                let why = format!(
-                    "it moves nodes in the plane of symmetry {letter} = 0 along {letter}, which symmetry holds"
-                );
-                let help =
-                    format!("drop \"{letter}\" from `symmetry`, and mesh the other half too");
-                return Err(support.place.error(ErrorKind::Conflict, why).help(help));
-            }
+        check_loads_in_plane(loads, mesh, axis)?;
+    }
+    Ok(())
+}
+
+/// Nothing moves or presses what lies in the plane of symmetry across `axis`: there the model goes on.
+fn check_loads_in_plane(loads: &Loads, mesh: &Mesh, axis: usize) -> Result<(), CaseError> {
+    let letter = AXES[axis];
+    let near = OFF_PLANE * mesh.extent(axis);
+    let is_in_plane = |node: &u32| mesh.points[*node as usize][axis].abs() <= near;
+    for support in &loads.supports {
+        let nodes = mesh.nodes_of_surface(&support.value.surface);
+        let in_plane = nodes.iter().filter(|node| is_in_plane(node));
+        let mut in_plane = in_plane.map(|node| &mesh.points[*node as usize]);
+        let moves = |at| (support.value.displacement(axis, at)).is_some_and(|u| u != 0.0);
+        if in_plane.any(moves) {
+            let why = format!(
+                "it moves nodes in the plane of symmetry {letter} = 0 along {letter}, which symmetry holds"
+            );
+            let help = format!("drop \"{letter}\" from `symmetry`, and mesh the other half too");
+            return Err(support.place.error(ErrorKind::Conflict, why).help(help));
+        }
+    }
+    for traction in &loads.tractions {
+        let surface = mesh.surface(&traction.value.surface);
+        let mut faces = surface.into_iter().flat_map(|surface| &surface.faces);
+        if faces.any(|face| face.nodes.iter().all(is_in_plane)) {
+            let why = format!(
+                "it acts on faces in the plane of symmetry {letter} = 0, where the other half begins: these are inside the whole"
+            );
+            let help = format!(
+                "name a surface without them, or drop \"{letter}\" from `symmetry` if the body ends there"
+            );
+            return Err(traction.place.error(ErrorKind::Conflict, why).help(help));
         }
     }
     Ok(())

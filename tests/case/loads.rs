@@ -99,6 +99,9 @@ fn a_mesh_ends_in_its_plane_of_symmetry_and_is_held_there() {
     );
     let error = render(&good(&moved).scene(blocks()).unwrap_err());
     assert!(error.contains("which symmetry holds"), "{error}");
+    let pressed = format!("{half}[[pressure]]\nsurface = \"side\"\nvalue = \"1 MPa\"\n");
+    let error = render(&good(&pressed).scene(blocks()).unwrap_err());
+    assert!(error.contains("inside the whole"), "{error}");
 }
 
 #[test]

@@ -298,7 +298,7 @@ fn rigid_planes_tractions_and_steps() {
     let text = format!(
         "{SCENE}[[rigid_plane]]\nname = \"lid\"\nsurface = \"top\"\nfixed = \"x\"\n\
          displacement = {{ y = \"1 µm\" }}\nforce = {{ z = \"-2 kN\" }}\n\
-         [[traction]]\nname = \"shear\"\nsurface = \"side\"\nvalue = [1, \"2 kPa\", 0]\n\
+         [[traction]]\nname = \"shear\"\nsurface = \"upper_face\"\nvalue = [1, \"2 kPa\", 0]\n\
          [[step]]\nname = \"push\"\n\
          [[step]]\nname = \"release\"\nfactor = 0.5\nfactors = {{ lid = \"10 %\" }}\n"
     );

@@ -229,6 +229,8 @@ mod tests {
             "2 N*mm^-2",
             "2N/mm/mm",
             "2 N·mm^-2",
+            "2 N mm^-2",
+            "2 N / mm / mm",
             "2 MPa",
         ] {
             assert_eq!(value(text, MmNMPa, Dimension::STRESS), 2.0, "{text}");
@@ -246,6 +248,8 @@ mod tests {
             wrong("3 ksi", Dimension::LENGTH),
             "`3 ksi` is a stress; a length is wanted: in, ft, mil, m, cm, mm, µm"
         );
+        let area = wrong("3 in in", Dimension::LENGTH);
+        assert!(area.contains("is an area; a length is wanted"), "{area}");
         assert!(wrong("3", Dimension::LENGTH).contains("has no unit; a length is wanted"));
         assert!(wrong("3 mpa", Dimension::STRESS).ends_with("did you mean `MPa`?"));
         assert!(wrong("3 furlong", Dimension::LENGTH).contains("`furlong` is not known"));
@@ -258,7 +262,7 @@ mod tests {
             );
         }
         for text in [
-            "3 in^", "3 in^9", "3 /in", "3 in/", "3 ^2", "0,75 in", "1.2.3 in", "3 in in",
+            "3 in^", "3 in^9", "3 /in", "3 in/", "3 ^2", "0,75 in", "1.2.3 in",
         ] {
             assert!(
                 wrong(text, Dimension::LENGTH).contains("not known"),

@@ -99,15 +99,19 @@ pub(super) const SYMBOLS: [&str; 30] = [
     "degF", "%",
 ];
 
-/// The terms of an expression such as `kip/in^2`, `N/mm²` or `kN·m`; on failure the symbol that
+const OPERATORS: [char; 4] = ['/', '*', '·', '⋅'];
+
+/// The terms of an expression such as `kip/in^2`, `N/mm²`, `kN·m` or `kN m`; on failure the symbol that
 /// is not known.
 pub(super) fn expression(text: &str) -> Result<Vec<Term>, String> {
     let mut terms = Vec::new();
     let mut sign = 1;
     let mut rest = text.trim();
     loop {
-        let end = rest.find(['/', '*', '·', '⋅']).unwrap_or(rest.len());
-        let factor = rest[..end].trim();
+        let is_sign = |c: char| OPERATORS.contains(&c);
+        let ends = |c: char| is_sign(c) || c.is_whitespace();
+        let end = rest.find(ends).unwrap_or(rest.len());
+        let (factor, after) = (&rest[..end], rest[end..].trim_start());
         // As in 1/K.
         let is_one = factor == "1" && terms.is_empty();
         let (name, power) = split_power(factor).ok_or_else(|| factor.to_string())?;
@@ -120,11 +124,11 @@ pub(super) fn expression(text: &str) -> Result<Vec<Term>, String> {
             power: t.power * power * sign,
             ..t
         }));
-        let Some(operator) = rest[end..].chars().next() else {
+        if after.is_empty() {
             return Ok(terms);
-        };
-        sign = if operator == '/' { -1 } else { 1 };
-        rest = &rest[end + operator.len_utf8()..];
+        }
+        sign = if after.starts_with('/') { -1 } else { 1 };
+        rest = after.strip_prefix(is_sign).unwrap_or(after).trim_start();
     }
 }
 

@@ -184,3 +184,56 @@ fn the_error_of_increments_is_known_where_flow_turns() {
     let both = [&fine, &coarse].map(estimate);
     assert!(both[0] < 0.25 * both[1], "{both:?}");
 }
+
+/// A block that sticks to a rigid plane everywhere is one that is fixed there. Only its nodes in contact are left of it where
+/// elastic parts are condensed, and none of them moves.
+#[test]
+fn a_block_that_sticks_all_over_is_a_fixed_one() {
+    let block = || {
+        let axes = [(8, 20.0), (4, 10.0), (3, 5.0)].map(|(cells, to)| uniform(0.0, to, cells));
+        let [x, y, z] = axes;
+        Block::new("block", x, y, z).build().unwrap()
+    };
+    let traction = |name: &str, value| Traction {
+        name: name.into(),
+        surface: "z_max".into(),
+        value,
+    };
+    let solved = |sticks: bool| {
+        let mut s = scene(block(), Steel::elastic(210e3, 0.3));
+        if sticks {
+            let plane = Partner::Plane {
+                point: [0.0; 3],
+                normal: [0.0, 0.0, 1.0],
+            };
+            s.contacts = vec![ContactPair {
+                name: "foot".into(),
+                upper: Partner::Surface("z_min".into()),
+                lower: plane,
+                carrier: Side::Upper,
+                friction: 2.0,
+                penalty_factor: 1.0,
+                true_geometry: true,
+            }];
+        } else {
+            s.supports = vec![Support {
+                components: [Some(0.0); 3],
+                ..held("z_min", 2)
+            }];
+        }
+        s.tractions = vec![
+            traction("press", TractionValue::Pressure(10.0)),
+            traction("push", TractionValue::Vector([-1.0, 0.0, 0.0])),
+        ];
+        s.steps = vec![Step::to("load", 1.0)];
+        let solution = solve(&mut s, &mut Silent).unwrap();
+        solution.states.last().unwrap().displacement.clone()
+    };
+    let [stuck, fixed] = [true, false].map(solved);
+    let size = |u: &[f64; 3]| u.iter().map(|v| v.abs()).fold(0.0, f64::max);
+    let largest = fixed.iter().map(size).fold(0.0, f64::max);
+    for (a, b) in stuck.iter().zip(&fixed) {
+        let off = size(&[a[0] - b[0], a[1] - b[1], a[2] - b[2]]);
+        assert!(off < 1e-8 * largest, "{off} of {largest}");
+    }
+}

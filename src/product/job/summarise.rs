@@ -16,6 +16,7 @@ use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::model::state::turn::{FAR, largest_turn};
 use crate::render::summary::{Counters, Timing};
+use crate::render::text::significant;
 use crate::render::warnings::{Warning, warnings};
 use crate::render::{OutputError, Summary};
 use crate::solver::solve::{self, Phase, Solution, Timers};
@@ -66,7 +67,14 @@ pub fn summarise(
     ];
     let found = found.into_iter().flatten();
     let welds = welds::in_contact(scene);
-    warnings.extend(told.chain(found).chain(welds).map(Warning));
+    let overlaps = solution.overlapping.iter().map(|(name, overlap)| {
+        let (overlap, unit) = (significant(*overlap, 3), case.units.length());
+        format!(
+            "{name}: the surfaces overlap by {overlap} {unit} before the load, and press as an interference fit does"
+        )
+    });
+    let all = told.chain(found).chain(welds).chain(overlaps);
+    warnings.extend(all.map(Warning));
     let sizing = sizing::sizing(case, scene, &answer)?;
     Ok(Summary {
         case: case.title.clone(),

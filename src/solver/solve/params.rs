@@ -86,7 +86,14 @@ pub const FIRST_LIKELY_GAP: f64 = 2e-4;
 /// Both over the largest displacement that is prescribed.
 pub const REACH_OVER_TRAVEL: f64 = 2.0;
 
+/// Of the size of the scene, an initial gap that is none but for rounding.
+pub const ROUNDED_GAP: f64 = 1e-9;
+
 // --- Newton's method ----------------------------------------------------------------------------------------------
+
+/// Of the forces with which contact presses, what counts as load where the load is less: with a residual of 1e-8 balance is then
+/// asked for to eleven digits of these forces, as many as soft and hard bodies together leave of sixteen.
+pub const PRESSED_DIGITS: f64 = 1e-3;
 
 /// Iterations after which stick and slip that have not settled are solved with caution.
 pub const ITERATIONS_BEFORE_CAUTION: usize = 25;

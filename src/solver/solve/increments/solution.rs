@@ -26,8 +26,8 @@ pub struct Solution {
     pub counters: Counters,
     /// Bodies that were moved into touch before the load.
     pub closings: Vec<Closing>,
-    /// Contact pairs that never came within reach of each other.
-    pub untouched: Vec<String>,
+    /// Contact pairs whose surfaces overlap before the load, and by how much where they do most.
+    pub overlapping: Vec<(String, f64)>,
     /// Were all steps finished, or all but the taking off of the load?
     pub complete: bool,
     /// Was one half of it solved, as it is its own image under a half turn?

@@ -10,7 +10,9 @@ use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::increments::solution::{Solution, Unfinished};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::observer::Observer;
+use crate::solver::solve::params::ROUNDED_GAP;
 use crate::solver::solve::rows::contact_rows::{contact_rows, sights};
+use crate::solver::solve::rows::least_gaps::LeastGaps;
 use crate::solver::solve::start::close_gaps::{Closing, touch};
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::ties::unknowns::tied;
@@ -98,8 +100,7 @@ fn solve_touching(
         run.counters.equations,
         1e-9 * run.model.memory
     ));
-    let untouched = run.untouched();
-    for name in &untouched {
+    for name in run.untouched() {
         run.observer
             .message(&format!("contact pair {name}: nothing is within reach"));
     }
@@ -107,7 +108,9 @@ fn solve_touching(
     let stuck = ended.as_ref().err().and_then(|error| run.stuck(error));
     let ended = if stuck.is_some() { Ok(true) } else { ended };
     let stays = run.stays();
+    let overlapping = overlapping(&run.model);
     let solution = Solution {
+        overlapping,
         states: run.states,
         last: run.last,
         elastic: run.beside.elastic.map(|kept| kept.restore(&run.model)),
@@ -123,7 +126,6 @@ fn solve_touching(
         counters: run.counters,
         closings,
         half_turn: false,
-        untouched,
         complete: matches!(ended, Ok(true)),
         stuck,
     };
@@ -134,4 +136,15 @@ fn solve_touching(
             solution: (!solution.last.displacement.is_empty()).then(|| Box::new(solution)),
         }),
     }
+}
+
+/// See [`Solution::overlapping`]. What is moved into touch overlaps by rounding.
+fn overlapping(model: &Model) -> Vec<(String, f64)> {
+    let nothing = ROUNDED_GAP * extent(model.scene);
+    let least = LeastGaps::of(&model.rows);
+    let pairs = model.scene.contacts.iter().zip(least.each());
+    let overlaps = pairs.filter(|(_, gap)| *gap < -nothing);
+    overlaps
+        .map(|(pair, gap)| (pair.name.clone(), -gap))
+        .collect()
 }

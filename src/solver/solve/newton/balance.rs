@@ -30,7 +30,8 @@ use crate::solver::solve::params::{
     CAUTIOUS_SHEAR_RESIDUAL, CONTACT_HAS_GROWN, CONTACT_HAS_OPENED, CONTACT_OUTGROWN,
     CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE, EARLY_LOOK_RESIDUAL, FLOWING_CORRECTION,
     ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION,
-    PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, ROUGH_BALANCE, RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
+    PRESSED_DIGITS, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, ROUGH_BALANCE, RUNAWAY_EXTENTS,
+    TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::working_set::flow::{Ahead, unexpected_flow};
@@ -59,7 +60,10 @@ pub fn balance_increment(
     let enough = roughness * controls.residual;
     let mut looked = false;
     let external = model.external(point, &history.settled);
-    let reference = model.reference.max(f64::MIN_POSITIVE);
+    let least = model.reference.max(f64::MIN_POSITIVE);
+    // An interference fit presses whatever the load is: next to none is in balance to the digits of what presses.
+    let reference =
+        |evaluation: &Evaluation| least.max(PRESSED_DIGITS * pressing(model, evaluation));
     let limit = RUNAWAY_EXTENTS * extent(model.scene);
     let mut last = Iteration {
         step: point.step,
@@ -106,7 +110,7 @@ pub fn balance_increment(
             flowing: flowing.clone(),
         };
         // 1. The correction, as exact as the residual will need it.
-        let residual = norm(&evaluation.residual) / reference;
+        let residual = norm(&evaluation.residual) / reference(&evaluation);
         let begun = *progress.begun.get_or_insert(residual);
         let mut tolerance =
             (CORRECTION_TOLERANCE * enough / residual).clamp(TIGHTEST_CORRECTION, loosest);
@@ -139,6 +143,7 @@ pub fn balance_increment(
         point.x = step(last.line_search);
         counters.iterations += 1;
         last.iteration += 1;
+        let reference = reference(&evaluation);
         last.energy = start.abs() / (reference * norm(&point.x)).max(f64::MIN_POSITIVE);
         (last.directions, last.refactored) = (directions, refactored);
         if let Some((node, axis)) = runaway(model, &point.x, limit) {
@@ -209,6 +214,13 @@ pub fn balance_increment(
         }
         evaluation = evaluate(point, (&point.x, flows), counters);
     }
+}
+
+/// Norm of the forces with which contact presses.
+fn pressing(model: &Model, evaluation: &Evaluation) -> f64 {
+    let rows = model.rows.iter().zip(&evaluation.contact);
+    let forces = rows.map(|(row, answer)| row.row.area * answer.traction[0]);
+    forces.map(|force| force * force).sum::<f64>().sqrt()
 }
 
 fn closed_nodes(point: &Point) -> usize {

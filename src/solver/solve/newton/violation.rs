@@ -9,6 +9,9 @@ use crate::solver::solve::observer::Iteration;
 
 /// Largest violation of a contact condition, as a length over the largest displacement: closure
 /// of a closed node, slip of a sticking one.
+///
+/// Where elastic parts are condensed only nodes in contact may be left, and these rest where all of them stick to a
+/// rigid plane. The bodies give way all the same: what the largest pressure does to its node is a displacement, too.
 pub fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
     let worst = violations(model, point, evaluation).fold(0.0, f64::max);
     let moved = |axes: &[u32; 3]| {
@@ -18,6 +21,9 @@ pub fn violation(model: &Model, point: &Point, evaluation: &Evaluation) -> f64 {
     let travel = (model.dofs.equations.iter().map(moved))
         .fold(0.0, f64::max)
         .sqrt();
+    let pressed = model.rows.iter().zip(&evaluation.contact);
+    let gives_way = pressed.map(|(row, answer)| answer.traction[0] / row.law.stiffness);
+    let travel = gives_way.fold(travel, f64::max);
     if worst == 0.0 {
         0.0
     } else {

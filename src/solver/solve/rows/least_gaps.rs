@@ -18,6 +18,11 @@ impl LeastGaps {
         Self(least)
     }
 
+    /// That of each pair, in their order; infinite where a pair has no row.
+    pub fn each(&self) -> impl Iterator<Item = f64> {
+        self.0.iter().copied()
+    }
+
     /// The initial gap of a row of these pairs over the least one of its pair.
     pub fn beyond(&self, row: &ContactRow) -> f64 {
         row.row.gap - self.0[row.pair]

@@ -2,12 +2,13 @@
 //! length that the run found.
 
 use super::error::JobError;
+use super::rollers::bearing_length;
 use crate::analytic::DomainError;
 use crate::analytic::hertz::{LineContact, PointContact};
 use crate::analytic::subsurface::LineField;
 use crate::answer::Answer;
 use crate::answer::certify::{Figure, Quantity};
-use crate::case::bearing::Seat;
+use crate::case::bearing::{Dimensions, Seat};
 use crate::case::{BearingCase, Case};
 use crate::ground::units::UnitLabels;
 use crate::model::scene::{ContactPair, Scene};
@@ -53,9 +54,8 @@ pub fn hand_checks(
         let lines = lines.filter(|line| line.interface == pair.name && !line.merged);
         let heaviest = lines.max_by(|a, b| a.peak_line_load.total_cmp(&b.peak_line_load));
         let Some(line) = heaviest else { continue };
-        let length = bearing.map(|bearing| bearing.geometry.length());
-        let even = seat.as_ref().zip(length);
-        checks.extend(even.and_then(|(seat, length)| hand.even(seat, length, line)));
+        let even = seat.as_ref().zip(bearing);
+        checks.extend(even.and_then(|(seat, bearing)| hand.even(seat, &bearing.geometry, line)));
         checks.extend(hand.hertz(line).map_err(no_form)?);
     }
     Ok(checks)
@@ -94,22 +94,27 @@ impl ByHand<'_> {
     }
 
     /// The even load per length of a line of a centred bearing: on the flat one line has all, in a V two share.
-    fn even(&self, seat: &Seat, length: f64, line: &SizedLine) -> Option<HandCheck> {
+    fn even(&self, seat: &Seat, geometry: &Dimensions, line: &SizedLine) -> Option<HandCheck> {
         let alone = !seat.is_valley() && seat.sharing == 1;
         if !seat.determinate || !(alone || self.shared) {
             return None;
         }
         let load = self.answer.applied_load;
-        let numbers = format!("P = {}, L' = {}", number(load), number(length));
+        let length = bearing_length(geometry);
+        let bears = match geometry.offset() {
+            0.0 => "L'",
+            _ => "(L' - 2 D_r)",
+        };
+        let numbers = format!("P = {}, {bears} = {}", number(load), number(length));
         let (formula, by_hand, differs) = match (seat.is_valley(), seat.sharing) {
             (true, _) => (
-                format!("P / 2 L' cos θ, {numbers}"),
+                format!("P / 2 {bears} cos θ, {numbers}"),
                 load / (2.0 * length * seat.slope.cos()),
                 FRICTION,
             ),
-            (false, 1) => (format!("P / L', {numbers}"), load / length, ROUNDING),
+            (false, 1) => (format!("P / {bears}, {numbers}"), load / length, ROUNDING),
             (false, n) => (
-                format!("P / {n} L', {numbers}"),
+                format!("P / {n} {bears}, {numbers}"),
                 load / (n as f64 * length),
                 ROUNDING,
             ),

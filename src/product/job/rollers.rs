@@ -6,7 +6,7 @@
 use crate::analytic::rules::{RuleInput, RuleSteel};
 use crate::analytic::sizing::effective_length;
 use crate::answer::{InterfaceFigures, LineFigures};
-use crate::case::bearing::Seat;
+use crate::case::bearing::{Dimensions, Seat};
 use crate::case::{BearingCase, Case, CaseError, Kind, Steels};
 use crate::ground::geometry::{AXES, range};
 use crate::ground::units::UnitSystem;
@@ -76,9 +76,13 @@ fn of_bearing(
             mating_diameter: (seat.curvature != 0.0).then(|| -2.0 / seat.curvature),
             ..RuleInput::new(units, g.diameter(), g.length(), sides)
         },
-        // Displaced by more than half of its length no part of a roller is left that (2-51) would count.
-        effective: effective_length(g.length(), g.offset()).unwrap_or(g.length()),
+        effective: bearing_length(g),
     })
+}
+
+/// The length over which a displaced roller bears, (2-51); all of it where, displaced by more than half, that leaves none.
+pub fn bearing_length(geometry: &Dimensions) -> f64 {
+    effective_length(geometry.length(), geometry.offset()).unwrap_or(geometry.length())
 }
 
 fn steel(steels: &Steels, body: &str) -> Result<RuleSteel, CaseError> {
@@ -154,7 +158,9 @@ pub fn is_merged(
 /// Does a centred roller rest in its valley on one line, where it has two slopes to rest on?
 fn rests_on_one(seat: &Seat, interface: &InterfaceFigures, line: &LineFigures) -> bool {
     let outermost = seat.lines.last().copied().unwrap_or(0.0);
-    // Beside each other by less than the nodes are, one of them may stand for both at its own place.
+    // Beside each other by less than the nodes are, one of them may stand for both at its own place. One whose strip ends before the
+    // bottom of the valley is alone there: an eccentric load presses on one slope.
     let lines: usize = interface.lines.iter().map(|line| line.images).sum();
-    seat.is_valley() && (lines == 1 || line.across.abs() < 0.5 * outermost)
+    let off = line.across.abs();
+    seat.is_valley() && (off < 0.5 * outermost || (lines == 1 && off < line.half_width))
 }

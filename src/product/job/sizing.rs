@@ -5,7 +5,7 @@
 //! and under its even one. A line that misses is told, and decides nothing.
 
 use super::error::JobError;
-use super::rollers::{Span, is_merged};
+use super::rollers::{Span, bearing_length, is_merged};
 use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::rules::{RuleVerdict, Standing};
@@ -52,9 +52,9 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
                     let Some(seat) = bearing.seat(name) else {
                         continue;
                     };
-                    let length = bearing.geometry.length();
-                    let from_end = (0.5 * length - line.peak_at.abs()).max(0.0);
-                    (seat.radius, [length, from_end])
+                    let g = &bearing.geometry;
+                    let from_end = (0.5 * g.length() - line.peak_at.abs()).max(0.0);
+                    (seat.radius, [bearing_length(g), from_end])
                 }
                 (Kind::General(_), Some(radius)) => {
                     (radius, [span.length(), span.distance_to_end(line.peak_at)])
@@ -71,13 +71,19 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
         let Some(bearing) = case.bearing() else {
             continue;
         };
-        let demanded = |rule: &SizingRule| rule.exact.required_diameter_times_length;
+        let used =
+            |rule: &SizingRule| rule.exact.required_diameter_times_length / rule.exact.provided;
         let Some(seat) = bearing.seat(name) else {
             continue;
         };
         let pair = pair(seat.radius)?;
-        if let Some(asked) = pair.rule(&seat, bearing)?
-            && (sizing.rule.as_ref()).is_none_or(|r| demanded(r) < demanded(&asked))
+        // Rollers side by side share the load as balance has it, not evenly.
+        let load = match seat.sharing {
+            1 => bearing.load,
+            _ => interface.pressure_integral,
+        };
+        if let Some(asked) = pair.rule(&seat, bearing, load)?
+            && (sizing.rule.as_ref()).is_none_or(|r| used(r) < used(&asked))
         {
             sizing.rule = Some(asked);
         }
@@ -146,7 +152,7 @@ impl SizedPair {
         &self,
         interface: &str,
         line: &LineFigures,
-        [roller, from_end]: [f64; 2],
+        [bears, from_end]: [f64; 2],
         (bar, merged): (Option<f64>, bool),
     ) -> Result<SizedLine, DomainError> {
         let peak = self.pressed(line.peak)?;
@@ -181,12 +187,17 @@ impl SizedPair {
             error,
             met,
             verdict,
-            even: self.pressed(force / roller)?,
+            even: self.pressed(force / bears)?,
         })
     }
 
-    /// (2-50) and (2-51) for one roller under the whole load.
-    fn rule(&self, seat: &Seat, bearing: &BearingCase) -> Result<Option<SizingRule>, DomainError> {
+    /// (2-50) and (2-51) for one roller under its load.
+    fn rule(
+        &self,
+        seat: &Seat,
+        bearing: &BearingCase,
+        load: f64,
+    ) -> Result<Option<SizingRule>, DomainError> {
         let Some(yield_stress) = self.yield_stress else {
             return Ok(None);
         };
@@ -194,7 +205,6 @@ impl SizedPair {
         let modulus = equivalent_modulus(self.compliance)?;
         // On a curved plate as on a flat one of the same effective radius.
         let (diameter, length, offset) = (2.0 * seat.radius, g.length(), g.offset());
-        let load = bearing.load / seat.sharing as f64;
         let effective = effective_length(length, offset)?;
         let demand = |constants: Constants| -> Result<Demand, DomainError> {
             let required = constants.required_diameter_times_length(load, modulus, yield_stress)?;
@@ -284,7 +294,10 @@ mod tests {
         let pressed = pair.pressed(8.0).unwrap();
         assert_eq!((pressed.utilisation, pressed.met), (None, None));
         let bearing = shipped("initial-centre.toml");
-        assert_eq!(pair.rule(&bearing.seats()[0], &bearing), Ok(None));
+        assert_eq!(
+            pair.rule(&bearing.seats()[0], &bearing, bearing.load),
+            Ok(None)
+        );
         // Beside steel that yields, that one sets the limit.
         let pair = of_steels([Some(&elastic), Some(&STEEL)]);
         assert_eq!(pair.limit(), Some(165.0));
@@ -294,10 +307,8 @@ mod tests {
     #[test]
     fn the_initial_design_meets_the_rule_as_printed_only() {
         let pair = of_steels([Some(&STEEL); 2]);
-        let rule = pair.rule(
-            &shipped("initial-centre.toml").seats()[0],
-            &shipped("initial-centre.toml"),
-        );
+        let bearing = shipped("initial-centre.toml");
+        let rule = pair.rule(&bearing.seats()[0], &bearing, bearing.load);
         let rule = rule.unwrap().unwrap();
         let demands = [rule.printed, rule.exact];
         for (demand, required) in demands.iter().zip([23.969, 24.636]) {
@@ -316,10 +327,9 @@ mod tests {
             ("revised-offset-1.25.toml", 24.0, true),
             ("revised-offset-2.5.toml", 16.5, false),
         ] {
-            let rule = pair
-                .rule(&shipped(name).seats()[0], &shipped(name))
-                .unwrap()
-                .unwrap();
+            let bearing = shipped(name);
+            let rule = pair.rule(&bearing.seats()[0], &bearing, bearing.load);
+            let rule = rule.unwrap().unwrap();
             assert_eq!((rule.printed.provided, rule.printed.met), (provided, met));
             let asked = rule.printed.required_diameter_times_length / 3.0 + 2.0 * rule.displacement;
             assert!((rule.printed.required_length - asked).abs() < 1e-12);

@@ -100,7 +100,7 @@ pub struct SizedLine {
     pub met: Option<bool>,
     /// What (2-49) says, as far as p0 is known.
     pub verdict: Option<RuleVerdict>,
-    /// The same for the force of the line spread evenly over the length of the roller.
+    /// The same for the force of the line spread evenly over the length that bears, less 2 D_r of a displaced roller, (2-51).
     pub even: EvenLoad,
 }
 

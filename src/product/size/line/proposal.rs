@@ -149,7 +149,13 @@ fn assumptions(request: &LineRequest) -> Vec<SizingAssumption> {
                 .wall
                 .map_or("solid".to_owned(), |wall| format!("{wall} D")),
             request.wall.is_some(),
-            "rollers without a bore, unless a wall is given",
+            match request.wall {
+                Some(_) => {
+                    "the limit is of solid rollers, and a wall bends as a ring: below 0.25 D section 2.6.2 asks for a \
+                            finite-element analysis, as --verify makes"
+                }
+                None => "rollers without a bore, unless a wall is given",
+            },
         ),
         entry(
             "--plate",

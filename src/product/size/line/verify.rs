@@ -119,7 +119,9 @@ pub fn verify(
     let found = Placed::new((NAME, 0.0), &limits, &case, &outcome);
     let advised_margin = found.misses().then(|| {
         let worst = short_by_at_most(std::slice::from_ref(&found));
-        (100.0 * request.margin.value * worst * worst * MARGIN_ON_ADVICE).ceil() / 100.0
+        // A given length may have more margin than was asked for.
+        let margin = request.margin.value * candidate.length / candidate.required_length;
+        (100.0 * margin * worst * worst * MARGIN_ON_ADVICE).ceil() / 100.0
     });
     let verdict = LineVerdict {
         met: found.met(),

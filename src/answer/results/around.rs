@@ -2,7 +2,7 @@
 
 use super::curvature::{Curvature, curvature};
 use super::hex::GaussRule;
-use super::means::mises_of_means;
+use super::means::stress_of_means;
 use super::recovery::Recovered;
 use super::tensor::mises;
 use crate::ground::geometry::{Vec3, bounds};
@@ -16,7 +16,8 @@ pub struct Around {
     /// By how much the largest value that an element extrapolates to the node exceeds the average there; zero where only one
     /// element meets there.
     pub jump: f64,
-    /// How far the value that the means of the elements around tend to is from that of the node.
+    /// How far the stress that the means of the elements around tend to is from that of the node: by Mises stress, or by most of
+    /// the Mises stress of the difference if that is more.
     pub means: f64,
     /// By how much the smallest nodal value of these elements is below that of the node.
     pub fall: f64,
@@ -31,6 +32,17 @@ pub struct Around {
     pub extent: Vec3,
 }
 
+/// Share of the Mises stress of the difference of two stresses that counts as the distance of their Mises stresses where these are
+/// nearer: where stresses superpose, such as pressure in a tube with tension along it, two stresses that are both wrong may have
+/// the same Mises stress by chance. (Of 199 drawn tubes under pressure within, without and along them 23 were outside their
+/// bars without it, 5 are with it, all of them with two elements through the wall.)
+const APART: f64 = 0.6;
+
+fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
+    let difference = std::array::from_fn(|k| a[k] - b[k]);
+    (mises(a) - mises(b)).abs().max(APART * mises(&difference))
+}
+
 /// What is around the nodal peak of `body`, a node and its value; `is_beside` tells which places are beside an edge,
 /// and `is_coarse` which beside one whose faces are longer than its stress reaches.
 pub(super) fn around(
@@ -42,12 +54,12 @@ pub(super) fn around(
     (is_beside, is_coarse): (impl Fn(&Vec3) -> bool, impl Fn(&Vec3) -> bool),
 ) -> Around {
     let node_of = |point: u32| recovered.points.node[point as usize] as usize;
-    let at_node = |element: usize| {
+    let corner_at_node = |element: usize| {
         let points = &recovered.points.cells[element];
         let corner = points.iter().position(|point| node_of(*point) == node)?;
         Some((element, corner))
     };
-    let elements: Vec<(usize, usize)> = body.elements.clone().filter_map(at_node).collect();
+    let elements: Vec<(usize, usize)> = body.elements.clone().filter_map(corner_at_node).collect();
     let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
     let mut extent = [0.0; 3];
     let mut rises_to_long_faces = false;
@@ -68,11 +80,15 @@ pub(super) fn around(
             rises_to_long_faces |= value > peak && is_coarse(at);
         }
     }
+    let at_node = elements.first().map(|(element, corner)| {
+        let point = recovered.points.cells[*element][*corner];
+        recovered.nodal_stress[point as usize]
+    });
     let own: Vec<usize> = elements.iter().map(|(element, _)| *element).collect();
-    let of_means = mises_of_means((scene, body), (state, recovered), node, &own);
+    let of_means = stress_of_means((scene, body), (state, recovered), node, &own);
     Around {
         jump: extrapolated - peak,
-        means: of_means.map_or(0.0, |of_means| (of_means - peak).abs()),
+        means: of_means.zip(at_node).map_or(0.0, |(a, b)| apart(&a, &b)),
         fall: peak - smallest,
         border: beside - peak,
         rises_to_long_faces,

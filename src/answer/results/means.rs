@@ -6,7 +6,6 @@
 //! node (as in the recovery from patches of Zienkiewicz and Zhu, Int. J. Numer. Meth. Engng 33 (1992) 1331).
 
 use super::recovery::{Recovered, mirrored};
-use super::tensor::mises;
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -27,13 +26,13 @@ struct Mean {
     is_own: bool,
 }
 
-/// The Mises stress at a `node` of `body`, the elements `own` of which meet there; `None` where these have no volume.
-pub(super) fn mises_of_means(
+/// The stress at a `node` of `body`, the elements `own` of which meet there; `None` where these have no volume.
+pub(super) fn stress_of_means(
     (scene, body): (&Scene, &Body),
     (state, recovered): (&State, &Recovered),
     node: usize,
     own: &[usize],
-) -> Option<f64> {
+) -> Option<[f64; 6]> {
     let means = means((scene, body), (state, recovered), node, own)?;
     let count = means.len() as f64;
     let middle: Vector3<f64> = means.iter().map(|mean| mean.at).sum::<Vector3<f64>>() / count;
@@ -55,7 +54,7 @@ pub(super) fn mises_of_means(
         .map(at_node)
         .collect();
     let stress = there.iter().sum::<SVector<f64, 6>>() / there.len() as f64;
-    Some(mises(&stress.into()))
+    Some(stress.into())
 }
 
 /// Two rings of elements around the node, with their images beside the mirror planes through it.

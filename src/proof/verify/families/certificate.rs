@@ -4,6 +4,7 @@
 //! bearings, by the coverage suite.
 
 use super::hertz_sphere;
+use crate::analytic::ring::PolarStress;
 use crate::answer::certify::{Figure, Quantity, figure};
 use crate::answer::results::load::descent;
 use crate::answer::results::recovery::recover;
@@ -20,6 +21,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Of the tubes.
 const POISSON: f64 = 0.3;
+/// Along tubes, of the hoop stress at the bore.
+const PULLS: [f64; 5] = [-1.5, -0.5, 0.5, 1.1, 3.0];
 
 /// A figure of which the truth is known: what, where, and the truth.
 type KnownTruth<'a> = (Quantity, &'a str, f64);
@@ -28,6 +31,7 @@ pub fn claims(_: Extent) -> Result<Vec<LadderClaim>, VerifyError> {
     let mut claims = plane()?;
     claims.extend(sphere()?);
     claims.extend(tubes()?);
+    claims.extend(pulled_tubes()?);
     claims.extend(strips()?);
     Ok(claims)
 }
@@ -106,18 +110,8 @@ fn tubes() -> Result<Vec<LadderClaim>, VerifyError> {
             let stress = tube.elastic_stress(1.0, POISSON, 1.0)?;
             let known = [(Quantity::PeakMises, "tube", stress.mises())];
             for cells in [2, 3, 4, 8] {
-                let mesh = Block::new(
-                    "tube",
-                    uniform(1.0, outer, cells),
-                    uniform(0.0, FRAC_PI_2, 4 * cells),
-                    uniform(0.0, 0.1, 1),
-                );
-                let mesh = mesh.mapped(kit::quarter).build()?;
-                let mut scene = Scene::bare("tube", mesh, Steel::elastic(1e3, POISSON));
-                scene.controls.element = kind;
+                let mut scene = wall(kind, outer, cells)?;
                 scene.supports = kit::quarter_supports();
-                scene.tractions = vec![kit::pressure("x_min", 1.0)];
-                scene.steps = vec![Step::to("pressure", 1.0)];
                 let run = kit::run(scene)?;
                 let certificate = certified(&run)?;
                 let problem = format!("tube, b/a = {outer}, {name}, {cells} in the wall");
@@ -126,6 +120,49 @@ fn tubes() -> Result<Vec<LadderClaim>, VerifyError> {
         }
     }
     Ok(claims)
+}
+
+/// Tubes under internal pressure that are pulled or pushed along: errors of one stress may hide those of another in that of
+/// Mises.
+fn pulled_tubes() -> Result<Vec<LadderClaim>, VerifyError> {
+    let mut claims = Vec::new();
+    for outer in [1.5, 2.5] {
+        let tube = Tube::new(1.0, outer, BilinearSteel::new(1e3, 1.0, 0.0)?)?;
+        let bore = tube.elastic_stress(1.0, POISSON, 1.0)?;
+        for (cells, pull) in [3, 6].into_iter().flat_map(|n| PULLS.map(|pull| (n, pull))) {
+            let axial = pull * bore.hoop;
+            let truth = PolarStress { axial, ..bore }.mises();
+            let mut scene = wall(ElementKind::Bbar, outer, cells)?;
+            let mirrors = kit::quarter_supports().into_iter();
+            scene.supports = mirrors.filter(|held| held.surface != "z_max").collect();
+            let pull_along = kit::traction("pull", "z_max", [0.0, 0.0, axial]);
+            scene.tractions.push(pull_along);
+            let run = kit::run(scene)?;
+            let certificate = certified(&run)?;
+            let problem = format!(
+                "tube, b/a = {outer}, {cells} in the wall, pulled by {pull} of its hoop stress"
+            );
+            let known = [(Quantity::PeakMises, "tube", truth)];
+            claims.extend(judged(&problem, &run, &certificate, &known));
+        }
+    }
+    Ok(claims)
+}
+
+/// A quarter of a tube of the inner radius 1 under the pressure 1, with so many elements in its wall; nothing holds it yet.
+fn wall(kind: ElementKind, outer: f64, cells: usize) -> Result<Scene, VerifyError> {
+    let mesh = Block::new(
+        "tube",
+        uniform(1.0, outer, cells),
+        uniform(0.0, FRAC_PI_2, 4 * cells),
+        uniform(0.0, 0.1, 1),
+    );
+    let mesh = mesh.mapped(kit::quarter).build()?;
+    let mut scene = Scene::bare("tube", mesh, Steel::elastic(1e3, POISSON));
+    scene.controls.element = kind;
+    scene.tractions = vec![kit::pressure("x_min", 1.0)];
+    scene.steps = vec![Step::to("pressure", 1.0)];
+    Ok(scene)
 }
 
 /// A strip in plane strain that is held at one end and bent by a pressure, with one element in its height or a few.

@@ -37,6 +37,8 @@ pub(super) struct Contact<'a> {
     /// By which share the mesh makes the load too large, where a prescribed motion makes it; infinite where that is not
     /// known.
     pub too_stiff: f64,
+    /// By which share the travel of the load may be off: bodies that bend more or less than they should spread it otherwise.
+    pub travel_off: f64,
 }
 
 impl Contact<'_> {

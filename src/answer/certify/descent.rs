@@ -13,7 +13,7 @@ use crate::answer::results::load::{
 };
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strip_row::StripRow;
-use crate::ground::geometry::{cross, norm, sub};
+use crate::ground::geometry::{cross, dot, norm, sub};
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
 use crate::model::state::{Energy, State};
 use crate::solver::solve::overlap_at_touch;
@@ -154,6 +154,18 @@ impl Travel {
         })
     }
 
+    /// By which share of the value bodies that stay elastic may bend otherwise; all of it where nothing is known. Nothing where the travel
+    /// is prescribed.
+    pub(super) fn off(&self) -> f64 {
+        if self.missing.is_none() {
+            return 0.0;
+        }
+        self.known().map_or(1.0, |missing| {
+            let error = SPREAD * missing.estimate.abs() + missing.perhaps.abs();
+            (error / self.value()).abs().min(1.0)
+        })
+    }
+
     fn known(&self) -> Option<MissedByMesh> {
         let most = MOST_MISSING * self.of_mesh.abs();
         self.missing
@@ -268,9 +280,15 @@ impl Contacts<'_> {
             Some(norm(cross(arm, along)) * turned_by_place(line))
         };
         let of_plane = |plane: &RigidPlane| {
+            let surface = scene.mesh.surface(&plane.surface);
+            let body = surface.and_then(|surface| surface.body(&scene.mesh));
             let pairs = self.interfaces.iter().zip(self.lines);
-            let lines =
-                pairs.filter_map(|(interface, line)| of_pair(plane, interface, line.as_ref()?));
+            let lines = pairs.filter_map(|(interface, line)| {
+                let line = line.as_ref()?;
+                let is_braced =
+                    body.is_some_and(|body| self.rests_on_several(scene, (body, line.axis)));
+                of_pair(plane, interface, line).filter(|_| !is_braced)
+            });
             lines.sum::<f64>()
         };
         let planes = scene.rigid_planes.iter();
@@ -278,6 +296,25 @@ impl Contacts<'_> {
             .filter(|plane| plane.turns_freely())
             .map(of_plane)
             .sum()
+    }
+
+    /// Do several lines along `axis` press on a body side by side? They keep it from rolling about any of them.
+    fn rests_on_several(&self, scene: &Scene, (body, axis): (usize, usize)) -> bool {
+        let mut line_axis = [0.0; 3];
+        line_axis[axis] = 1.0;
+        let across = cross(direction(scene), line_axis);
+        let of_pair = |pair: usize| {
+            let line = self.lines.get(pair)?.as_ref()?;
+            let is_on_it = scene.contacts[pair]
+                .bodies(&scene.mesh)
+                .contains(&Some(body));
+            let at = dot(self.interfaces.get(pair)?.centre_of_force?, across);
+            (is_on_it && line.axis == axis).then(|| (at, line.line.heaviest.pressed_width()))
+        };
+        let lines: Vec<(f64, f64)> = (0..scene.contacts.len()).filter_map(of_pair).collect();
+        let beside =
+            |(at, width): &(f64, f64)| lines.iter().any(|other| (at - other.0).abs() > *width);
+        lines.iter().any(beside)
     }
 
     /// Is a body pressed along a long strip?

@@ -33,6 +33,11 @@ const KINK_AT_EDGE: f64 = 0.5;
 const HIDDEN: f64 = 0.3;
 /// Share of what a row alone differs from the mean with those beside it that is the error of that mean.
 const ALTERNATES: f64 = 0.5;
+/// Of what a line carries at most above what statics alone has there: share of the error of the travel, beyond [`TRAVEL`], that is its error. What bends
+/// along a line, as the wall of a hollow roller, makes one of the other.
+const BEND: f64 = 3.5;
+/// Relative error of a travel that strips and what is around them leave of it.
+const TRAVEL: f64 = 0.02;
 /// Error of a half-width, of itself, for a spacing of a at the edge; it falls with the square of the spacing.
 const WIDTH: f64 = 0.03;
 
@@ -96,7 +101,10 @@ impl Contact<'_> {
             _ => KINK * line.kink,
         };
         let own = coarseness(&line.line.heaviest) * LINE_LOAD + unseen(line) + edge;
-        own.max(HIDDEN * line.hidden) + ALTERNATES * line.alternates + self.too_stiff
+        own.max(HIDDEN * line.hidden)
+            + ALTERNATES * line.alternates
+            + self.too_stiff
+            + spread_otherwise(line, self.travel_off)
     }
 
     /// `None` where no curvature is known: it is read as of a pressure that is half an ellipse, and a flat face that presses evenly is
@@ -165,6 +173,13 @@ pub(super) fn turned_by_place(line: &HeaviestLine) -> f64 {
         let unplaced = (2.0 - hertz.half_width / spacing).clamp(WELL_PLACED, 1.0);
         ONE_ROW * unplaced * spacing / hertz.radius
     })
+}
+
+/// Relative error of the largest load per length where the travel of the load is `off` by that share of itself, see [`BEND`].
+pub(super) fn spread_otherwise(line: &HeaviestLine, off: f64) -> f64 {
+    let of_statics = line.line.of_statics().unwrap_or(line.line_load);
+    let by_bending = (1.0 - of_statics / line.line_load).max(0.0);
+    BEND * (off - TRAVEL).max(0.0) * by_bending
 }
 
 /// See [`UNSEEN`].

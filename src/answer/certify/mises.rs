@@ -21,6 +21,8 @@ const EXCEEDED: &str = "a finer mesh may show a larger one at a loaded edge";
 const UNCERTAIN_FLOW: &str =
     "the elastic peak is as uncertain as its excess over yield: it may be zero";
 
+const NO_ELASTIC_PEAK: &str = "no elastic solution beside it says by how much the stress exceeds yield, and with it how well the strain is known";
+
 const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
 
 const STEEP: &str = "the stress falls by more than half within one element: the elements are too large for the hole, fillet \
@@ -90,14 +92,15 @@ const BESIDE: f64 = 0.5;
 pub(super) fn claims(
     own: &[BodyPeaks],
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
-    (strips, below): (&[StripBelow<'_>], &BelowPatches),
+    (strips, below, travel_off): (&[StripBelow<'_>], &BelowPatches, f64),
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
         let yielded = body.peeq_max > 0.0;
         let mises = |peaks: &BodyPeaks, names| {
             let strips = strips.iter().filter(|strip| strip.body == index);
-            mises((index, peaks), names, (&strips.collect::<Vec<_>>(), below))
+            let strips = strips.collect::<Vec<_>>();
+            mises((index, peaks), names, (&strips, below, travel_off))
         };
         let names = [Quantity::PeakMises, Quantity::MisesAway];
         if !yielded {
@@ -105,7 +108,7 @@ pub(super) fn claims(
             continue;
         }
         // The half space is elastic.
-        let mut peaks = self::mises((index, body), names, (&[], &BelowPatches::default()));
+        let mut peaks = self::mises((index, body), names, (&[], &BelowPatches::default(), 0.0));
         peaks
             .iter_mut()
             .for_each(|claim| claim.note = Some(YIELDED));
@@ -154,17 +157,15 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
         let excess = (peak.value - limit).max(0.0);
         peak.error.of_mesh().map(|error| error / excess)
     });
-    let share = match excess {
-        None => Some(spread),
-        Some(share) => share.map(|share| share.max(spread)),
-    };
+    let note = excess.map_or(NO_ELASTIC_PEAK, |_| UNCERTAIN_FLOW);
+    let share = excess.flatten().map(|share| share.max(spread));
     let share = share.filter(|share| *share <= 1.0);
     Figure {
         error: Errors {
             discretisation: share.map(|share| share * value),
             ..Errors::default()
         },
-        note: share.is_none().then_some(UNCERTAIN_FLOW),
+        note: share.is_none().then_some(note),
         ..figure_of(Quantity::PeakPlasticStrain, &body.name, value)
     }
 }
@@ -173,7 +174,7 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
 fn mises(
     (index, body): (usize, &BodyPeaks),
     [peak, away]: [Quantity; 2],
-    (strips, below): (&[&StripBelow<'_>], &BelowPatches),
+    (strips, below, travel_off): (&[&StripBelow<'_>], &BelowPatches, f64),
 ) -> Vec<Figure> {
     let Some((nodal, centroid)) = body.nodal.zip(body.centroid) else {
         return Vec::new();
@@ -226,7 +227,8 @@ fn mises(
                     .powi(2);
                 let mises = share * of_half_space;
                 let off = (nodal.value - mises).abs() + BODIES * mises;
-                (Some(left * spread.max(weight * off)), None)
+                let load = 0.5 * strip.spread_otherwise(travel_off) * mises;
+                (Some(left * spread.max(weight * off) + load), None)
             }
             None if below.hide(index, &nodal.at) => (None, Some(COARSE)),
             None => {

@@ -102,6 +102,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         contacts,
         (missed_travel, by_motion, before),
     );
+    let travel_off = evidence.travel.map_or(0.0, |travel| travel.off());
     let pokes = evidence.travel.is_some_and(|travel| {
         let most = NOTABLE_SHARE * travel.value().abs();
         interfaces.iter().any(|i| i.unexplained_penetration > most)
@@ -122,6 +123,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             touch,
             edges: &evidence.edges.loaded,
             too_stiff: by_motion,
+            travel_off,
         };
         let own = contact.claims();
         unclear = unclear.or(contact.has_no_shape(&own).then_some(notes::SHAPE));
@@ -145,7 +147,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let strips = StripBelow::all(scene, evidence.lines);
     let patches = BelowPatches::new((scene, state), interfaces, &touches, &claims);
     let elastic = (evidence.elastic, evidence.elastic_claims);
-    let flowing = mises::claims(peaks, elastic, (&strips, &patches));
+    let below = (strips.as_slice(), &patches, travel_off);
+    let flowing = mises::claims(peaks, elastic, below);
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
     let memory = Memory {

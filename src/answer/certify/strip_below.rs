@@ -1,5 +1,6 @@
 //! Long strips and the stress below them, as a half space has it.
 
+use super::line;
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -69,6 +70,11 @@ impl<'l> StripBelow<'l> {
     /// Distance of the nodes in its middle.
     pub fn spacing(&self) -> f64 {
         self.line.line.heaviest.middle_spacing()
+    }
+
+    /// See [`line::spread_otherwise`].
+    pub fn spread_otherwise(&self, travel_off: f64) -> f64 {
+        line::spread_otherwise(self.line, travel_off)
     }
 
     /// Does the mesh show the peak below it?

@@ -37,6 +37,8 @@ pub struct BoreStress {
     pub mises_at: Option<[f64; 3]>,
     /// Depth of the elements there over the radius of the bore.
     pub coarseness: f64,
+    /// Depth of the elements there over the thickness of the wall.
+    pub of_wall: f64,
     /// The largest angle of a facet of the bore about its axis, in radians.
     pub facet: f64,
     /// The length of that facet half-way through the wall, over the thickness of the wall.
@@ -77,6 +79,7 @@ pub fn bore_stress(
         let radius = peak.circle.radius(scene, peak.node);
         let wall = peak.circle.largest_radius(scene, body) - radius;
         stress.coarseness = peak.depth / radius;
+        stress.of_wall = peak.depth / wall;
         stress.facet = peak.circle.largest_facet(scene, surface);
         stress.slenderness = stress.facet * (radius + 0.5 * wall) / wall;
     }

@@ -22,6 +22,9 @@ pub struct ContactLine {
     pub heaviest: StripRow,
 }
 
+/// Rows of half a line stand for two.
+const MIRRORED: f64 = 1.5;
+
 impl ContactLine {
     /// The largest load per length and where it is; `None` where nothing is carried.
     pub fn peak(&self) -> Option<(f64, f64)> {
@@ -103,6 +106,38 @@ impl ContactLine {
         self.extent().map_or(0.0, |extent| self.force() / extent)
     }
 
+    /// The load per length at its heaviest row as statics alone has it: the force and its moment on all that is in contact, even or evenly
+    /// rising. What is more there is made by bodies that bend. `None` where nothing is carried.
+    pub fn of_statics(&self) -> Option<f64> {
+        let rows = self.at.iter().zip(&self.load).zip(lengths(&self.at));
+        let pressing = rows.filter(|((_, load), _)| **load > 0.0);
+        let sums = pressing.fold([0.0; 5], |[l, y, yy, f, fy], ((at, load), length)| {
+            let force = load * length;
+            [
+                l + length,
+                y + length * at,
+                yy + length * at * at,
+                f + force,
+                fy + force * at,
+            ]
+        });
+        let [length, first, second, force, moment] = sums;
+        let even = (force > 0.0).then(|| force / length)?;
+        let centre = first / length;
+        let inertia = second - first * centre;
+        // A mirror plane makes it even.
+        let is_mirrored = self.length_share() > MIRRORED;
+        let slope = (moment - force * centre) / inertia;
+        let rises = !is_mirrored && inertia > 0.0;
+        Some(
+            even + if rises {
+                slope * (self.heaviest.at - centre)
+            } else {
+                0.0
+            },
+        )
+    }
+
     /// From its first row to its last one; `None` where it has not two.
     fn extent(&self) -> Option<f64> {
         let extent = self.at.last()? - self.at.first()?;
@@ -156,6 +191,25 @@ mod tests {
         let moment = 3.0 * 2.0 * (centre - 1.0);
         assert!((uneven.scatter().unwrap() - moment / 50.0).abs() < 1e-12);
         assert_eq!(line([0.0, 1.0, 4.0], [0.0; 3]).scatter(), None);
+    }
+
+    #[test]
+    fn statics_makes_loads_that_rise_evenly() {
+        let rising = line([0.0, 1.0, 2.0], [10.0, 12.0, 14.0]);
+        let heaviest = |line: &ContactLine| StripRow {
+            row: 1,
+            at: line.at[1],
+            ..StripRow::default()
+        };
+        let read = |line: ContactLine| {
+            let heaviest = heaviest(&line);
+            ContactLine { heaviest, ..line }.of_statics()
+        };
+        assert!((read(rising).unwrap() - 12.0).abs() < 1e-12);
+        // A bump of 4 in the middle: its force is spread over both halves.
+        let bump = line([0.0, 1.0, 2.0], [10.0, 16.0, 14.0]);
+        assert!((read(bump).unwrap() - 14.0).abs() < 1e-12);
+        assert_eq!(read(line([0.0, 1.0, 2.0], [0.0; 3])), None);
     }
 
     #[test]

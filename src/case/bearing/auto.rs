@@ -29,6 +29,10 @@ pub(super) fn sizes(roller: &RollerShape, own: OwnSizes, strips: &Strips) -> Siz
         true => half_length / 12.0,
         false => half_length / 6.0,
     };
+    // A wall that is thinner than a quarter of the diameter bends: elements around it as large beside it as beside that quarter, and
+    // more layers in it, for its bending counts for more.
+    let four_walls = diameter.min(4.0 * roller.nominal_wall());
+    let thin = four_walls / diameter;
     Sizes {
         uniform: false,
         roller_size: fine,
@@ -40,9 +44,9 @@ pub(super) fn sizes(roller: &RollerShape, own: OwnSizes, strips: &Strips) -> Siz
         growth: 2.5,
         depth_growth: 2.5,
         along_growth: 2.0,
-        around_cap: 0.1 * diameter,
+        around_cap: 0.1 * four_walls,
         along_cap: (0.4 * diameter).min(longest),
-        wall_cap: (0.057 * diameter).min(0.4 * roller.nominal_wall()),
+        wall_cap: 0.057 * four_walls * thin.sqrt(),
         plan_cap: own.plan_cap,
         middle_cap: own.middle_cap,
         depth_cap: own.depth_cap,

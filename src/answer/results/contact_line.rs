@@ -127,15 +127,11 @@ impl ContactLine {
         let inertia = second - first * centre;
         // A mirror plane makes it even.
         let is_mirrored = self.length_share() > MIRRORED;
-        let slope = (moment - force * centre) / inertia;
-        let rises = !is_mirrored && inertia > 0.0;
-        Some(
-            even + if rises {
-                slope * (self.heaviest.at - centre)
-            } else {
-                0.0
-            },
-        )
+        let slope = match is_mirrored || inertia <= 0.0 {
+            true => 0.0,
+            false => (moment - force * centre) / inertia,
+        };
+        Some(even + slope * (self.heaviest.at - centre))
     }
 
     /// From its first row to its last one; `None` where it has not two.
@@ -196,13 +192,11 @@ mod tests {
     #[test]
     fn statics_makes_loads_that_rise_evenly() {
         let rising = line([0.0, 1.0, 2.0], [10.0, 12.0, 14.0]);
-        let heaviest = |line: &ContactLine| StripRow {
-            row: 1,
-            at: line.at[1],
-            ..StripRow::default()
-        };
         let read = |line: ContactLine| {
-            let heaviest = heaviest(&line);
+            let heaviest = StripRow {
+                at: line.at[line.heaviest.row],
+                ..line.heaviest
+            };
             ContactLine { heaviest, ..line }.of_statics()
         };
         assert!((read(rising).unwrap() - 12.0).abs() < 1e-12);

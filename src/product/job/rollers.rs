@@ -12,6 +12,9 @@ use crate::ground::geometry::{AXES, range};
 use crate::ground::units::UnitSystem;
 use crate::model::scene::{ContactPair, Scene};
 
+/// Of lines and rollers that bear the same but for rounding, as images of each other do, the first one stays the worst.
+pub const TIE: f64 = 1.0 + 1e-6;
+
 /// A line of contact as rules see it.
 pub struct RuledLine {
     /// Dimensions and steels.

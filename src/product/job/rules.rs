@@ -2,7 +2,7 @@
 //! and under the largest load per length, and told for the line that uses it most.
 
 use super::error::JobError;
-use super::rollers::{is_merged, roller};
+use super::rollers::{TIE, is_merged, roller};
 use crate::analytic::DomainError;
 use crate::analytic::rules::{LoadError, Rule, rules as all_rules};
 use crate::answer::certify::{Figure, Quantity};
@@ -103,8 +103,6 @@ fn judge(rule: &Rule, interface: &str, [even, largest]: [f64; 2], error: LoadErr
 /// Of two lines the one that uses the rule more, for either load; the limit is that of the largest load's line.
 fn keep_worse(worst: &mut JudgedRule, other: JudgedRule) {
     let used = |rule: &Option<crate::analytic::rules::Judged>| rule.map_or(0.0, |j| j.utilisation);
-    // Of lines that are images of each other the first one stays.
-    const TIE: f64 = 1.0 + 1e-6;
     if used(&other.even) > TIE * used(&worst.even) {
         (worst.even, worst.even_line) = (other.even, other.even_line);
     }

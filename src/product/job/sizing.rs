@@ -5,7 +5,7 @@
 //! and under its even one. A line that misses is told, and decides nothing.
 
 use super::error::JobError;
-use super::rollers::{Span, bearing_length, is_merged};
+use super::rollers::{Span, TIE, bearing_length, is_merged};
 use crate::analytic::DomainError;
 use crate::analytic::hertz::LineContact;
 use crate::analytic::rules::{RuleVerdict, Standing};
@@ -90,9 +90,6 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
     }
     Ok(sizing)
 }
-
-/// Of rollers that bear the same but for rounding the first one stays.
-const TIE: f64 = 1.0 + 1e-6;
 
 /// A patch, its peak pressure beside that at which steel below it first yields.
 fn sized_patch(name: &str, patch: &PatchFigures, steels: [Option<&Steel>; 2]) -> SizedPatch {

@@ -220,7 +220,7 @@ pub fn balance_increment(
 fn pressing(model: &Model, evaluation: &Evaluation) -> f64 {
     let rows = model.rows.iter().zip(&evaluation.contact);
     let forces = rows.map(|(row, answer)| row.row.area * answer.traction[0]);
-    forces.map(|force| force * force).sum::<f64>().sqrt()
+    norm(&forces.collect::<Vec<f64>>())
 }
 
 fn closed_nodes(point: &Point) -> usize {

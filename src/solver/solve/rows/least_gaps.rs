@@ -18,7 +18,7 @@ impl LeastGaps {
         Self(least)
     }
 
-    /// That of each pair, in their order; infinite where a pair has no row.
+    /// That of each pair up to the last one with a row, in their order; infinite where a pair has none.
     pub fn each(&self) -> impl Iterator<Item = f64> {
         self.0.iter().copied()
     }

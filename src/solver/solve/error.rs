@@ -81,14 +81,12 @@ pub enum SolveError {
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
          iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
-         largest contact violation {penetration:.1e} of the displacement: {contact}"
+         largest contact violation {penetration:.1e} of the displacement: {contact}{}",
+        in_flow(flowing.as_deref())
     )]
     #[diagnostic(
         code(brinell::solve::not_converged),
-        help(
-            "the states up to there are kept; try a smaller first increment, or a \
-             finer mesh at the contact; a load near the plastic limit can end like this, too"
-        )
+        help("the states up to there are kept; {}", towards_balance(flowing.as_deref()))
     )]
     NotConverged {
         /// Name of the step.
@@ -105,6 +103,8 @@ pub enum SolveError {
         place: String,
         /// The contact that is furthest from settled, in words.
         contact: String,
+        /// What flows, where that is so much that the load may be beyond the plastic limit.
+        flowing: Option<Box<Flowing>>,
     },
     /// So much of a body flows that it carries no more.
     #[error(
@@ -217,5 +217,32 @@ fn gigabytes(bytes: f64) -> String {
         format!("{:.0e}", 1e-9 * bytes)
     } else {
         format!("{:.2}", 1e-9 * bytes)
+    }
+}
+
+/// The body of which most flows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flowing {
+    /// Its name.
+    pub body: String,
+    /// Share of its elements that flow, in percent.
+    pub percent: f64,
+}
+
+/// For the end of a message.
+fn in_flow(flowing: Option<&Flowing>) -> String {
+    flowing.map_or_else(String::new, |Flowing { body, percent }| {
+        format!("; {percent:.1} % of the elements of `{body}` flow")
+    })
+}
+
+/// What may help where no balance was found.
+fn towards_balance(flowing: Option<&Flowing>) -> String {
+    match flowing {
+        Some(Flowing { body, .. }) => format!(
+            "most likely the load is near the plastic limit of `{body}` or beyond it: less load, a thicker \
+             section or a harder steel; else a finer mesh at the contact"
+        ),
+        None => "try a smaller first increment, or a finer mesh at the contact".to_owned(),
     }
 }

@@ -61,9 +61,10 @@ impl NoBalance {
                 "the bodies, as they are meshed, stand with a coefficient of friction of {friction:.4} or more, or with less slope \
                  or offset"
             ),
-            None => "no friction helps: bring the load nearer to the middle of what carries it (less offset), or \
-                     support the body; what rolls resists no force across its axis, and one that comes to rest farther on is to be \
-                     meshed where it does; where the balance is close, a mesh that follows round ends and faces more finely"
+            None => "no friction helps, as the bodies are meshed. Coarse faces let a round body roll where its true shape stands, \
+                     as on both sides of a V: a finer mesh there. Else bring the load nearer to the middle of what carries it \
+                     (less offset), or support the body; what rolls resists no force across its axis, and one that comes to \
+                     rest farther on is to be meshed where it does"
                 .to_owned(),
         }
     }

@@ -1,7 +1,8 @@
 //! Why an increment could not be solved, in terms of the scene.
 
 use crate::solver::linear::cholesky::FactorError;
-use crate::solver::solve::error::SolveError;
+use crate::solver::solve::equilibrium::evaluation::much_flows;
+use crate::solver::solve::error::{Flowing, SolveError};
 use crate::solver::solve::increments::place::{body_of, contact_in_words, place, place_in_words};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
@@ -23,12 +24,15 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
     match (stopped.why, gives_way) {
         (
             Failure::Runaway { .. } | Failure::Factor(FactorError::NotPositiveDefinite { .. }),
-            Some((body, share)),
+            Some(Flowing {
+                body,
+                percent: share,
+            }),
         ) => SolveError::LimitLoad {
             step,
             percent,
             body,
-            share: 100.0 * share,
+            share,
         },
         (Failure::Runaway { node, axis }, None) => free_body(model, node, axis),
         (Failure::Factor(error @ FactorError::NotPositiveDefinite { equation }), None) => {
@@ -46,7 +50,7 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
                 equation,
                 row,
             },
-            _,
+            most,
         ) => SolveError::NotConverged {
             step,
             percent,
@@ -55,6 +59,9 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
             penetration,
             place: place_in_words(model, equation),
             contact: contact_in_words(model, row, changed),
+            flowing: most
+                .filter(|_| much_flows(model, &stopped.flowing))
+                .map(Box::new),
         },
         (Failure::Cancelled | Failure::UnforeseenFlow, _) => SolveError::NothingFree,
     }
@@ -86,9 +93,8 @@ fn free_body(model: &Model, node: u32, axis: usize) -> SolveError {
     }
 }
 
-/// The body of which the largest share of elements is among the `flowing` ones, and that share;
-/// `None` where there are none.
-fn gives_way(model: &Model, flowing: &[u32]) -> Option<(String, f64)> {
+/// The body of which the largest share of elements is among the `flowing` ones; `None` where there are none.
+fn gives_way(model: &Model, flowing: &[u32]) -> Option<Flowing> {
     let mesh = &model.scene.mesh;
     let mut elements = vec![0usize; mesh.bodies.len()];
     for element in flowing {
@@ -97,5 +103,8 @@ fn gives_way(model: &Model, flowing: &[u32]) -> Option<(String, f64)> {
     let shares = mesh.bodies.iter().zip(elements);
     let shares = shares.map(|(body, n)| (body, n as f64 / body.elements.len().max(1) as f64));
     let (body, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    (share > 0.0).then(|| (body.name.clone(), share))
+    (share > 0.0).then(|| Flowing {
+        body: body.name.clone(),
+        percent: 100.0 * share,
+    })
 }

@@ -4,7 +4,7 @@ use super::error::{CaseError, ErrorKind};
 use super::load::Loads;
 use crate::ground::geometry::{AXES, range};
 use crate::model::mesh::{Face, Mesh};
-use crate::model::scene::{OFF_PLANE, PlaneMotion, PlaneTurn, faces_in_plane};
+use crate::model::scene::{OFF_PLANE, PlaneMotion, PlaneTurn, faces_in_plane, reaches_into_plane};
 
 /// Of the length of a body, the distance of a flat end from a plane of symmetry up to which it is meant to lie in it.
 const NEARLY: f64 = 1e-3;
@@ -88,9 +88,7 @@ fn check_loads_in_plane(loads: &Loads, mesh: &Mesh, axis: usize) -> Result<(), C
         }
     }
     for traction in &loads.tractions {
-        let surface = mesh.surface(&traction.value.surface);
-        let mut faces = surface.into_iter().flat_map(|surface| &surface.faces);
-        if faces.any(|face| face.nodes.iter().all(is_in_plane)) {
+        if reaches_into_plane(mesh, &traction.value.surface, axis) {
             let why = format!(
                 "it acts on faces in the plane of symmetry {letter} = 0, where the other half begins: these are inside the whole"
             );

@@ -2,10 +2,10 @@
 
 use super::axis::Axis;
 use super::error::BuildError;
-use super::load::Load;
+use super::load::{Load, LoadKind};
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{OFF_PLANE, Step, Support, Tie, faces_in_plane};
+use crate::model::scene::{OFF_PLANE, Step, Support, Tie, faces_in_plane, reaches_into_plane};
 
 /// The steel of every body, in the order of the mesh; of several for one body the last.
 pub(super) fn check_steels(
@@ -82,6 +82,24 @@ pub(super) fn check_loads(mesh: &Mesh, loads: &[Load]) -> Result<(), BuildError>
         }
     }
     Ok(())
+}
+
+/// Nothing presses what lies in the plane of symmetry across `axis`.
+pub(super) fn check_loads_in_mirror(
+    mesh: &Mesh,
+    loads: &[Load],
+    axis: Axis,
+) -> Result<(), BuildError> {
+    let presses = |load: &&Load| !matches!(load.kind, LoadKind::Plane(_));
+    let reaches = |load: &&Load| reaches_into_plane(mesh, &load.surface, axis.index());
+    match loads.iter().filter(presses).find(reaches) {
+        None => Ok(()),
+        Some(load) => Err(BuildError::LoadInMirror {
+            load: load.name.clone(),
+            surface: load.surface.clone(),
+            axis: axis.letter(),
+        }),
+    }
 }
 
 pub(super) fn check_ties(mesh: &Mesh, ties: &[Tie]) -> Result<(), BuildError> {

@@ -85,6 +85,23 @@ pub enum BuildError {
         /// Outer faces in the plane.
         faces: usize,
     },
+    /// A load acts where the other half begins.
+    #[error(
+        "the load `{load}` acts on faces of the surface `{surface}` in the plane {axis} = 0, across which the scene is mirrored: these \
+         are inside the whole"
+    )]
+    #[diagnostic(
+        code(brinell::build::load_in_mirror),
+        help("mark a surface without them, or leave `mirror` out if the body ends there")
+    )]
+    LoadInMirror {
+        /// Name of the load.
+        load: String,
+        /// Its surface.
+        surface: String,
+        /// Axis across which the scene is mirrored.
+        axis: char,
+    },
     /// A block could not be meshed.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -2,7 +2,8 @@
 
 use super::axis::Axis;
 use super::check::{
-    check_loads, check_mirror, check_steels, check_steps, check_surface, check_ties,
+    check_loads, check_loads_in_mirror, check_mirror, check_steels, check_steps, check_surface,
+    check_ties,
 };
 use super::contact::Contact;
 use super::error::BuildError;
@@ -188,6 +189,9 @@ impl SceneBuilder {
             check_surface(&mesh, "a support", &support.surface)?;
         }
         check_loads(&mesh, &self.loads)?;
+        for axis in &self.mirrors {
+            check_loads_in_mirror(&mesh, &self.loads, *axis)?;
+        }
         check_ties(&mesh, &self.ties)?;
         check_steps(&self.steps, &self.loads, &self.supports)?;
         let contacts = self.contacts.into_iter();

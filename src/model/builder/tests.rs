@@ -80,6 +80,18 @@ fn a_force_is_spread_over_its_surface() {
 }
 
 #[test]
+fn what_presses_a_plane_of_symmetry_is_refused() {
+    let scene = |surface: &str| {
+        let scene = SceneBuilder::new("test").body(cube("a"), steel());
+        let scene = scene.mirror(Axis::X);
+        scene.load(Load::pressure(surface, 1.0)).build()
+    };
+    assert!(scene("a_x_max").is_ok());
+    let error = scene("a_x_min").unwrap_err().to_string();
+    assert!(error.contains("the load `a_x_min`"), "{error}");
+}
+
+#[test]
 fn the_softer_side_carries_unless_asked_otherwise() {
     let carrier = |contact, modulus| {
         let soft = Steel::elastic(modulus, 0.3);

@@ -51,10 +51,20 @@ impl Scene {
 
 /// The outer faces of all bodies in the coordinate plane across `axis`.
 pub fn faces_in_plane(mesh: &Mesh, axis: usize) -> Vec<Face> {
-    let near = OFF_PLANE * mesh.extent(axis);
-    let in_plane = |node: &u32| mesh.points[*node as usize][axis].abs() <= near;
     (0..mesh.bodies.len())
         .flat_map(|body| mesh.outer_faces(body))
-        .filter(|face| face.nodes.iter().all(in_plane))
+        .filter(|face| is_in_plane(mesh, face, axis))
         .collect()
+}
+
+/// Has a surface faces in the coordinate plane across `axis`? Of a model that is mirrored there they are inside the whole.
+pub fn reaches_into_plane(mesh: &Mesh, surface: &str, axis: usize) -> bool {
+    let mut faces = mesh.surface(surface).into_iter().flat_map(|s| &s.faces);
+    faces.any(|face| is_in_plane(mesh, face, axis))
+}
+
+fn is_in_plane(mesh: &Mesh, face: &Face, axis: usize) -> bool {
+    let near = OFF_PLANE * mesh.extent(axis);
+    let off = |node: &u32| mesh.points[*node as usize][axis].abs();
+    face.nodes.iter().all(|node| off(node) <= near)
 }

@@ -22,7 +22,7 @@ use crate::model::mesh::{Mesh, Surface};
 pub use controls::{Controls, ElementKind, SolverKind};
 pub use joined::{joined, joined_to};
 pub use loads::{PlaneMotion, Support, Traction, TractionValue};
-pub use mirrors::{OFF_PLANE, faces_in_plane};
+pub use mirrors::{OFF_PLANE, faces_in_plane, reaches_into_plane};
 pub use pair::{ContactPair, EDGE_REACH, Partner, Side};
 pub use rigid_plane::{PlaneTurn, Pose, RigidPlane};
 use serde::Serialize;

@@ -98,9 +98,14 @@ impl BelowPatches {
     /// Share that counts of what a node has more than the centres of elements at a place of a body. Below a point of contact
     /// that is of the first order of the spacing, while the error is of the second, as that of the pressure.
     pub fn share(&self, body: usize, at: &[f64; 3]) -> f64 {
-        let errors = self.above(body, at).filter_map(|patch| patch.error);
-        let largest = errors.reduce(f64::max);
+        let largest = self.of_pressure(body, at);
         largest.map_or(1.0, |error| (error / COARSE_FROM).min(1.0))
+    }
+
+    /// Relative error of the largest pressure above a place of a body: the stress below a point is not known better.
+    pub fn of_pressure(&self, body: usize, at: &[f64; 3]) -> Option<f64> {
+        let errors = self.above(body, at).filter_map(|patch| patch.error);
+        errors.reduce(f64::max)
     }
 
     fn above(&self, body: usize, at: &[f64; 3]) -> impl Iterator<Item = &Patch> {

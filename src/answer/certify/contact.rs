@@ -2,6 +2,7 @@
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::notes::{COARSE, SHAPE};
+use super::rim;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -13,7 +14,6 @@ use crate::model::mesh::Face;
 use crate::model::mesh::shape::Shape;
 use crate::model::scene::Scene;
 use crate::model::state::{ContactField, State};
-use std::collections::BTreeSet;
 
 /// Beyond this relative error a figure is not resolved.
 const WORTHLESS: f64 = 0.3;
@@ -57,7 +57,7 @@ impl Contact<'_> {
             Touch::Flat => FLAT_RIM,
             Touch::Line | Touch::Point => RIM,
         };
-        let band = of_rim * copies * rim(self.scene, field, self.pair);
+        let band = of_rim * copies * rim::area(self.scene, field, self.pair);
         let area = self.interface.area;
         claims.push(self.claim(
             Quantity::ContactArea,
@@ -157,25 +157,6 @@ fn is_along_cylinder(sides: &[Shape; 2]) -> bool {
         [Shape::Cylinder { .. }, _] | [_, Shape::Cylinder { .. }] => true,
         _ => false,
     }
-}
-
-/// Area of the nodes in contact next to one that is not, and of those, modelled part.
-fn rim(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
-    let Some(surface) = scene.carrier(pair) else {
-        return 0.0;
-    };
-    let index = |node: u32| field.nodes.binary_search(&node).ok();
-    let mut rim = BTreeSet::new();
-    for face in &surface.faces {
-        for side in 0..4 {
-            let ends = [face.nodes[side], face.nodes[(side + 1) % 4]].map(index);
-            let [Some(a), Some(b)] = ends else { continue };
-            if field.is_active(a) != field.is_active(b) {
-                rim.extend([a, b]);
-            }
-        }
-    }
-    rim.iter().map(|i| field.area[*i]).sum()
 }
 
 /// By which share the facets that press are smaller than the round surface that they stand for, the longest of them: a chord is

@@ -82,7 +82,8 @@ const BESIDE: f64 = 0.5;
 /// an integration point overshoots most; the elements that meet at a node differ by what none of them resolves; slopes from
 /// element to element say something else at the node than slopes within them. These
 /// differences are the
-/// estimate, the largest of them; below a point of contact the first counts the less the better its pressure is known. Beside a loaded edge there is none, and the peak away
+/// estimate, the largest of them; below a point of contact the first counts the less the better its pressure is known, and the
+/// stress is not known better than that. Beside a loaded edge there is none, and the peak away
 /// from such edges is claimed, too; where it lies next to what is left out, the stress there counts in place of that of
 /// element centres.
 ///
@@ -238,10 +239,9 @@ fn mises(
                 } else {
                     spread
                 };
-                (
-                    Some(spread + between + counts * OF_MEANS * around.means),
-                    None,
-                )
+                let by_mesh = spread + between + counts * OF_MEANS * around.means;
+                let of_pressure = below.of_pressure(index, &nodal.at).unwrap_or(0.0);
+                (Some(by_mesh.max(of_pressure * nodal.value)), None)
             }
         };
         // A peak elsewhere, as on a bore, is the largest only if it is above what the mesh does not show.

@@ -16,6 +16,7 @@ mod mises;
 mod notes;
 mod other;
 mod pressure;
+mod rim;
 mod strip_below;
 mod thin_walls;
 

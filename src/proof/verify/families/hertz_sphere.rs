@@ -72,8 +72,18 @@ pub(super) fn peak_mises(hertz: &PointContact) -> Result<f64, VerifyError> {
 
 /// The quarter model with `across` elements across the contact radius.
 pub(super) fn pressed(hertz: &PointContact, across: f64) -> Result<SolvedScene, VerifyError> {
+    pressed_on(hertz, across, 1.15, 1.5)
+}
+
+/// The same with elements of that size up to `reach` contact radii from the middle, which grow by `growth` beyond.
+pub(super) fn pressed_on(
+    hertz: &PointContact,
+    across: f64,
+    reach: f64,
+    growth: f64,
+) -> Result<SolvedScene, VerifyError> {
     let a = hertz.contact_radius;
-    let fine = [1.15 * a, 1.15 * a, 0.8 * a];
+    let fine = [reach * a, reach * a, 0.8 * a];
     let size = [a / across; 3];
     let mesh = bump(
         "sphere",
@@ -81,7 +91,7 @@ pub(super) fn pressed(hertz: &PointContact, across: f64) -> Result<SolvedScene, 
         size,
         fine,
         [10.0 * a; 3],
-        1.5,
+        growth,
     )?;
     let mut scene = Scene::bare("sphere", mesh, Steel::elastic(YOUNG, POISSON));
     scene.contacts = vec![kit::on_rigid_flat("z_min", 2)];

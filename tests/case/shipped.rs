@@ -1,5 +1,6 @@
 //! The figures of the shipped cases beyond section 2.6.2.
 
+use brinell::case::bearing::MeshRequest;
 use brinell::case::{BearingCase, Case, Kind, read};
 use std::path::Path;
 
@@ -92,7 +93,15 @@ fn the_wall_sweep_is_the_initial_design_with_other_walls() {
         assert_eq!(bearing.geometry.crossed(), Some(&geometry));
         assert_eq!(bearing.load, initial.load);
         assert_eq!(bearing.friction, initial.friction);
-        assert_eq!(bearing.mesh, initial.mesh);
+        // Thinner walls spread the load of the other roller less: the lines are as wide as that makes them.
+        let strips = initial.mesh.strips;
+        assert_eq!(
+            MeshRequest {
+                strips,
+                ..bearing.mesh.clone()
+            },
+            initial.mesh
+        );
         let steel = |b: &BearingCase| b.steels.of("lower_roller").unwrap();
         if ratio == 0.05 {
             // Its wall would yield through.

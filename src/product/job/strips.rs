@@ -16,6 +16,9 @@ use crate::solver::solve::{Iteration, Observer, Restart};
 use std::io::ErrorKind;
 use std::path::Path;
 
+/// Share of the full load from which a state tells how wide the lines are at full load. Under less of it a crowned roller
+/// touches over a part of its length only, and what rounded ends carry has not flowed.
+const TELLING_SHARE: f64 = 0.5;
 /// Lines that carry less than this share of what the heaviest line of their pair carries are left
 /// as they are.
 const LIGHT: f64 = 0.05;
@@ -28,11 +31,11 @@ pub fn sized_by_lines(case: &Case) -> Option<&BearingCase> {
     (case.bearing()).filter(|bearing| bearing.mesh.preset == Preset::Auto)
 }
 
-/// The lines of contact in `state`, as wide as at full load: before that a strip is as wide as its
-/// share of the load makes it.
+/// The lines of contact in `state`, as wide as at full load: a little before that a strip is as wide as its
+/// share of the load makes it; none long before.
 fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> {
     let share = applied(scene, state) / norm(full(scene));
-    if !(share > 0.0 && share <= 1.0 + 1e-9) {
+    if !(TELLING_SHARE..=1.0 + 1e-9).contains(&share) {
         return Vec::new();
     }
     let whole = share >= 1.0 - 1e-9;

@@ -133,6 +133,47 @@ fn forces_that_are_taken_off_leave_the_figures_of_the_load() {
     }
 }
 
+/// Between supports that move there is no contact and no plane whose force would say that nothing is left.
+#[test]
+fn supports_that_go_back_end_where_they_are() {
+    let side = || uniform(0.0, 2.0, 1);
+    let bar = Block::new("bar", side(), side(), uniform(0.0, 2.0, 2));
+    let mut text = r#"title = "bar"
+units = "mm-N-MPa"
+mesh.file = "mesh.msh"
+[steel]
+youngs_modulus = "200 GPa"
+poissons_ratio = 0.3
+yield_stress = "200 MPa"
+hardening_modulus = "1 GPa"
+[[support]]
+surface = "x_min"
+fixed = "x"
+[[support]]
+surface = "y_min"
+fixed = "y"
+[[support]]
+surface = "z_min"
+fixed = "z"
+[[support]]
+surface = "z_max"
+displacement = { z = 0.02 }
+"#
+    .to_owned();
+    for (name, factor) in [("pull", 1.0), ("back", 0.1)] {
+        text += &format!("[[step]]\nname = \"{name}\"\nfactor = {factor}\n");
+    }
+    let (summary, _) = run(&text, &bar.build().unwrap());
+    assert_eq!(summary["step"], "back");
+    assert_eq!(summary["unloaded"], Value::Null);
+    // Stretched by 1 %, and pressed back by 0.9 % beyond the limit that hardening has raised.
+    let peeq = summary["bodies"]["bar"]["peeq_max"].as_f64().unwrap();
+    let pulled = (200e3 * 0.01 - 200.0) / (200e3 + 1e3);
+    let limit = 200.0 + 1e3 * pulled;
+    let more = (200e3 * 0.009 - 2.0 * limit) / (200e3 + 1e3);
+    assert!((peeq - (pulled + more)).abs() < 1e-9, "{peeq}");
+}
+
 #[test]
 fn a_load_that_comes_back_is_the_one_that_acts() {
     for (factors, load) in [

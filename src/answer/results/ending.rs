@@ -30,9 +30,9 @@ pub fn ending<'s>(scene: &Scene, ended: &'s [State], last: &'s State) -> Ending<
             unloaded: None,
         };
     }
-    // Forces are known to be off; what goes back a prescribed way may still press.
-    let left = pressing(scene, last) > UNLOADED_SHARE * pressing(scene, reported);
-    if scene.is_moved_in(step) && left {
+    // Forces are known to be off; what goes back a prescribed way may still press, and between supports alone nobody asked how much.
+    let off = pressing(scene, last) < UNLOADED_SHARE * pressing(scene, reported);
+    if scene.is_moved_in(step) && !off {
         return Ending {
             reported: last,
             unloaded: None,

@@ -32,6 +32,8 @@ pub struct Interface {
     pub centre_of_force: Option<[f64; 3]>,
     /// Integral of the pressure over the area.
     pub pressure_integral: f64,
+    /// Integral of the size of the shear over the area: of that `force` has what does not cancel.
+    pub shear_integral: f64,
     /// Largest consistent nodal pressure and the undeformed position of its node.
     pub max_pressure: f64,
     /// Undeformed position of the node with the largest pressure.
@@ -84,6 +86,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
             *sum += f;
         }
         result.pressure_integral += copies * pressure * field.area[i];
+        result.shear_integral += copies * norm(field.traction[i]) * field.area[i];
         if field.is_active(i) {
             result.area += copies * field.area[i];
         }

@@ -13,6 +13,7 @@
 
 use crate::ground::geometry::{Vec3, add, dot, norm, scale};
 use crate::model::mesh::Hanging;
+use crate::model::scene::Scene;
 use crate::model::state::ContactField;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
@@ -67,6 +68,9 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
             field.traction[at] = scale(shear, sign);
         }
     }
+    for field in fields.iter_mut() {
+        cancel_across_mirrors(model.scene, field);
+    }
     // A node that hangs has no area of its own: it shows what is between its corners.
     for (field, hanging) in fields.iter_mut().zip(hanging) {
         for (at, corners) in hanging {
@@ -82,6 +86,15 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
                 Some(0) | None => 0,
                 _ => status.max().unwrap_or_default(),
             };
+        }
+    }
+}
+
+/// In a plane of symmetry the shear across it and that of the other half cancel: half of a hat function sees its own only.
+fn cancel_across_mirrors(scene: &Scene, field: &mut ContactField) {
+    for (node, traction) in field.nodes.iter().zip(&mut field.traction) {
+        for axis in scene.mirrors_through(&scene.mesh.points[*node as usize]) {
+            traction[axis] = 0.0;
         }
     }
 }

@@ -204,6 +204,40 @@ fn a_shipped_bearing_is_ready_and_its_coarse_mesh_warned_of() {
     );
 }
 
+/// Crowned rollers touch at a facet first: the load closes what holds them.
+#[test]
+fn crowned_rollers_are_ready() {
+    let text = r#"title = "crowned"
+units = "mm-N-MPa"
+[bearing]
+load = "300 kN"
+friction = 0.15
+roller_diameter = 80
+roller_wall = 20
+roller_length = 200
+roller_end = { crown = 0.05 }
+offset = 20
+slope = 4
+plate_thickness = 25
+[steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+elastic = true
+[mesh]
+preset = "h025"
+scale = 4
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("case.toml"), text).unwrap();
+    let run = brinell(folder.path(), "check case.toml --json").code(0);
+    let check: Value = serde_json::from_slice(run.get_output().stdout.as_slice()).unwrap();
+    assert_eq!(check["problems"].as_array().unwrap().len(), 0);
+    says(
+        &check["warnings"],
+        &["at first touch", "closes under the load"],
+    );
+}
+
 #[test]
 fn bad_input_is_told_from_what_would_fail() {
     let folder = folder(

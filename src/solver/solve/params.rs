@@ -268,6 +268,9 @@ pub const RIM_OVERLAP: f64 = 4.0;
 /// Resistance to a motion, over that of a single support, below which it is free of supports and contact. A cylinder
 /// that rolls is resisted by the facets that stand for it.
 pub const UNRESISTED_EIGENVALUE: f64 = 1e-5;
+/// The same from which contact that is likely to close holds what is free at first touch: its nodes lie some 7 % of the model's size
+/// apart. A plate on a roller would have them, too, across the strip, and tips all the same.
+pub const CLOSING_EIGENVALUE: f64 = 5e-3;
 /// The same where supports alone resist: only rounding is left.
 pub const MOVABLE_EIGENVALUE: f64 = 1e-9;
 /// Share of the load on a free motion above which it is driven, and not merely rounding.

@@ -68,6 +68,9 @@ pub fn free_in_words(free: &FreeMotion) -> String {
     let motion: Vec<String> = moves.into_iter().chain(turns).collect();
     let (body, motion) = (&free.body, motion.join(" and "));
     match free.driven {
+        _ if free.closes => format!(
+            "{body} is free to {motion} at first touch: contact that closes under the load has to hold it"
+        ),
         true => format!(
             "{body} is free to {motion}: no support and no contact resists the load there; support \
              it, or give the contact friction"

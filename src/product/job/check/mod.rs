@@ -15,7 +15,8 @@ use crate::model::mesh::Mesh;
 use crate::model::scene::Scene;
 use crate::render::check::{BodyCheck, Check, ContactCheck, Machine, MeshCheck, PredictedCost};
 use crate::render::text::{percent, significant};
-use crate::solver::solve::{Forecast, forecast};
+use crate::solver::solve::{Forecast, FreeMotion, forecast};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Elements with a smaller scaled Jacobian, or a larger aspect ratio, are worth a warning.
@@ -163,8 +164,8 @@ fn needs(scene: &Scene, forecast: &Forecast) -> Vec<String> {
 }
 
 fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
-    let idle = forecast.free.iter().filter(|free| !free.driven);
-    let mut list: Vec<String> = idle.map(held::free_in_words).collect();
+    let held = (forecast.free.iter()).filter(|free| !free.driven || free.closes);
+    let mut list = in_words(held);
     for (body, part) in check.bodies.iter().zip(&mesh.bodies) {
         let name = &body.name;
         if body.min_scaled_jacobian < POOR_JACOBIAN {
@@ -217,6 +218,14 @@ fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
     list
 }
 
+/// Each once: a body may move in many ways that read the same.
+fn in_words<'f>(free: impl Iterator<Item = &'f FreeMotion>) -> Vec<String> {
+    let mut list: Vec<String> = free.map(held::free_in_words).collect();
+    let mut told = BTreeSet::new();
+    list.retain(|text| told.insert(text.clone()));
+    list
+}
+
 /// Gaps and ways, as none where they are nothing but rounding.
 fn rounded(mesh: &Mesh) -> impl Fn(f64) -> f64 {
     let coordinates = mesh.points.iter().flatten();
@@ -225,8 +234,8 @@ fn rounded(mesh: &Mesh) -> impl Fn(f64) -> f64 {
 }
 
 fn problems(check: &Check, forecast: &Forecast) -> Vec<String> {
-    let driven = forecast.free.iter().filter(|free| free.driven);
-    let mut list: Vec<String> = driven.map(held::free_in_words).collect();
+    let driven = (forecast.free.iter()).filter(|free| free.driven && !free.closes);
+    let mut list = in_words(driven);
     let needed = check.cost.memory_bytes;
     if let Some(left) = check.machine.memory_bytes.filter(|left| needed > *left) {
         list.push(format!(

@@ -1,14 +1,18 @@
 //! Which bodies are held: motions that neither supports nor contact at first touch resists.
 //!
 //! Contact counts both ways here, as if it could pull: the load keeps it shut. So a motion that is found free has no
-//! stiffness against it at all, and a solution would fail.
+//! stiffness against it at all, and a solution would fail, but for what closes under the load: crowned rollers and
+//! spheres touch at a point first.
 
 use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
-use crate::solver::solve::params::{DRIVEN_MODE_LOAD, UNRESISTED_EIGENVALUE};
+use crate::solver::solve::params::{
+    CLOSING_EIGENVALUE, DRIVEN_MODE_LOAD, TOUCHING_GAP, UNRESISTED_EIGENVALUE,
+};
 use crate::solver::solve::rigid::resistance::Resistance;
 use crate::solver::solve::rigid::rigid_bodies::RigidBodies;
 use crate::solver::solve::rows::contact_row::ContactRow;
+use crate::solver::solve::start::extent::extent;
 
 /// A motion of bodies that nothing resists.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,28 +25,34 @@ pub struct FreeMotion {
     pub turn: Vec3,
     /// Does the load drive it? Then there is no balance; else nothing but rounding moves it.
     pub driven: bool,
+    /// Does contact resist it that is likely to close under the load?
+    pub closes: bool,
 }
 
-/// The motions of `scene`, its bodies in touch at `rows`, that nothing resists.
+/// The motions of `scene`, its bodies in touch, that nothing resists; at `rows` contact is likely to close.
 pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     let bodies = RigidBodies::new(scene);
-    let mut seen = Resistance::new(scene.mesh.bodies.len());
-    seen.supports(scene, &bodies);
-    seen.planes(scene, &bodies);
-    seen.half_turn(scene, &bodies);
-    seen.ties(scene, &bodies);
-    seen.contacts(scene, rows, &bodies);
-    seen.shared_nodes(&bodies);
+    let resisted = |gap: f64| {
+        let mut seen = Resistance::new(scene.mesh.bodies.len());
+        seen.supports(scene, &bodies);
+        seen.planes(scene, &bodies);
+        seen.half_turn(scene, &bodies);
+        seen.ties(scene, &bodies);
+        seen.contacts(scene, (rows, gap), &bodies);
+        seen.shared_nodes(&bodies);
+        seen
+    };
     let load = bodies.load(scene, &|_| 1.0);
     let whole = load.iter().map(|f| f * f).sum::<f64>().sqrt();
-    let free = seen.unresisted(UNRESISTED_EIGENVALUE);
-    let motions = free.iter().filter_map(|motion| {
+    let free = resisted(TOUCHING_GAP * extent(scene)).unresisted(UNRESISTED_EIGENVALUE);
+    let motions = resisted(f64::INFINITY).among(&free);
+    let motions = motions.iter().filter_map(|(motion, resistance)| {
         let work: f64 = motion.iter().zip(&load).map(|(v, f)| v * f).sum();
-        bodies.motion(
-            scene,
-            motion.as_slice(),
-            work.abs() > DRIVEN_MODE_LOAD * whole,
-        )
+        let driven = work.abs() > DRIVEN_MODE_LOAD * whole;
+        Some(FreeMotion {
+            closes: *resistance > CLOSING_EIGENVALUE,
+            ..bodies.motion(scene, motion.as_slice(), driven)?
+        })
     });
     motions.collect()
 }
@@ -61,6 +71,7 @@ impl RigidBodies {
             translation: part(0),
             turn: part(3),
             driven,
+            closes: false,
         })
     }
 }

@@ -5,10 +5,8 @@
 
 use crate::ground::geometry::{Vec3, scale, sub};
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene};
-use crate::solver::solve::params::TOUCHING_GAP;
 use crate::solver::solve::rigid::rigid_bodies::{ModeRow, RigidBodies};
 use crate::solver::solve::rows::contact_row::ContactRow;
-use crate::solver::solve::start::extent::extent;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
@@ -50,6 +48,20 @@ impl Resistance {
         let eigen = SymmetricEigen::new(self.matrix);
         let free = (0..eigen.eigenvalues.len()).filter(|i| eigen.eigenvalues[*i] < most);
         free.map(|i| eigen.eigenvectors.column(i).into_owned())
+            .collect()
+    }
+
+    /// Among combinations of `motions`, which are orthonormal: those that are resisted least, and so on, each of length one
+    /// with its resistance.
+    pub fn among(self, motions: &[DVector<f64>]) -> Vec<(DVector<f64>, f64)> {
+        if motions.is_empty() {
+            return Vec::new();
+        }
+        let basis = DMatrix::from_columns(motions);
+        let eigen = SymmetricEigen::new(basis.tr_mul(&self.matrix) * &basis);
+        let pairs = eigen.eigenvectors.column_iter().zip(&eigen.eigenvalues);
+        pairs
+            .map(|(vector, value)| (&basis * vector, *value))
             .collect()
     }
 
@@ -97,8 +109,13 @@ impl Resistance {
         }
     }
 
-    pub fn contacts(&mut self, scene: &Scene, rows: &[ContactRow], frames: &RigidBodies) {
-        let near = TOUCHING_GAP * extent(scene);
+    /// Contact at `rows` whose gap is up to `near` more than the least one of their pair.
+    pub fn contacts(
+        &mut self,
+        scene: &Scene,
+        (rows, near): (&[ContactRow], f64),
+        frames: &RigidBodies,
+    ) {
         for index in 0..scene.contacts.len() {
             let of_pair = || rows.iter().filter(|r| r.pair == index);
             let least = of_pair().fold(f64::INFINITY, |least, r| least.min(r.row.gap));

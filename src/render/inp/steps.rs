@@ -19,7 +19,7 @@ impl Deck<'_> {
         };
         let force = |plane: &Driven| plane.force * first.factor_of(&plane.plane);
         let pushed: Vec<&Driven> = self.driven.iter().filter(|p| force(p) != 0.0).collect();
-        if !pushed.is_empty() {
+        if !self.scene.contacts.is_empty() && !pushed.is_empty() {
             writeln!(
                 out,
                 "** Closing: no force finds a balance before there is contact, so what will be\n\

@@ -8,7 +8,7 @@ use super::contact::{Contact, Touch};
 use super::figure::{Figure, Quantity};
 use super::line::coarseness;
 use super::notes::{COARSE, FILLET, LONG_FACES, SHAPE};
-use super::rim::Rim;
+use super::rim::{Rim, mean};
 use crate::answer::results::edges::EVEN;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::hex::distance;
@@ -236,11 +236,8 @@ impl Contact<'_> {
     /// the rim, less that at the peak.
     fn grows_to_rim(&self, field: &ContactField, top: usize) -> f64 {
         let rim = Rim::around(self.scene, field, self.pair, top);
-        let [sum, number] = (self.sides_around(field, top))
-            .fold([0.0, 0.0], |[sum, number], side| {
-                [sum + side * side, number + 1.0]
-            });
-        let at_peak = sum / number / rim.squared_radius();
+        let at_peak =
+            mean(self.sides_around(field, top).map(|side| side * side)) / rim.squared_radius();
         (rim.squared_spacing(self.scene, self.pair) - at_peak).max(0.0)
     }
 
@@ -349,7 +346,7 @@ fn beside(scene: &Scene, field: &ContactField, pair: usize, node: usize) -> Vec<
         .flat_map(|surface| &surface.faces)
     {
         for side in 0..4 {
-            match [face.nodes[side], face.nodes[(side + 1) % 4]] {
+            match face.edge(side) {
                 [a, b] if a == node => beside.insert(b),
                 [a, b] if b == node => beside.insert(a),
                 _ => false,

@@ -42,9 +42,11 @@ impl Rim {
     pub(super) fn squared_spacing(&self, scene: &Scene, pair: usize) -> f64 {
         let [_, other] = scene.contacts[pair].carrier_first();
         let others = other.surface(&scene.mesh).map_or(0.0, |surface| {
-            let inside =
-                |node| Some(self.encloses(sub(scene.mesh.points[node as usize], self.peak)));
-            let across = sides_where(surface, inside).into_iter();
+            // Once a node: it is a corner of several faces.
+            let mut inside = surface.nodes();
+            inside.retain(|node| self.encloses(sub(scene.mesh.points[*node as usize], self.peak)));
+            let is_inside = |node| Some(inside.binary_search(&node).is_ok());
+            let across = sides_where(surface, is_inside).into_iter();
             mean(across.map(|side| outwards(&from(scene, self.peak, side))))
         });
         mean(self.sides.iter().map(outwards)).max(others)
@@ -71,12 +73,11 @@ fn sides(scene: &Scene, field: &ContactField, pair: usize) -> BTreeSet<[u32; 2]>
 fn sides_where(surface: &Surface, inside: impl Fn(u32) -> Option<bool>) -> BTreeSet<[u32; 2]> {
     let mut found = BTreeSet::new();
     for face in &surface.faces {
-        for side in 0..4 {
-            let [a, b] = [face.nodes[side], face.nodes[(side + 1) % 4]];
-            if let [Some(first), Some(second)] = [inside(a), inside(b)]
+        for ends in [0, 1, 2, 3].map(|side| face.edge(side)) {
+            if let [Some(first), Some(second)] = ends.map(&inside)
                 && first != second
             {
-                found.insert([a.min(b), a.max(b)]);
+                found.insert(ends);
             }
         }
     }
@@ -102,7 +103,7 @@ fn outwards(side: &[Vec3; 2]) -> f64 {
 }
 
 /// Zero of nothing.
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let [sum, number] = values.fold([0.0, 0.0], |[sum, number], v| [sum + v, number + 1.0]);
     sum / f64::max(number, 1.0)
 }

@@ -51,20 +51,22 @@ impl Scene {
 
 /// The outer faces of all bodies in the coordinate plane across `axis`.
 pub fn faces_in_plane(mesh: &Mesh, axis: usize) -> Vec<Face> {
+    let in_plane = in_plane(mesh, axis);
     (0..mesh.bodies.len())
         .flat_map(|body| mesh.outer_faces(body))
-        .filter(|face| is_in_plane(mesh, face, axis))
+        .filter(|face| in_plane(face))
         .collect()
 }
 
 /// Has a surface faces in the coordinate plane across `axis`? Of a model that is mirrored there they are inside the whole.
 pub fn reaches_into_plane(mesh: &Mesh, surface: &str, axis: usize) -> bool {
     let mut faces = mesh.surface(surface).into_iter().flat_map(|s| &s.faces);
-    faces.any(|face| is_in_plane(mesh, face, axis))
+    faces.any(in_plane(mesh, axis))
 }
 
-fn is_in_plane(mesh: &Mesh, face: &Face, axis: usize) -> bool {
+/// Does a face lie in the coordinate plane across `axis`? How far off is still in it is asked of all of the mesh, once.
+fn in_plane(mesh: &Mesh, axis: usize) -> impl Fn(&Face) -> bool {
     let near = OFF_PLANE * mesh.extent(axis);
-    let off = |node: &u32| mesh.points[*node as usize][axis].abs();
-    face.nodes.iter().all(|node| off(node) <= near)
+    let off = move |node: &u32| mesh.points[*node as usize][axis].abs();
+    move |face| face.nodes.iter().all(|node| off(node) <= near)
 }

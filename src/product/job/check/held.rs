@@ -67,15 +67,15 @@ pub fn free_in_words(free: &FreeMotion) -> String {
     let turns = part("turn about", free.turn);
     let motion: Vec<String> = moves.into_iter().chain(turns).collect();
     let (body, motion) = (&free.body, motion.join(" and "));
-    match free.driven {
-        _ if free.closes => format!(
+    match (free.closes, free.driven) {
+        (true, _) => format!(
             "{body} is free to {motion} at first touch: contact that closes under the load has to hold it"
         ),
-        true => format!(
+        (false, true) => format!(
             "{body} is free to {motion}: no support and no contact resists the load there; support \
              it, or give the contact friction"
         ),
-        false => format!(
+        (false, false) => format!(
             "{body} is free to {motion}: nothing resists that, and the load does not ask for it; a \
              support says where it stays"
         ),

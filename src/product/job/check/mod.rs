@@ -164,8 +164,7 @@ fn needs(scene: &Scene, forecast: &Forecast) -> Vec<String> {
 }
 
 fn warnings(check: &Check, mesh: &Mesh, forecast: &Forecast) -> Vec<String> {
-    let held = (forecast.free.iter()).filter(|free| !free.driven || free.closes);
-    let mut list = in_words(held);
+    let mut list = in_words(forecast.free.iter().filter(|free| !free.is_fatal()));
     for (body, part) in check.bodies.iter().zip(&mesh.bodies) {
         let name = &body.name;
         if body.min_scaled_jacobian < POOR_JACOBIAN {
@@ -234,8 +233,7 @@ fn rounded(mesh: &Mesh) -> impl Fn(f64) -> f64 {
 }
 
 fn problems(check: &Check, forecast: &Forecast) -> Vec<String> {
-    let driven = (forecast.free.iter()).filter(|free| free.driven && !free.closes);
-    let mut list = in_words(driven);
+    let mut list = in_words(forecast.free.iter().filter(|free| free.is_fatal()));
     let needed = check.cost.memory_bytes;
     if let Some(left) = check.machine.memory_bytes.filter(|left| needed > *left) {
         list.push(format!(

@@ -29,6 +29,13 @@ pub struct FreeMotion {
     pub closes: bool,
 }
 
+impl FreeMotion {
+    /// Would a solution fail by it?
+    pub fn is_fatal(&self) -> bool {
+        self.driven && !self.closes
+    }
+}
+
 /// The motions of `scene`, its bodies in touch, that nothing resists; at `rows` contact is likely to close.
 pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     let bodies = RigidBodies::new(scene);
@@ -45,6 +52,9 @@ pub fn free_motions(scene: &Scene, rows: &[ContactRow]) -> Vec<FreeMotion> {
     let load = bodies.load(scene, &|_| 1.0);
     let whole = load.iter().map(|f| f * f).sum::<f64>().sqrt();
     let free = resisted(TOUCHING_GAP * extent(scene)).unresisted(UNRESISTED_EIGENVALUE);
+    if free.is_empty() {
+        return Vec::new();
+    }
     let motions = resisted(f64::INFINITY).among(&free);
     let motions = motions.iter().filter_map(|(motion, resistance)| {
         let work: f64 = motion.iter().zip(&load).map(|(v, f)| v * f).sum();

@@ -51,12 +51,9 @@ impl Resistance {
             .collect()
     }
 
-    /// Among combinations of `motions`, which are orthonormal: those that are resisted least, and so on, each of length one
+    /// Among combinations of `motions`, one or more that are orthonormal: those that are resisted least, and so on, each of length one
     /// with its resistance.
     pub fn among(self, motions: &[DVector<f64>]) -> Vec<(DVector<f64>, f64)> {
-        if motions.is_empty() {
-            return Vec::new();
-        }
         let basis = DMatrix::from_columns(motions);
         let eigen = SymmetricEigen::new(basis.tr_mul(&self.matrix) * &basis);
         let pairs = eigen.eigenvectors.column_iter().zip(&eigen.eigenvalues);

@@ -5,6 +5,7 @@
 
 pub mod carrier;
 mod controls;
+pub mod held_planes;
 mod joined;
 mod loads;
 mod mirrors;

@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::hex::distance;
 use crate::ground::geometry::bounds;
+use crate::model::mesh::Surface;
 use crate::model::mesh::surface::sorted;
-use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::Scene;
+use crate::model::scene::held_planes::held_planes;
 
 /// The longest side of the box about some nodes and their images: as long whether mirror planes are made use of or not.
 pub fn longest_side(scene: &Scene, nodes: impl Iterator<Item = u32>) -> f64 {
@@ -20,13 +21,6 @@ pub fn longest_side(scene: &Scene, nodes: impl Iterator<Item = u32>) -> f64 {
         }
     }
     (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max)
-}
-
-/// Diagonal of the box about a surface.
-fn extent(mesh: &Mesh, surface: &Surface) -> f64 {
-    let nodes = surface.faces.iter().flat_map(|face| face.nodes);
-    let [low, high] = bounds(nodes.map(|node| mesh.points[node as usize]));
-    distance(low, high)
 }
 
 /// Edges where a surface ends, the nodes of each ascending.
@@ -53,7 +47,7 @@ pub fn boundary(scene: &Scene, surface: &Surface) -> Boundary {
         }
     }
     let once = uses.iter().filter(|(_, n)| **n == 1).map(|(edge, _)| *edge);
-    let held = held_planes(scene);
+    let held = held_planes(scene, |_| true);
     let kept = |edge: &[u32; 2]| {
         let [a, b] = edge.map(|n| scene.mesh.points[n as usize]);
         let tolerance = 1e-6 * distance(a, b);
@@ -63,32 +57,7 @@ pub fn boundary(scene: &Scene, surface: &Surface) -> Boundary {
         is_mirrored
             || held
                 .iter()
-                .any(|held| edge.iter().all(|n| held.contains(n)))
+                .any(|held| edge.iter().all(|n| held.nodes.contains(n)))
     };
     once.filter(|edge| !kept(edge)).collect()
-}
-
-/// Nodes of each flat surface across an axis that a support holds along it, as a mirror plane does.
-fn held_planes(scene: &Scene) -> Vec<BTreeSet<u32>> {
-    let mut planes = Vec::new();
-    for support in &scene.supports {
-        let Some(surface) = scene.mesh.surface(&support.surface) else {
-            continue;
-        };
-        let nodes = surface.nodes();
-        // Bodies are moved into touch along directions with rounding in them.
-        let flat = 1e-9 * extent(&scene.mesh, surface);
-        let is_flat = |axis: usize| {
-            let mut at = nodes.iter().map(|n| scene.mesh.points[*n as usize][axis]);
-            at.next()
-                .is_some_and(|first| at.all(|x| (x - first).abs() <= flat))
-        };
-        let holds = |axis: &usize| {
-            support.components[*axis] == Some(0.0) && support.gradient[*axis] == [0.0; 3]
-        };
-        if (0..3).filter(holds).any(is_flat) {
-            planes.push(nodes.iter().copied().collect());
-        }
-    }
-    planes
 }

@@ -6,7 +6,7 @@ use crate::solver::contact::mortar::{Opposite, Row};
 use crate::solver::contact::{facing, mortar};
 use crate::solver::fem::tied::Tied;
 use crate::solver::solve::rows::contact_row::{ContactRow, law};
-use crate::solver::solve::rows::held_planes::held_planes;
+use crate::solver::solve::rows::held_planes::held_on_both;
 
 /// Contact rows of all pairs up to an initial gap of `reach`, by pair and node. Nodes that are `tied` to others have none.
 pub fn contact_rows(scene: &Scene, tied: &Tied, reach: f64) -> Vec<ContactRow> {
@@ -48,7 +48,7 @@ pub fn pair_rows(
     (reach, follow): (f64, &[u32]),
     moduli: &[f64],
 ) -> Vec<Row> {
-    let held = held_planes(scene, pair);
+    let held = held_on_both(scene, pair);
     let prepared = prepared(scene, pair, (reach, moduli, &held), follow);
     prepared.map_or_else(Vec::new, |pair| mortar::rows(&pair))
 }

@@ -6,6 +6,7 @@ mod bore;
 mod contact_lines;
 mod deck;
 mod dent;
+mod even_pressure;
 mod interface;
 mod line_load;
 mod paraview;

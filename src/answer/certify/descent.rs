@@ -166,6 +166,11 @@ impl Travel {
         })
     }
 
+    /// By which share of the value that of the nodes may differ from the true one, as [`Self::off`].
+    fn off_mesh(&self) -> f64 {
+        (self.of_mesh / self.value() - 1.0).abs() + self.off()
+    }
+
     fn known(&self) -> Option<MissedByMesh> {
         let most = MOST_MISSING * self.of_mesh.abs();
         self.missing
@@ -328,6 +333,22 @@ impl Contacts<'_> {
     fn strip(&self, pair: usize) -> Option<(&HeaviestLine, LineContact)> {
         let line = self.lines.get(pair)?.as_ref()?;
         Some((line, line.strip()?))
+    }
+
+    /// By which share a pair may carry more or less of the load than it does on the mesh, where it does not carry all of it.
+    ///
+    /// What carries the rest beside it is a spring in parallel: where that is too stiff by a share, the travel is too small by the
+    /// same share as the force of the pair, and that share is no more than its part of the load.
+    pub(super) fn shared_off(
+        &self,
+        (scene, state): (&Scene, &State),
+        pair: usize,
+        travel: Option<Travel>,
+    ) -> f64 {
+        let load = applied(scene, state);
+        let force = self.force(scene, pair).filter(|_| load > 0.0);
+        let rest = force.map_or(0.0, |force| (1.0 - force / load).max(0.0));
+        travel.map_or(0.0, |travel| travel.off_mesh().min(MOST_MISSING * rest))
     }
 
     /// What a pair presses by on the whole; images of it beside a mirror plane carry as much.

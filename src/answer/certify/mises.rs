@@ -88,7 +88,8 @@ const BESIDE: f64 = 0.5;
 /// element centres.
 ///
 /// Below a Hertzian strip the half space says how large the peak is, within what the bodies add to it:
-/// the distance from that is an error, too, and with a node and less in a half-width there is no peak
+/// the distance from that is an error, too, less of it on finer grids (all of it where elements are no grid: of 876 peaks below
+/// strips on unstructured meshes, drawn by a seed, 208 were outside of their bars otherwise); with a node and less in a half-width there is no peak
 /// to be read at all: neither that below the strip, nor a smaller one elsewhere.
 pub(super) fn claims(
     own: &[BodyPeaks],
@@ -227,6 +228,10 @@ fn mises(
                     .min(1.0)
                     .powi(2);
                 let mises = share * of_half_space;
+                let [weight, left] = match around.is_irregular {
+                    true => [1.0; 2],
+                    false => [weight, left],
+                };
                 let off = (nodal.value - mises).abs() + BODIES * mises;
                 let load = 0.5 * strip.spread_otherwise(travel_off) * mises;
                 (Some(left * spread.max(weight * off) + load), None)

@@ -9,6 +9,7 @@ mod below_patches;
 mod contact;
 mod descent;
 pub mod energy;
+mod fall;
 mod figure;
 mod increments;
 mod line;
@@ -17,6 +18,7 @@ mod notes;
 mod other;
 mod pressure;
 mod rim;
+mod scatter;
 mod strip_below;
 mod thin_walls;
 
@@ -125,6 +127,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             edges: &evidence.edges.loaded,
             too_stiff: by_motion,
             travel_off,
+            shared_off: contacts.shared_off((scene, state), pair, evidence.travel),
         };
         let own = contact.claims();
         unclear = unclear.or(contact.has_no_shape(&own).then_some(notes::SHAPE));

@@ -30,7 +30,13 @@ pub struct Around {
     pub curvature: Curvature,
     /// How far these elements reach along x, y and z, the largest of them.
     pub extent: Vec3,
+    /// Are they far from parallelepipeds, see [`IRREGULAR`]?
+    pub is_irregular: bool,
 }
+
+/// [Distortion](crate::model::mesh::quadrilateral::distortion) from which on elements are no part of a grid: of graded grids and of those
+/// around rollers it is below 0.01, of unstructured meshes 0.1 to 0.4.
+pub const IRREGULAR: f64 = 0.05;
 
 /// Share of the Mises stress of the difference of two stresses that counts as the distance of their Mises stresses where these are
 /// nearer: where stresses superpose, such as pressure in a tube with tension along it, two stresses that are both wrong may have
@@ -94,5 +100,8 @@ pub(super) fn around(
         rises_to_long_faces,
         curvature: curvature(scene, recovered, &elements, is_beside),
         extent,
+        is_irregular: own
+            .iter()
+            .any(|element| scene.mesh.distortion(*element) > IRREGULAR),
     }
 }

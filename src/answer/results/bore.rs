@@ -43,6 +43,8 @@ pub struct BoreStress {
     pub facet: f64,
     /// The length of that facet half-way through the wall, over the thickness of the wall.
     pub slenderness: f64,
+    /// The length of a facet that is half the wall beside the load, half-way through the wall, over its thickness.
+    pub beside_load: f64,
     /// Largest nodal Mises stress on the bore.
     pub nodal: Option<f64>,
     /// Undeformed position of that node.
@@ -81,7 +83,10 @@ pub fn bore_stress(
         stress.coarseness = peak.depth / radius;
         stress.of_wall = peak.depth / wall;
         stress.facet = peak.circle.largest_facet(scene, surface);
-        stress.slenderness = stress.facet * (radius + 0.5 * wall) / wall;
+        let middle = radius + 0.5 * wall;
+        stress.slenderness = stress.facet * middle / wall;
+        let beside = peak.circle.facet_at(scene, surface, 0.5 * wall / middle);
+        stress.beside_load = beside * middle / wall;
     }
     Some(stress)
 }
@@ -142,6 +147,20 @@ impl Circle {
             .flatten()
             .flat_map(|e| scene.mesh.hexes[e]);
         nodes.map(|n| self.radius(scene, n)).fold(0.0, f64::max)
+    }
+
+    /// The largest angle that a facet spans which lies at an `angle` from the nearer load line, in radians.
+    fn facet_at(&self, scene: &Scene, surface: &Surface, angle: f64) -> f64 {
+        let spans = surface.faces.iter().map(|face| {
+            let angles = angles_from_load(scene, &face.nodes, self);
+            angles
+                .into_iter()
+                .fold([f64::INFINITY, 0.0], |[least, most], a| {
+                    [a.min(least), a.max(most)]
+                })
+        });
+        let there = spans.filter(|[least, most]| (*least..=*most).contains(&angle));
+        there.map(|[least, most]| most - least).fold(0.0, f64::max)
     }
 
     /// The largest angle that a facet spans, in radians.

@@ -22,6 +22,7 @@ pub mod surface;
 #[doc(hidden)]
 pub mod unfold;
 
+use self::hexahedron::FACES;
 use crate::ground::geometry::range;
 use crate::ground::order::ascending;
 use serde::Serialize;
@@ -136,6 +137,14 @@ impl Mesh {
     pub fn extent(&self, axis: usize) -> f64 {
         let [low, high] = self.range_along(axis);
         high - low
+    }
+
+    /// The largest [`quadrilateral::distortion`] of the faces of element `element`.
+    pub fn distortion(&self, element: usize) -> f64 {
+        let corners = self.corners(element);
+        let faces =
+            FACES.map(|face| quadrilateral::distortion(&face.map(|corner| corners[corner])));
+        faces.into_iter().fold(0.0, f64::max)
     }
 
     /// Corner coordinates of element `element`.

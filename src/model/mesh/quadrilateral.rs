@@ -1,6 +1,6 @@
 //! The bilinear quadrilateral: shape functions of a face of a hexahedron, of a facet of a surface.
 
-use crate::ground::geometry::{Vec3, cross, scale, sub};
+use crate::ground::geometry::{Vec3, add, cross, norm, scale, sub};
 
 /// Shape functions of the four corners at natural coordinates `s` in [-1, 1]²: each is one at its
 /// own corner and zero at the others. The corners run counter-clockwise from (-1, -1).
@@ -42,12 +42,34 @@ pub fn area_vector([a, b, c, d]: &[Vec3; 4]) -> Vec3 {
     scale(cross(sub(*c, *a), sub(*d, *b)), 0.5)
 }
 
+/// How far it is from a parallelogram: the difference of its opposite sides over the geometric mean of its two lengths, zero for
+/// every parallelogram.
+pub fn distortion(corners: &[Vec3; 4]) -> f64 {
+    let [along, across] = derivatives([0.0, 0.0], corners).map(norm);
+    let [a, b, c, d] = *corners;
+    let apart = 0.25 * norm(sub(add(a, c), add(b, d)));
+    if apart > 0.0 {
+        apart / (along * across).sqrt()
+    } else {
+        0.0
+    }
+}
+
 /// Natural coordinates of the corners.
 pub const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn parallelograms_are_not_distorted() {
+        let parallelogram = [[0.0; 3], [2.0, 0.0, 0.0], [3.0, 1.0, 0.5], [1.0, 1.0, 0.5]];
+        assert_eq!(distortion(&parallelogram), 0.0);
+        // A corner of a square aside by a quarter.
+        let square = [[0.0; 3], [1.0, 0.0, 0.0], [1.25, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        assert!((distortion(&square) - 0.118).abs() < 1e-3);
+    }
 
     #[test]
     fn shape_functions_are_one_at_their_corner() {

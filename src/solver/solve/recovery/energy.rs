@@ -5,11 +5,13 @@
 //! W = U + D_p + D_f + W_c
 //!
 //! with the work W of the loads and of temperatures, −½ (σ₀ + σ₁) : Δε_th: what is heated where it cannot stretch takes
-//! in elastic energy without a force that does work. It holds to the residual of the increments, whatever their size, by
+//! in elastic energy without a force that does work. What slides does so under the force of friction that it ends with,
+//! though the increment may begin with another one, as where sliding turns: what the trapezoidal sum lacks of that goes to
+//! both W and D_f. The sum holds to the residual of the increments, whatever their size, by
 //! virtual work: ½ (σ₀ + σ₁) : Δε is the change of ½ σ : C⁻¹ : σ, and ½ (σ₀ + σ₁) : Δε_p and : Δε_th. W_c is what the
 //! pressure does on closing gaps within an increment; like every error of the sum it vanishes with their size.
 
-use crate::ground::geometry::dot;
+use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub};
 use crate::model::material::{Moduli, mises};
 use crate::model::mesh::hexahedron::gauss_volumes;
 use crate::model::scene::{PlaneMotion, PlaneTurn, Support};
@@ -34,7 +36,12 @@ impl Energy {
         let (thermal, scale) = of_temperatures(model, before, after);
         let work = work + thermal;
         let (elastic, plastic) = in_bodies(model, before, after);
-        let (friction, contact) = at_contacts(model, before, after);
+        let AtContacts {
+            friction,
+            contact,
+            turned,
+        } = at_contacts(model, before, after);
+        let (work, friction) = (work + turned, friction + turned);
         Some(Self {
             work: self.work + work,
             turned_over: self.turned_over + work.abs() + scale,
@@ -181,14 +188,24 @@ fn flow_stress(was: &[f64; 6], now: &[f64; 6]) -> f64 {
     }
 }
 
-/// What the increment has spent in friction, and what pressures have done on closing gaps.
-fn at_contacts(model: &Model, before: &State, after: &State) -> (f64, f64) {
-    let (mut friction, mut contact) = (0.0, 0.0);
+/// Work at contacts in an increment.
+#[derive(Default)]
+struct AtContacts {
+    /// Spent in friction, and of pressures on closing gaps: trapezoidal sums.
+    friction: f64,
+    contact: f64,
+    /// What the first lacks where friction reaches its limit within the increment.
+    turned: f64,
+}
+
+fn at_contacts(model: &Model, before: &State, after: &State) -> AtContacts {
+    let mut sum = AtContacts::default();
     for row in &model.rows {
+        let pair = &model.scene.contacts[row.pair];
         let force_in = |state: &State| {
             let field = state.contacts.get(row.pair)?;
             let at = field.nodes.binary_search(&row.row.node).ok()?;
-            Some(field.force[at])
+            Some(scale(field.force[at], pair.carrier.sign()))
         };
         let [was, now] = [before, after].map(|state| force_in(state).unwrap_or_default());
         let mut closed = [0.0; 3];
@@ -196,11 +213,43 @@ fn at_contacts(model: &Model, before: &State, after: &State) -> (f64, f64) {
             let moved = moved(before, after, *node as usize);
             (0..3).for_each(|i| closed[i] += coefficient[i] * moved[i]);
         }
-        let sign = model.scene.contacts[row.pair].carrier.sign();
-        let force = [0, 1, 2].map(|i| 0.5 * sign * (was[i] + now[i]));
-        let normal = dot(force, row.row.normal) * dot(closed, row.row.normal);
-        contact += normal;
-        friction += dot(force, closed) - normal;
+        let normal = row.row.normal;
+        let along = |v: Vec3| sub(v, scale(normal, dot(v, normal)));
+        let force = scale(add(was, now), 0.5);
+        let rubbed = dot(along(force), along(closed));
+        sum.contact += dot(force, normal) * dot(closed, normal);
+        sum.friction += rubbed;
+        let limits = [was, now].map(|force| pair.friction * dot(force, normal).abs());
+        let under_limit = rubbed_at(limits, along(now), along(closed));
+        sum.turned += under_limit.map_or(0.0, |all| (all - rubbed).max(0.0));
     }
-    (friction, contact)
+    sum
+}
+
+/// What is spent on the way `slid`, the limits of friction being as they are before and after: what slides in the end under
+/// `friction` has done so under the limit. `None` of what sticks in the end.
+fn rubbed_at([was, now]: [f64; 2], friction: Vec3, slid: Vec3) -> Option<f64> {
+    const SLIDES: f64 = 1.0 - 1e-6;
+    let size = norm(friction);
+    (size > 0.0 && size >= SLIDES * now).then(|| 0.5 * (was / size + 1.0) * dot(friction, slid))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_turns_within_an_increment_rubs_under_the_limit_all_the_way() {
+        let friction = [3.0, 0.0, 0.0];
+        assert_eq!(
+            rubbed_at([3.0, 3.0], friction, [0.2, 0.0, 0.0]),
+            Some(3.0 * 0.2)
+        );
+        assert_eq!(
+            rubbed_at([0.0, 3.0], friction, [0.2, 0.0, 0.0]),
+            Some(1.5 * 0.2)
+        );
+        assert_eq!(rubbed_at([3.0, 4.0], friction, [0.2, 0.0, 0.0]), None);
+        assert_eq!(rubbed_at([0.0, 0.0], [0.0; 3], [0.0; 3]), None);
+    }
 }

@@ -33,6 +33,8 @@ pub struct AnswerInputs<'a> {
     pub doubled: &'a [State],
     /// Did the solution reach the end of the last step?
     pub converged: bool,
+    /// Was it stopped on demand before that?
+    pub interrupted: bool,
     /// The inner walls of hollow rollers.
     pub bores: &'a [Bore],
     /// Share of the load that stabilisation carries, which only the solver knows.
@@ -54,6 +56,7 @@ impl<'a> AnswerInputs<'a> {
             elastic_claims: &[],
             doubled: &[],
             converged: true,
+            interrupted: false,
             bores: &[],
             stabilisation_share: None,
         }

@@ -52,6 +52,8 @@ use serde::Serialize;
 pub struct Answer {
     /// Did the solution reach the end of the last step?
     pub converged: bool,
+    /// Was the run stopped on demand before that? `--resume` goes on with it.
+    pub interrupted: bool,
     /// Name of the step whose end the figures are of, and share of it that is done: the last one, or,
     /// where the last steps unload, the one before them.
     pub step: String,
@@ -166,6 +168,7 @@ impl Answer {
         let strain = largest_strain(&scene.mesh, &state.displacement);
         Self {
             converged: solved.converged,
+            interrupted: solved.interrupted,
             step: step.map_or_else(String::new, |step| step.name.clone()),
             step_done: state.time,
             load_line: load_line::points(&steps),

@@ -61,6 +61,7 @@ impl Solved {
             elastic_doubled: elastic_doubled.as_deref(),
             doubled: &solution.doubled,
             converged: solution.complete,
+            interrupted: solution.interrupted,
             ..AnswerInputs::new(&scene, ending.reported, &recovered)
         });
         Ok(Self {

@@ -6,6 +6,7 @@ use super::sections;
 use super::summary::Summary;
 use super::table::text::{text, texts};
 use super::text::{list, percent, significant};
+use crate::answer::Answer;
 use crate::ground::geometry::norm;
 use crate::render::table::Table;
 use std::fmt::Write;
@@ -48,13 +49,18 @@ fn number(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_string(), |v| significant(v, DIGITS))
 }
 
+/// Whether a solution has come to its end, in a word or two.
+pub fn how_it_ended(answer: &Answer) -> &'static str {
+    match (answer.converged, answer.interrupted) {
+        (true, _) => "converged",
+        (false, true) => "INTERRUPTED",
+        (false, false) => "NOT CONVERGED",
+    }
+}
+
 /// The case and whether it has converged, a line.
 pub fn headline(summary: &Summary) -> String {
-    let state = match summary.answer.converged {
-        true => "converged",
-        false => "NOT CONVERGED",
-    };
-    format!("{}: {state}\n", summary.case)
+    format!("{}: {}\n", summary.case, how_it_ended(&summary.answer))
 }
 
 fn header(summary: &Summary) -> String {

@@ -36,9 +36,12 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
     };
     if !summary.answer.converged {
         let done = share(Some(summary.answer.step_done));
+        let what = match summary.answer.interrupted {
+            true => "The run was interrupted, and --resume goes on with it",
+            false => "The solution has not converged",
+        };
         let why = format!(
-            "The solution has not converged: what follows is the last increment that was done, {done} of \
-             step “{}”.",
+            "{what}: what follows is the last increment that was done, {done} of step “{}”.",
             summary.answer.step
         );
         return bad("No answer.", why);

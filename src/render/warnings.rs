@@ -21,7 +21,12 @@ const SMALL_STRAIN_LIMIT: f64 = 0.02;
 pub fn warnings(answer: &Answer) -> Vec<Warning> {
     let mut list = Vec::new();
     let mut warn = |text: String| list.push(Warning(text));
-    if !answer.converged {
+    if answer.interrupted {
+        warn(
+            "the run was interrupted: no figure here is an answer; --resume goes on with it"
+                .to_string(),
+        );
+    } else if !answer.converged {
         warn("the solution has not converged: no figure here is an answer".to_string());
     }
     if let Some(strain) = answer.max_strain.filter(|s| *s > SMALL_STRAIN_LIMIT) {
@@ -42,7 +47,7 @@ pub fn warnings(answer: &Answer) -> Vec<Warning> {
     }
     let unaware = |f: &&Figure| f.is_resolved() && f.note == Some(WITHOUT_INCREMENTS);
     let number = answer.certificate.iter().filter(unaware).count();
-    if number > 0 {
+    if number > 0 && !answer.interrupted {
         warn(format!(
             "{number} bars are too narrow: no second solution tells what the size of the increments does \
              (a smaller `first_increment` may)"

@@ -52,6 +52,7 @@ pub fn summarise(
         elastic_claims: second.twin.map_or(&[], |twin| &twin.claims),
         doubled: &solution.doubled,
         converged: solution.complete,
+        interrupted: solution.interrupted,
         bores: &bores(case),
         // Nothing but bodies and contact carries force: the tangent alone is shifted.
         stabilisation_share: Some(0.0),

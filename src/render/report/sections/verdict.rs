@@ -7,6 +7,7 @@ use crate::render::report::html::list;
 use crate::render::summary::Summary;
 use crate::render::table::html::table;
 use crate::render::table::{Cell, Number, Table};
+use crate::render::terminal::how_it_ended;
 use crate::render::text::significant;
 use crate::render::utilisation::{Utilisation, largest, utilisations};
 use crate::render::verdict::{self, News, Verdict, missed_rules, open_rule};
@@ -69,10 +70,11 @@ fn card(title: &str, news: Option<News>, value: &str, below: &str) -> Markup {
 fn cards(inputs: &Inputs, largest: Option<&Utilisation>) -> Markup {
     let summary = inputs.summary;
     let units = &summary.units;
-    let (solution, news) = if summary.answer.converged {
-        ("converged", News::Good)
+    let solution = how_it_ended(&summary.answer);
+    let news = if summary.answer.converged {
+        News::Good
     } else {
-        ("NOT CONVERGED", News::Bad)
+        News::Bad
     };
     let checks = &summary.answer.checks;
     let balance = checks.force_balance.map_or_else(String::new, |b| {

@@ -30,6 +30,8 @@ pub struct Solution {
     pub overlapping: Vec<(String, f64)>,
     /// Were all steps finished, or all but the taking off of the load?
     pub complete: bool,
+    /// Was it stopped on demand before that?
+    pub interrupted: bool,
     /// Was one half of it solved, as it is its own image under a half turn?
     pub half_turn: bool,
     /// Why the load was not taken off to the end, in words, where all steps before were finished.

@@ -127,6 +127,7 @@ fn solve_touching(
         closings,
         half_turn: false,
         complete: matches!(ended, Ok(true)),
+        interrupted: matches!(ended, Ok(false)),
         stuck,
     };
     match ended {

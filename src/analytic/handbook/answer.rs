@@ -83,6 +83,10 @@ pub struct Groove {
     pub contact_width: f64,
     /// Largest Mises stress below a line.
     pub mises: f64,
+    /// No yield below a line.
+    pub elastic: bool,
+    /// The peak pressure of each is within (2-49).
+    pub within_limit: bool,
     /// Peak pressure with the other line's effect; none where the two merge.
     pub peak_pressure_with_interaction: Option<f64>,
 }
@@ -149,9 +153,9 @@ pub struct HandbookAnswer {
     pub displaced: Option<Displaced>,
     /// The contact is small against radius, wall and plate ([`HALF_SPACE_SHARE`](super::HALF_SPACE_SHARE)).
     pub half_space_valid: bool,
-    /// Nothing yields, neither below the contact nor at the bore; the roller centred.
+    /// Nothing yields, neither below the contacts, those in the groove among them, nor at the bore; the roller centred.
     pub elastic: bool,
-    /// The peak pressure is within (2-49); the roller centred.
+    /// The peak pressure is within (2-49), in the groove too; the roller centred.
     pub within_limit: bool,
     /// What limits the numbers above, in words.
     pub remarks: Vec<String>,

@@ -119,8 +119,12 @@ pub fn handbook(input: &Handbook) -> Result<HandbookAnswer, DomainError> {
         groove,
         displaced,
         half_space_valid,
-        elastic: roller.share_of_yield < 1.0 && plate.share_of_yield < 1.0 && bore_elastic,
-        within_limit: sizing::within_limit(contact.peak_pressure, bodies.lower_yield)?,
+        elastic: roller.share_of_yield < 1.0
+            && plate.share_of_yield < 1.0
+            && bore_elastic
+            && groove.is_none_or(|groove| groove.elastic),
+        within_limit: sizing::within_limit(contact.peak_pressure, bodies.lower_yield)?
+            && groove.is_none_or(|groove| groove.within_limit),
         remarks,
     })
 }
@@ -296,7 +300,13 @@ fn groove(
         angle.to_radians(),
         bodies.compliance,
     )?;
-    let (contact, mises, _) = bodies.contact(groove.normal_load())?;
+    let (contact, mises, elastic) = bodies.contact(groove.normal_load())?;
+    if groove.normal_load() > line_load {
+        remarks.push(
+            "each slope of the groove presses harder than a flat plate, of which the rules speak"
+                .into(),
+        );
+    }
     let together = groove.interaction().ok();
     if together.is_none() {
         remarks.push("the two lines in the groove are too close to be taken apart".into());
@@ -313,6 +323,8 @@ fn groove(
         peak_pressure: contact.peak_pressure,
         contact_width: contact.width(),
         mises,
+        elastic,
+        within_limit: sizing::within_limit(contact.peak_pressure, bodies.lower_yield)?,
         peak_pressure_with_interaction: together.map(|t| t.peak_pressure),
     }))
 }

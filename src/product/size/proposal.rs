@@ -69,8 +69,16 @@ fn candidates(request: &Request) -> Result<Vec<Candidate>, SizeError> {
     let first = FIRST_DIAMETER * square_diameter(request)?;
     let mut found: Vec<Candidate> = Vec::new();
     let mut beyond = 0;
+    let mut cannot = None;
     for diameter in diameters(request.units, first).take(MOST_ROWS) {
-        let candidate = Candidate::new(request, diameter)?;
+        let candidate = match Candidate::new(request, diameter) {
+            Ok(candidate) => candidate,
+            // Another row may do, as where the ends leave too little of the smaller rollers.
+            Err(why) => {
+                cannot = cannot.or(Some(why));
+                continue;
+            }
+        };
         if beyond > 0 || will_do(request, &candidate) {
             beyond += 1;
         }
@@ -80,7 +88,7 @@ fn candidates(request: &Request) -> Result<Vec<Candidate>, SizeError> {
             break;
         }
     }
-    Ok(found)
+    cannot.filter(|_| found.is_empty()).map_or(Ok(found), Err)
 }
 
 /// Is the rule to be believed for these proportions? A diameter that is fixed is.

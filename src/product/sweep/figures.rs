@@ -3,6 +3,7 @@
 use crate::answer::certify::Quantity;
 use crate::answer::{BodyFigures, InterfaceFigures};
 use crate::render::Summary;
+use crate::render::joint::governing;
 use serde_json::Value;
 
 /// Figures under their names, in the order of the columns.
@@ -74,11 +75,13 @@ fn overall(summary: &Summary, out: &mut RowFigures) {
     let elastic = bodies.iter().filter_map(|(n, b)| Some((n, elastic(b)?)));
     let of = |n: &str| elastic_error(summary, n);
     add_largest("elastic_mises_nodal", elastic, of, out);
-    let lines = summary.sizing.iter().flat_map(|s| &s.lines);
-    let worst = lines.filter_map(|l| Some((&l.interface, l.utilisation?)));
-    let worst = worst.reduce(|a, b| if b.1 > a.1 { b } else { a });
-    out.add("utilisation", worst.map(|(_, value)| value));
-    out.add("utilisation_at", worst.map(|(name, _)| name.as_str()));
+    let most = governing(summary);
+    out.add("utilisation", most.as_ref().map(|most| most.utilisation));
+    out.add(
+        "utilisation_error",
+        most.as_ref().and_then(|most| most.error),
+    );
+    out.add("utilisation_at", most.map(|most| most.what));
 }
 
 /// The largest value with its error and where it is.

@@ -86,15 +86,21 @@ fn rows(
 ) -> Result<Vec<LineCandidate>, SizeError> {
     let mut found: Vec<LineCandidate> = Vec::new();
     let mut beyond = 0;
+    let mut cannot = None;
     for (rollers, diameter) in tried.take(MOST_ROWS) {
-        let candidate = LineCandidate::new(request, rollers, diameter)?;
-        beyond += usize::from(beyond > 0 || will_do(request, &candidate));
-        found.push(candidate);
+        match LineCandidate::new(request, rollers, diameter) {
+            Ok(candidate) => {
+                beyond += usize::from(beyond > 0 || will_do(request, &candidate));
+                found.push(candidate);
+            }
+            // Another row may do, as where only the larger rollers would touch each other.
+            Err(why) => cannot = cannot.or(Some(why)),
+        }
         if beyond > ROWS_BEYOND {
             break;
         }
     }
-    Ok(found)
+    cannot.filter(|_| found.is_empty()).map_or(Ok(found), Err)
 }
 
 /// Long enough, and neither slender nor stubby where the length is open.
@@ -108,16 +114,24 @@ fn why(request: &LineRequest, any: bool) -> String {
         (Some(_), None) => "number of rollers",
         _ => "diameter",
     };
+    let margin = match request.margin.value {
+        1.0 => String::new(),
+        margin => format!(", for {margin} times the load (--margin)"),
+    };
     match (any, request.length.is_some()) {
         (true, false) => format!(
             "the smallest {open} whose rollers are no longer than {SLENDEREST:.2} diameters (the reference study's \
              slenderest) and no shorter than {STUBBIEST}"
         ),
         (true, true) => {
-            format!("the smallest {open} that keeps p0 within its limit on the given length")
+            format!(
+                "the smallest {open} that keeps p0 within its limit on the given length{margin}"
+            )
         }
         (false, true) => {
-            format!("no {open} of the table keeps p0 within its limit on the given --length")
+            format!(
+                "no {open} of the table keeps p0 within its limit on the given --length{margin}"
+            )
         }
         (false, false) => format!(
             "no {open} of the table has rollers between {STUBBIEST} and {SLENDEREST:.2} diameters long: leave \

@@ -31,6 +31,9 @@ fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
     if line.merged {
         remarks.push("both lines of the V in one, which the mesh does not tell apart: p0 as if one line carried all");
     }
+    if error.is_none() {
+        remarks.push("this mesh does not resolve it");
+    }
     LimitCheck {
         kind: LimitKind::ContactPressure,
         place: line.interface.clone(),

@@ -21,9 +21,11 @@ pub enum SizeStanding {
 }
 
 impl SizeStanding {
-    /// Of `value`, good to ± `error`, against the most that is allowed.
+    /// Of `value`, good to ± `error`, against the most that is allowed; where nothing is known of the error there is no verdict.
     pub fn of(value: f64, error: Option<f64>, limit: f64) -> Self {
-        let error = error.unwrap_or(0.0);
+        let Some(error) = error else {
+            return Self::Unresolved;
+        };
         match (value <= limit, (value - limit).abs() < error) {
             (true, false) => Self::Met,
             (true, true) => Self::MetWithinError,
@@ -48,10 +50,10 @@ mod tests {
         let of = |value, error| SizeStanding::of(value, error, 100.0);
         assert_eq!(of(90.0, Some(5.0)), SizeStanding::Met);
         assert_eq!(of(96.0, Some(5.0)), SizeStanding::MetWithinError);
-        assert_eq!(of(100.0, None), SizeStanding::Met);
+        assert_eq!(of(50.0, None), SizeStanding::Unresolved);
         assert_eq!(of(104.0, Some(5.0)), SizeStanding::MissedWithinError);
         assert_eq!(of(106.0, Some(5.0)), SizeStanding::Missed);
-        assert_eq!(of(100.1, None), SizeStanding::Missed);
+        assert_eq!(of(200.0, None), SizeStanding::Unresolved);
         assert!(of(f64::NAN, Some(5.0)).is_missed());
         assert!(!SizeStanding::Open.is_missed() && !SizeStanding::NotJudged.is_missed());
     }

@@ -2,8 +2,9 @@
 
 /// An error that is this small, relative to the largest of its series, is rounding.
 const ROUNDING: f64 = 1e-11;
-/// Orders that an extrapolation may rest on: below, its limit lies beyond every level.
-const SOUND: std::ops::Range<f64> = 0.5..6.0;
+/// Orders that an extrapolation may rest on: below, its limit lies beyond every level; elements of the first order have no more than
+/// twice that order in energies, and twice that again where meshes are alike.
+const SOUND: std::ops::Range<f64> = 0.5..4.5;
 
 /// The order p in |error| ∝ size^p between two levels; `None` where an error vanishes.
 pub fn between(sizes: [f64; 2], errors: [f64; 2]) -> Option<f64> {

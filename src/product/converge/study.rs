@@ -175,7 +175,9 @@ impl Study {
         let values: Vec<f64> = levels.iter().map(|l| l.values[quantity]).collect();
         let limit = last_three(&sizes)
             .zip(last_three(&values))
-            .and_then(|(s, v)| richardson(s, v));
+            .and_then(|(s, v)| richardson(s, v))
+            // Beside a singular edge elastic stress has no limit.
+            .filter(|_| !measured.at_singular_edge);
         let reference = match (&measured.known, limit) {
             (Some(known), _) => Some(Reference::Known {
                 value: known.value,

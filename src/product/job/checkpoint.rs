@@ -90,7 +90,7 @@ impl Checkpoint {
     }
 }
 
-/// A hash of all of the scene but the controls that no answer depends on.
+/// A hash of all of the scene but its name and the controls that no answer depends on.
 fn fingerprint(scene: &Scene) -> u64 {
     let Controls {
         plasticity,
@@ -104,6 +104,7 @@ fn fingerprint(scene: &Scene) -> u64 {
         ..Controls::default()
     };
     plain.mesh.source.clear();
+    plain.name.clear();
     let mut hash = Fnv::default();
     // Writing to a hash cannot fail.
     let _ = postcard::to_io(&plain, &mut hash);

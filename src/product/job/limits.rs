@@ -41,8 +41,8 @@ fn where_deepest(interfaces: &Named<InterfaceFigures>) -> String {
     let deepest = beyond.max_by(|a, b| a.1.total_cmp(&b.1));
     deepest.map_or_else(String::new, |(name, _, at)| {
         format!(
-            "; it is deepest in {name} at {}, where faces are long beside what presses or bends there: make those of both sides \
-             shorter",
+            "; it is deepest in {name} at {}, where faces are long beside what presses or bends there: shorter ones, of both sides, \
+             make it less, though slowly where friction holds a sharp edge",
             place(at)
         )
     })

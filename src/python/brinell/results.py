@@ -160,13 +160,24 @@ class _Entry:
 
 
 def read(folder: Union[str, "PathLike[str]"], exit_status: Optional[int] = None) -> Run:
-    """Reads the folder of a run."""
-    folder = Path(folder)
+    """Reads the folder of a run; of one with a target, its last level."""
+    folder = _last_level(Path(folder))
     path = folder / "summary.json"
     try:
         summary = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
+        parts = sorted(part.parent.name for part in folder.glob("*/summary.json"))
+        if parts:
+            raise ResultError(f"{folder} holds several runs: read one of its folders {', '.join(parts)}") from None
         raise ResultError(f"{folder} holds no summary.json: `brinell run CASE.toml --out {folder}` writes it") from None
     except json.JSONDecodeError as error:
         raise ResultError(f"{path} is no JSON: {error}") from error
     return Run(folder=folder, summary=summary, exit_status=exit_status)
+
+
+def _last_level(folder: Path) -> Path:
+    """Of a run with a target the folder of its last level, else the folder itself."""
+    levels = [level for level in folder.glob("level-*") if level.name[6:].isdigit() and (level / "summary.json").exists()]
+    if (folder / "summary.json").exists() or not levels:
+        return folder
+    return max(levels, key=lambda level: int(level.name[6:]))

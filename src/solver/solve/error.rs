@@ -58,18 +58,21 @@ pub enum SolveError {
     },
     /// A body can move without any resistance.
     #[error(
-        "body `{body}` is free to move along {axis}: no support and no contact holds it{}",
+        "body `{body}` is free to move along {axis}: {}{}",
+        not_held(contacts),
         in_pieces(*pieces)
     )]
     #[diagnostic(
         code(brinell::solve::free_body),
-        help("support it, bring it into contact, or give the contact friction")
+        help("support it, bring it into contact, or give the contact friction, or more of it")
     )]
     FreeBody {
         /// Name of the body.
         body: String,
         /// `x`, `y` or `z`.
         axis: char,
+        /// Names of its contact pairs.
+        contacts: Vec<String>,
         /// Parts of the body that share no nodes.
         pieces: usize,
     },
@@ -201,6 +204,16 @@ impl SolveError {
                 | Self::TurnsFar { .. }
                 | Self::Crawls { .. }
         )
+    }
+}
+
+fn not_held(contacts: &[String]) -> String {
+    match contacts {
+        [] => "no support and no contact holds it".to_owned(),
+        some => format!(
+            "no support holds it, and contact does not (`{}`): it opens, or slides beyond its friction",
+            some.join("`, `")
+        ),
     }
 }
 

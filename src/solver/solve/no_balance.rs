@@ -3,6 +3,9 @@
 use crate::ground::geometry::Vec3;
 use std::fmt;
 
+/// Of a unit in the last digit that is told.
+const ROUNDING: f64 = 1e-6;
+
 /// Rigid bodies cannot be in balance under the loads of a step, whatever the solution tries.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NoBalance {
@@ -57,10 +60,14 @@ impl fmt::Display for NoBalance {
 impl NoBalance {
     pub(in crate::solver::solve) fn remedy(&self) -> String {
         match self.friction {
-            Some(friction) => format!(
-                "the bodies, as they are meshed, stand with a coefficient of friction of {friction:.4} or more, or with less slope \
-                 or offset"
-            ),
+            Some(friction) => {
+                // Rounded up: what is told is enough.
+                let enough = (friction * 1e4 - ROUNDING).ceil() / 1e4;
+                format!(
+                    "the bodies, as they are meshed, stand with a coefficient of friction of {enough:.4} or more, or with less \
+                     slope or offset"
+                )
+            }
             None => "no friction helps, as the bodies are meshed. Coarse faces let a round body roll where its true shape stands, \
                      as on both sides of a V: a finer mesh there. Else bring the load nearer to the middle of what carries it \
                      (less offset), or support the body; what rolls resists no force across its axis, and one that comes to \

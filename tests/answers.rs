@@ -862,3 +862,41 @@ fixed = "y"
         0.1,
     );
 }
+
+/// A pin that fills its hole but for 0.33 µm that it is larger by, and presses on the lower half of it with 256 N on 1 mm. Nodes of the
+/// upper half stand above those that press, and belong to no row of theirs. Sources: the pressure over the arc, 349.5 N/mm, by own
+/// meshes eight times as fine; the force by statics.
+#[test]
+fn a_pin_in_its_hole_presses_in_one_line() {
+    let summary = solve(
+        r#"
+title = "pin"
+units = "mm-N-MPa"
+symmetry = ["x"]
+[mesh]
+file = "FIXTURES/pin-in-hole.msh.gz"
+[steel]
+youngs_modulus = 70000
+poissons_ratio = 0.3
+elastic = true
+[[contact]]
+name = "c"
+upper = "pinf"
+lower = "hole"
+friction = 0
+[[support]]
+surface = "zs"
+fixed = "z"
+[[support]]
+surface = "rim"
+fixed = "xyz"
+[[rigid_plane]]
+surface = "bore"
+fixed = "xz"
+force = { y = -256.234 }
+"#,
+    );
+    let lines = &summary.answer.interfaces.get("c").unwrap().lines;
+    assert_eq!(lines.len(), 1);
+    check(figure(&summary, Quantity::LineLoad, "c"), 349.5, 0.005);
+}

@@ -25,7 +25,7 @@ const RIM: f64 = 0.27;
 /// meshes 25 were outside with 0.27, of 60 on unstructured ones 9.)
 const RIM_OF_POINT: f64 = 0.34;
 /// where flat sides part, or a thin layer carries, it hardly does, and the last node that presses says less.
-const FLAT_RIM: f64 = 0.4;
+const FLAT_RIM: f64 = 0.45;
 
 /// What is known of an interface.
 pub(super) struct Contact<'a> {
@@ -60,6 +60,7 @@ impl Contact<'_> {
         let copies = times(&cutting_pair(self.scene, self.pair));
         let of_rim = match self.touch {
             Touch::Flat => FLAT_RIM,
+            Touch::Line if self.conforms() => FLAT_RIM,
             Touch::Line => RIM,
             Touch::Point => RIM_OF_POINT,
         };
@@ -88,6 +89,13 @@ impl Contact<'_> {
             Touch::Point => of_load / 3.0,
             Touch::Line => 0.0,
         }
+    }
+
+    /// Are its bodies no half spaces to its line, as of a pin in a hole? Of a pin that fills its hole no relative curvature is left.
+    pub(super) fn conforms(&self) -> bool {
+        self.line.is_some_and(|line| {
+            line.contact.is_none() || line.departs == Some(Departure::Conformal)
+        })
     }
 
     /// How far the width of the nodes in contact is from that of Hertz's strip under their load, of itself; zero where there is
@@ -178,7 +186,7 @@ fn is_along_cylinder(sides: &[Shape; 2]) -> bool {
 }
 
 /// By which share the facets that press are smaller than the round surface that they stand for, the longest of them: a chord is
-/// shorter than its arc by a third of its sagitta over the radius.
+/// shorter than its arc by a third of its sagitta over the radius, and a rim of chords encloses twice as much too little.
 fn chords(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
     let [carrier, _] = scene.contacts[pair].carrier_first();
     let shape = carrier.shape(&scene.mesh);
@@ -192,7 +200,7 @@ fn chords(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
             .map_or(0.0, |(foot, _)| distance(foot, centre))
     };
     let sagittas = pressed_faces(scene, pair, field).map(sagitta);
-    sagittas.fold(0.0, f64::max) / (3.0 * radius)
+    sagittas.fold(0.0, f64::max) / radius
 }
 
 #[cfg(test)]

@@ -171,13 +171,12 @@ impl Contact<'_> {
         let fall = || fall(self.scene, field, self.pair, top);
         let by_stress = || {
             let off = self.off_stress(field, top);
-            let conforms = line.is_some_and(|line| line.departs == Some(Departure::Conformal));
             match self.touch {
                 Touch::Point => {
                     let cap = fall().of_cap().max(OF_STRESS_SQUARED * off.powi(2));
                     cap + AT_EDGE * self.grows_to_rim(field, top)
                 }
-                Touch::Line if !conforms => (FALL * fall().mean).max(OF_STRESS * off),
+                Touch::Line if !self.conforms() => (FALL * fall().mean).max(OF_STRESS * off),
                 Touch::Line | Touch::Flat => {
                     let elsewhere = ELSEWHERE * scatter::mean(self.scene, field, self.pair) / value;
                     (FALL * fall().mean).max(OF_FLAT_STRESS * off) + elsewhere

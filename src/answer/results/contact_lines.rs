@@ -4,7 +4,7 @@ use super::contact_line::{ContactLine, lengths};
 use super::load::{cutting_pair, upright};
 use super::strip_row::StripRow;
 use super::symmetry_planes::{End, SymmetryPlanes};
-use crate::ground::geometry::{norm, sub};
+use crate::ground::geometry::{norm, range, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use std::ops::Range;
@@ -111,23 +111,34 @@ impl Rows {
             row.retain(|i| field.gap[*i].is_finite());
             row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
         }
-        let goes_back = |row: &Vec<usize>| {
-            let mut pressing = row
-                .iter()
-                .filter(|i| field.is_active(**i))
-                .map(|i| point(*i));
-            let Some(mut last) = pressing.next() else {
-                return false;
-            };
-            let (mut way, mut forward) = (0.0, 0.0);
-            for next in pressing {
-                let step = sub(next, last);
-                (way, forward, last) = (way + norm(step), forward + step[across], next);
-            }
+        let goes_back = |row: &[usize]| {
+            let steps = row
+                .windows(2)
+                .map(|ends| sub(point(ends[1]), point(ends[0])));
+            let (way, forward) = steps.fold((0.0, 0.0), |(way, forward), step| {
+                (way + norm(step), forward + step[across])
+            });
             way > STEEPEST * forward
         };
-        if members.iter().any(goes_back) {
-            return None;
+        for row in &mut members {
+            let is_active = |i: &usize| field.is_active(*i);
+            let pressing: Vec<usize> = row.iter().copied().filter(is_active).collect();
+            if goes_back(&pressing) {
+                return None;
+            }
+            // So does a pin's, and faces its hole all the way: what lies across from where it presses belongs to no row there.
+            if goes_back(row) {
+                let facing = upright(scene);
+                let height = |i: usize| point(i)[facing];
+                let [low, high] = range(row.iter().map(|i| height(*i)));
+                let middle = 0.5 * (low + high);
+                let above = pressing.iter().filter(|i| height(**i) > middle).count();
+                let is_above = 2 * above > pressing.len();
+                row.retain(|i| (height(*i) > middle) == is_above);
+                if row.iter().filter(|i| is_active(i)).count() < pressing.len() {
+                    return None;
+                }
+            }
         }
         Some(Self {
             axis,

@@ -2,8 +2,8 @@
 
 use super::Scene;
 use crate::ground::geometry::{bounds, norm, sub};
+use crate::ground::order::ascending;
 use crate::model::mesh::Face;
-use std::collections::BTreeSet;
 
 /// What a support keeps in a plane across an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,8 +12,8 @@ pub struct HeldPlane {
     pub axis: usize,
     /// Its coordinate on that axis.
     pub at: f64,
-    /// The nodes that are held in it.
-    pub nodes: BTreeSet<u32>,
+    /// The nodes that are held in it, ascending.
+    pub nodes: Vec<u32>,
 }
 
 /// The flat parts across an axis of what supports hold along it, of faces that count: of both ends of a slice that one support
@@ -47,11 +47,14 @@ pub fn held_planes(scene: &Scene, counts: impl Fn(&Face) -> bool) -> Vec<HeldPla
                     None => planes.push(HeldPlane {
                         axis,
                         at,
-                        nodes: face.nodes.into(),
+                        nodes: face.nodes.to_vec(),
                     }),
                 }
             }
         }
+    }
+    for plane in &mut planes {
+        plane.nodes = ascending(std::mem::take(&mut plane.nodes));
     }
     planes
 }

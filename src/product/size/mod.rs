@@ -13,6 +13,7 @@ mod line;
 mod practical;
 mod proposal;
 mod request;
+mod rows;
 pub mod table;
 mod verdict;
 mod verify;

@@ -5,6 +5,7 @@ use super::assumption::{SizingAssumption, assumptions};
 use super::candidate::{Candidate, SLENDEREST, STOUT, square_diameter};
 use super::practical::diameters;
 use super::request::{LengthRule, Request};
+use super::rows::rows;
 use crate::ground::units::UnitLabels;
 use crate::render::text::significant;
 use serde::Serialize;
@@ -67,28 +68,15 @@ fn candidates(request: &Request) -> Result<Vec<Candidate>, SizeError> {
         return Ok(vec![Candidate::new(request, diameter)?]);
     }
     let first = FIRST_DIAMETER * square_diameter(request)?;
-    let mut found: Vec<Candidate> = Vec::new();
-    let mut beyond = 0;
-    let mut cannot = None;
-    for diameter in diameters(request.units, first).take(MOST_ROWS) {
-        let candidate = match Candidate::new(request, diameter) {
-            Ok(candidate) => candidate,
-            // Another row may do, as where the ends leave too little of the smaller rollers.
-            Err(why) => {
-                cannot = cannot.or(Some(why));
-                continue;
-            }
-        };
-        if beyond > 0 || will_do(request, &candidate) {
-            beyond += 1;
-        }
-        let stubby = candidate.slenderness < 0.5;
-        found.push(candidate);
-        if beyond > ROWS_BEYOND || stubby {
-            break;
-        }
-    }
-    cannot.filter(|_| found.is_empty()).map_or(Ok(found), Err)
+    let tried = diameters(request.units, first).take(MOST_ROWS);
+    let tried = tried.map(|diameter| Candidate::new(request, diameter));
+    let stubby = |candidate: &Candidate| candidate.slenderness < 0.5;
+    rows(
+        tried,
+        ROWS_BEYOND,
+        |candidate| will_do(request, candidate),
+        stubby,
+    )
 }
 
 /// Is the rule to be believed for these proportions? A diameter that is fixed is.

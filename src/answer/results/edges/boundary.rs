@@ -57,7 +57,7 @@ pub fn boundary(scene: &Scene, surface: &Surface) -> Boundary {
         is_mirrored
             || held
                 .iter()
-                .any(|held| edge.iter().all(|n| held.nodes.contains(n)))
+                .any(|held| edge.iter().all(|n| held.nodes.binary_search(n).is_ok()))
     };
     once.filter(|edge| !kept(edge)).collect()
 }

@@ -7,6 +7,7 @@ use crate::case::bearing::MOST_ROLLERS;
 use crate::ground::units::{Dimension, UnitLabels};
 use crate::product::size::candidate::{SLENDEREST, compliance};
 use crate::product::size::practical::diameters;
+use crate::product::size::rows::rows;
 use crate::product::size::{SizeError, SizingAssumption};
 use serde::Serialize;
 
@@ -62,7 +63,7 @@ impl LineProposal {
 fn candidates(request: &LineRequest) -> Result<Vec<LineCandidate>, SizeError> {
     if let Some(diameter) = request.diameter {
         let numbers = request.rollers.map_or(1..=MOST_ROLLERS, |n| n..=n);
-        return rows(request, numbers.map(|rollers| (rollers, diameter)));
+        return table(request, numbers.map(|rollers| (rollers, diameter)));
     }
     let rollers = request.rollers.unwrap_or(1);
     let limit = request.limit.value * request.yield_stress;
@@ -74,33 +75,20 @@ fn candidates(request: &LineRequest) -> Result<Vec<LineCandidate>, SizeError> {
         Some(length) => 0.8 * product / length,
         None => FIRST_DIAMETER * product.sqrt(),
     };
-    rows(
+    table(
         request,
         diameters(request.units, first).map(|d| (rollers, d)),
     )
 }
 
-fn rows(
+fn table(
     request: &LineRequest,
     tried: impl Iterator<Item = (usize, f64)>,
 ) -> Result<Vec<LineCandidate>, SizeError> {
-    let mut found: Vec<LineCandidate> = Vec::new();
-    let mut beyond = 0;
-    let mut cannot = None;
-    for (rollers, diameter) in tried.take(MOST_ROWS) {
-        match LineCandidate::new(request, rollers, diameter) {
-            Ok(candidate) => {
-                beyond += usize::from(beyond > 0 || will_do(request, &candidate));
-                found.push(candidate);
-            }
-            // Another row may do, as where only the larger rollers would touch each other.
-            Err(why) => cannot = cannot.or(Some(why)),
-        }
-        if beyond > ROWS_BEYOND {
-            break;
-        }
-    }
-    cannot.filter(|_| found.is_empty()).map_or(Ok(found), Err)
+    let tried = tried.take(MOST_ROWS);
+    let tried = tried.map(|(rollers, diameter)| LineCandidate::new(request, rollers, diameter));
+    let will_do = |candidate: &LineCandidate| will_do(request, candidate);
+    rows(tried, ROWS_BEYOND, will_do, |_| false)
 }
 
 /// Long enough, and neither slender nor stubby where the length is open.

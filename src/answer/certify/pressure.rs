@@ -17,7 +17,7 @@ use crate::answer::results::hex::distance;
 use crate::answer::results::strip_row::StripRow;
 use crate::answer::results::tensor::traction;
 use crate::ground::geometry::{add, dot, scale, sub, unit};
-use crate::model::mesh::{Face, Surface};
+use crate::model::mesh::Surface;
 use crate::model::state::ContactField;
 use std::iter;
 
@@ -229,12 +229,7 @@ impl Contact<'_> {
             let apart = |node: &u32| distance(mesh.points[*node as usize], at);
             let nodes = surface.faces.iter().flat_map(|face| face.nodes);
             let next = nodes.min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
-            let beside = surface
-                .faces
-                .iter()
-                .filter(|face| face.nodes.contains(&next));
-            let sum = |sum, face: &Face| add(sum, face.area_vector(mesh));
-            let normal = unit(beside.fold([0.0; 3], sum))?;
+            let normal = unit(surface.area_vector_at(mesh, next))?;
             let stress = self.recovered.nodal_stress.get(next as usize)?;
             let across = dot(normal, traction(stress, normal));
             Some((across / field.pressure[node] + 1.0).abs())

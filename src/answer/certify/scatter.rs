@@ -3,7 +3,6 @@
 use super::fall::from_peak;
 use crate::answer::results::around::IRREGULAR;
 use crate::ground::geometry::{Vec3, add, bounds, dot, norm, scale, sub, tangents, unit};
-use crate::model::mesh::Face;
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
 use nalgebra::{DMatrix, DVector};
@@ -74,12 +73,9 @@ fn is_grid(scene: &Scene, field: &ContactField, pair: usize, near: &[usize]) -> 
 
 /// Two axes along the surface at a node.
 fn frame_at(scene: &Scene, field: &ContactField, pair: usize, node: usize) -> Option<[Vec3; 2]> {
-    let faces = &scene.carrier(pair)?.faces;
-    let beside = faces
-        .iter()
-        .filter(|face| face.nodes.contains(&field.nodes[node]));
-    let sum = |sum, face: &Face| add(sum, face.area_vector(&scene.mesh));
-    Some(tangents(unit(beside.fold([0.0; 3], sum))?))
+    let surface = scene.carrier(pair)?;
+    let normal = surface.area_vector_at(&scene.mesh, field.nodes[node]);
+    Some(tangents(unit(normal)?))
 }
 
 /// The nodes around a peak, itself among them, see [`RINGS`].

@@ -55,6 +55,16 @@ pub(super) fn contact_lines_by(
         .collect()
 }
 
+/// Of a row, the nodes on the side of its middle by `height` that those `pressing` are on; `None` where they are on both.
+fn side_of(row: &[usize], pressing: &[usize], height: impl Fn(usize) -> f64) -> Option<Vec<usize>> {
+    let [low, high] = range(row.iter().map(|i| height(*i)));
+    let is_above = |i: &usize| height(*i) > 0.5 * (low + high);
+    let side = pressing.first().is_some_and(&is_above);
+    let is_one = pressing.iter().all(|i| is_above(i) == side);
+    let own = row.iter().copied().filter(|i| is_above(i) == side);
+    is_one.then(|| own.collect())
+}
+
 /// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
 /// the load.
 pub fn across(scene: &Scene, axis: usize) -> Option<usize> {
@@ -111,6 +121,7 @@ impl Rows {
             row.retain(|i| field.gap[*i].is_finite());
             row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
         }
+        let facing = upright(scene);
         let goes_back = |row: &[usize]| {
             let steps = row
                 .windows(2)
@@ -128,16 +139,7 @@ impl Rows {
             }
             // So does a pin's, and faces its hole all the way: what lies across from where it presses belongs to no row there.
             if goes_back(row) {
-                let facing = upright(scene);
-                let height = |i: usize| point(i)[facing];
-                let [low, high] = range(row.iter().map(|i| height(*i)));
-                let middle = 0.5 * (low + high);
-                let above = pressing.iter().filter(|i| height(**i) > middle).count();
-                let is_above = 2 * above > pressing.len();
-                row.retain(|i| (height(*i) > middle) == is_above);
-                if row.iter().filter(|i| is_active(i)).count() < pressing.len() {
-                    return None;
-                }
+                *row = side_of(row, &pressing, |i| point(i)[facing])?;
             }
         }
         Some(Self {

@@ -147,14 +147,7 @@ fn normal(
     node: u32,
     (axis, mirror): (usize, Option<usize>),
 ) -> Option<[f64; 3]> {
-    let mut sum = [0.0; 3];
-    let faces = scene.carrier(pair)?.faces.iter();
-    for face in faces.filter(|face| face.nodes.contains(&node)) {
-        let vector = face.area_vector(&scene.mesh);
-        for (s, v) in sum.iter_mut().zip(vector) {
-            *s += v;
-        }
-    }
+    let mut sum = scene.carrier(pair)?.area_vector_at(&scene.mesh, node);
     sum[axis] = 0.0;
     if let Some(mirror) = mirror {
         sum[mirror] = 0.0;

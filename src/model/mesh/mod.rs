@@ -23,7 +23,7 @@ pub mod surface;
 pub mod unfold;
 
 use self::hexahedron::FACES;
-use crate::ground::geometry::range;
+use crate::ground::geometry::{Vec3, add, range};
 use crate::ground::order::ascending;
 use serde::Serialize;
 
@@ -163,6 +163,12 @@ impl Surface {
     /// The body that it bounds; `None` for a surface without faces.
     pub fn body(&self, mesh: &Mesh) -> Option<usize> {
         self.bodies(mesh).next()
+    }
+
+    /// Outward normal at a node times area: the sum of those of its faces, zero where the surface does not have it.
+    pub fn area_vector_at(&self, mesh: &Mesh, node: u32) -> Vec3 {
+        let faces = self.faces.iter().filter(|face| face.nodes.contains(&node));
+        faces.fold([0.0; 3], |sum, face| add(sum, face.area_vector(mesh)))
     }
 
     /// The nodes of the surface, ascending, each once.

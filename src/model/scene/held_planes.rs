@@ -29,7 +29,8 @@ pub fn held_planes(scene: &Scene, counts: impl Fn(&Face) -> bool) -> Vec<HeldPla
         };
         let axes: Vec<usize> = (0..3).filter(holds).collect();
         let point = |node: u32| scene.mesh.points[node as usize];
-        let [low, high] = bounds(surface.nodes().into_iter().map(point));
+        let nodes = surface.faces.iter().flat_map(|face| face.nodes);
+        let [low, high] = bounds(nodes.map(point));
         // Bodies are moved into touch along directions with rounding in them.
         let flat = 1e-9 * norm(sub(high, low));
         for face in surface.faces.iter().filter(|face| counts(face)) {

@@ -173,11 +173,13 @@ impl Study {
         let levels = self.levels_of(element);
         let sizes: Vec<f64> = levels.iter().map(|l| l.size).collect();
         let values: Vec<f64> = levels.iter().map(|l| l.values[quantity]).collect();
-        let limit = last_three(&sizes)
-            .zip(last_three(&values))
-            .and_then(|(s, v)| richardson(s, v))
-            // Beside a singular edge elastic stress has no limit.
-            .filter(|_| !measured.at_singular_edge);
+        // Of the first levels, so many.
+        let limit_of = |levels: usize| {
+            let three = last_three(&sizes[..levels]).zip(last_three(&values[..levels]));
+            three.and_then(|(sizes, values)| richardson(sizes, values))
+        };
+        // Beside a singular edge elastic stress has no limit.
+        let limit = limit_of(sizes.len()).filter(|_| !measured.at_singular_edge);
         let reference = match (&measured.known, limit) {
             (Some(known), _) => Some(Reference::Known {
                 value: known.value,
@@ -199,12 +201,7 @@ impl Study {
             let [before, now] = [*errors.get(i.checked_sub(1)?)?, errors[i]];
             between([sizes[i - 1], sizes[i]], [before?, now?])
         };
-        let from_differences = |i: usize| {
-            let limit = last_three(&sizes[..=i]).zip(last_three(&values[..=i]));
-            limit
-                .and_then(|(s, v)| richardson(s, v))
-                .map(|limit| limit.order)
-        };
+        let from_differences = |i: usize| limit_of(i + 1).map(|limit| limit.order);
         let orders = (0..errors.len())
             .map(|i| {
                 if exact {

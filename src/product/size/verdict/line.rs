@@ -2,7 +2,7 @@
 
 use super::check::{LimitCheck, LimitKind};
 use super::limits::Limits;
-use super::standing::SizeStanding;
+use super::standing::{SizeStanding, UNRESOLVED};
 use crate::render::Summary;
 use crate::render::summary::SizedLine;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -32,7 +32,7 @@ fn check(limits: &Limits, summary: &Summary, line: &SizedLine) -> LimitCheck {
         remarks.push("both lines of the V in one, which the mesh does not tell apart: p0 as if one line carried all");
     }
     if error.is_none() {
-        remarks.push("this mesh does not resolve it");
+        remarks.push(UNRESOLVED);
     }
     LimitCheck {
         kind: LimitKind::ContactPressure,

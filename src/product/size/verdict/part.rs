@@ -1,7 +1,7 @@
 //! Every part: elastic Mises stress below yield, no plastic strain.
 
 use super::check::{LimitCheck, LimitKind};
-use super::standing::SizeStanding;
+use super::standing::{SizeStanding, UNRESOLVED};
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::results::flow::BodyFlow;
 use crate::product::job::Outcome;
@@ -47,7 +47,7 @@ fn mises(summary: &Summary, body: &str, flow: BodyFlow, limit: f64) -> LimitChec
     check.value = Some(judged.value);
     if error.is_none() {
         check.standing = SizeStanding::Unresolved;
-        check.remark = Some("this mesh does not resolve it".to_string());
+        check.remark = Some(UNRESOLVED.to_string());
         return check;
     }
     if judged.what == away {

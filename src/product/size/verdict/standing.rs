@@ -2,6 +2,9 @@
 
 use serde::Serialize;
 
+/// Why nothing is known of a figure's error.
+pub const UNRESOLVED: &str = "this mesh does not resolve it";
+
 /// How a figure stands to its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]

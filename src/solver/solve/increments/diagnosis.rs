@@ -87,7 +87,7 @@ pub fn describe(failure: &Failure) -> String {
 fn free_body(model: &Model, node: u32, axis: usize) -> SolveError {
     let body = body_of(model, node);
     let mesh = &model.scene.mesh;
-    let own = mesh.bodies.iter().position(|other| other.name == body.name);
+    let own = mesh.body(&body.name);
     let pairs = model.scene.contacts.iter();
     let pairs = pairs.filter(|pair| pair.bodies(mesh).contains(&own));
     SolveError::FreeBody {

@@ -141,14 +141,26 @@ impl Scenery {
         let beside = 1e-6 * norm(sub(corners[2], corners[0]));
         let is_plane = viewer.bends[index].is_plane(corners);
         let mut best: Option<Seen> = None;
+        // How far behind the other body begins.
+        let mut behind = f64::INFINITY;
         for facet in self.tree.near(&[ends[0], ends[1], from, from], [beside; 3]) {
-            if dot(outward, self.side.normals[facet]) > MOST_FACING {
+            let across = dot(outward, self.side.normals[facet]);
+            if across > MOST_FACING && across < -MOST_FACING {
                 continue;
             }
             let Some(shape) = facet::meets(&self.side.corners[facet], from, outward) else {
                 continue;
             };
             let (there, inward) = self.side.at(facet, &shape);
+            if across > 0.0 {
+                let ahead = dot(sub(there, from), outward);
+                behind = if ahead < 0.0 {
+                    behind.min(-ahead)
+                } else {
+                    behind
+                };
+                continue;
+            }
             let other_is_plane = self.bends[facet].is_plane(&self.side.corners[facet]);
             let normal = facet::facing([outward, inward], [is_plane, other_is_plane]);
             let normal = unit(normal).unwrap_or(outward);
@@ -163,7 +175,8 @@ impl Scenery {
                 });
             }
         }
-        best
+        // What is behind the whole of the other body is outside of it, however deep the far side of that looks.
+        best.filter(|seen| seen.gap > -behind)
     }
 }
 

@@ -166,6 +166,7 @@ pub fn pressed(scene: &Scene) -> State {
         force,
         sagitta: vec![0.0; n],
         penetration: 1e-6,
+        at_rim: 0.0,
         unexplained: 0.0,
         unexplained_at: None,
     };

@@ -40,7 +40,9 @@ pub struct Interface {
     pub max_pressure_at: Option<[f64; 3]>,
     /// Deepest overlap of the two true surfaces, zero or positive, see [`ContactField::penetration`].
     pub max_penetration: f64,
-    /// What of it the facets do not explain, see [`ContactField::unexplained`].
+    /// What of it a rim explains that opens steeply, see [`ContactField::at_rim`].
+    pub rim_penetration: f64,
+    /// What of it neither the facets nor the rim explain, see [`ContactField::unexplained`].
     pub unexplained_penetration: f64,
     /// Undeformed place of that on the carrier.
     pub unexplained_at: Option<[f64; 3]>,
@@ -73,6 +75,7 @@ fn interface(scene: &Scene, state: &State, pair: usize) -> Interface {
     let mut result = Interface {
         name: contact.name.clone(),
         max_penetration: field.penetration,
+        rim_penetration: field.at_rim,
         unexplained_penetration: field.unexplained,
         unexplained_at: field.unexplained_at,
         centre_of_force: centre_of_force(scene, state, pair),

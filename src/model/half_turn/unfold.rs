@@ -109,6 +109,7 @@ impl HalfTurn {
             field.sagitta[at] = half.sagitta[from];
         }
         field.penetration = half.penetration;
+        field.at_rim = half.at_rim;
         field.unexplained = half.unexplained;
         field.unexplained_at = half.unexplained_at.map(place);
         field

@@ -100,7 +100,9 @@ pub struct ContactField {
     /// Deepest overlap of the two sides, zero or positive: from nodes and middles of facets to the
     /// other side's true shape, whatever the contact conditions say.
     pub penetration: f64,
-    /// What of it is deeper than the facets explain, by their sagittas.
+    /// What of it is deeper than the facets explain, by their sagittas, beside gaps that open at the rim of contact.
+    pub at_rim: f64,
+    /// What of it is deeper than the facets and the rim explain.
     pub unexplained: f64,
     /// Undeformed place of that on the carrier; `None` where there is none.
     pub unexplained_at: Option<[f64; 3]>,
@@ -162,6 +164,7 @@ impl ContactField {
             acts_at: vec![[[0.0; 3]; 2]; count],
             sagitta: vec![0.0; count],
             penetration: 0.0,
+            at_rim: 0.0,
             unexplained: 0.0,
             unexplained_at: None,
         }

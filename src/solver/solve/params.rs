@@ -262,6 +262,9 @@ pub const CLOSING_ROUNDS: usize = 12;
 /// weighted gap balances what opens against what overlaps: 2 to 3 sagittas on lines and spheres with two to five
 /// facets across the half-width.
 pub const RIM_OVERLAP: f64 = 4.0;
+/// Overlap at the last node that presses, over the gap of the next one, that its weighted gap does not tell from closed. Between
+/// hat functions on sides of h and H the weights are (h + H) / 3 and H / 6: up to a half where the open side is long.
+pub const OPENING_SHARE: f64 = 0.5;
 
 // --- Rigid-body modes and statics ---------------------------------------------------------------------------------
 

@@ -65,6 +65,14 @@ fn a_block_slides_where_friction_is_too_low() {
     );
 }
 
+/// As much is needed where there is none at all.
+#[test]
+fn a_block_without_friction_is_told_how_much_it_needs() {
+    let why = no_balance(&mut standing(0.0, 0.2));
+    let friction = why.friction.expect("friction helps");
+    assert!((0.1999..0.2001).contains(&friction), "{friction}");
+}
+
 /// It tips about its edge where the load's line passes outside: beyond a sideward share of (1/2) / 2.
 #[test]
 fn a_block_tips_over_its_edge_whatever_the_friction() {

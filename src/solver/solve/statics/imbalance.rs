@@ -55,8 +55,10 @@ pub fn imbalance<'r>(
         return None;
     }
     // Advice is on the safe side: there the polygon lies within the circle.
-    let stands = |rough: f64| {
-        let found = nearest(&cones(&points, |friction| friction.max(rough)), &load);
+    let rough = rows.iter().map(|row| Touch::rough(row, &bodies, &modes));
+    let rough: Vec<Touch> = rough.collect();
+    let stands = |least: f64| {
+        let found = nearest(&cones(&rough, |friction| friction.max(least)), &load);
         found.is_some_and(|f| f.left.norm() <= BALANCE_REMAINDER * whole)
     };
     let motion = bodies.motion(scene, (&modes * &found.left).as_slice(), true)?;

@@ -1,5 +1,6 @@
 //! Changes to a case from outside of its file, such as `--mesh` and `--full`.
 
+use super::assumption::Assumption;
 use super::bearing::UNLOAD_TO;
 use super::bearing::{MeshRequest, Preset, Scales, Strips, UnknownPreset};
 use super::error::{CaseError, ErrorKind};
@@ -26,6 +27,7 @@ impl Case {
             let message = format!("the preset `{preset}` does not go with [{table}]");
             return Err(CaseError::new(ErrorKind::Value, message).help(format!("one of: {names}")));
         }
+        let dropped = bearing.mesh.own_numbers();
         let request = MeshRequest {
             preset,
             strips: bearing.mesh.strips,
@@ -34,6 +36,14 @@ impl Case {
         };
         set_mesh(bearing, request)?;
         self.note("mesh.preset", preset.name());
+        if !dropped.is_empty() {
+            let keys = list(dropped.iter().map(String::as_str));
+            let why = format!(
+                "asked for when the case was run: what [mesh] of the file has beside its preset, {keys}, does not count"
+            );
+            let assumption = Assumption::new("mesh", format!("{preset} alone"), &why, false);
+            self.assumptions.push(assumption);
+        }
         Ok(())
     }
 

@@ -261,7 +261,7 @@ fn bad_geometry_is_refused_where_it_stands() {
         (
             vec![(
                 "roller_diameter",
-                "rollers = 13\nspacing = \"130 mm\"\nroller_diameter",
+                "rollers = 9223372036854775807\nspacing = \"130 mm\"\nroller_diameter",
             )],
             "line_bearing.rollers",
             "between 1 and 12",
@@ -517,6 +517,31 @@ fn the_heavier_of_two_rollers_is_the_one_that_is_sized() {
     let bar = descent.bar().unwrap();
     // Rolling about one of them it might be off by a hundred times itself.
     assert!(bar < descent.value, "{} ± {bar}", descent.value);
+}
+
+/// A top that is held at a slope lifts off one of two rollers. The other one bears all and is sized; the one that bears nothing asks
+/// for nothing.
+#[test]
+fn a_roller_that_lifts_off_is_not_sized() {
+    let text = with(&[
+        (
+            "load = \"100 kN\"",
+            "load = \"20 kN\"\nrollers = 2\nspacing = \"200 mm\"\ntop = { tilt = [\"0 mrad\", \"1 mrad\"] }",
+        ),
+        ("elastic = true", "yield_stress = \"460 MPa\""),
+    ]) + "[mesh]\npreset = \"h025\"\nscale = 3\n";
+    let outcome = solved(&read(&text).unwrap());
+    let force = |roller: u32| {
+        interface(&outcome, &format!("upper_plate-roller_{roller}")).pressure_integral
+    };
+    assert_eq!(force(1), 0.0);
+    assert!((force(2) / 20e3 - 1.0).abs() < 1e-6, "{}", force(2));
+    let rule = outcome
+        .summary
+        .sizing
+        .as_ref()
+        .and_then(|sizing| sizing.rule.as_ref());
+    assert!((rule.unwrap().load / 20e3 - 1.0).abs() < 1e-6);
 }
 
 #[test]

@@ -248,6 +248,7 @@ fn a_case_can_be_changed_from_outside() {
             .value
     };
     assert_eq!(value("mesh.preset"), "report-like");
+    assert_eq!(value("mesh"), "report-like alone");
     assert_eq!(value("bearing.full"), "the whole bearing");
     let error = good(BEARING).set_preset("h0025").unwrap_err();
     assert!(render(&error).contains("did you mean `h025`?"));

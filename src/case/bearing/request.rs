@@ -84,6 +84,13 @@ impl MeshRequest {
         self.overrides.iter().any(|(k, _)| k == key)
     }
 
+    /// The keys of `[mesh]` that stand in place of numbers of the preset, or change them.
+    pub fn own_numbers(&self) -> Vec<String> {
+        let scale = (self.scale != 1.0).then(|| "scale".to_owned());
+        let overrides = self.overrides.iter().map(|(key, _)| key.clone());
+        scale.into_iter().chain(overrides).collect()
+    }
+
     /// The same mesh with every element `scale` times as large, see [`Sizes::scaled`].
     pub fn scaled(&self, scale: f64) -> Self {
         Self {

@@ -82,6 +82,10 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
             1 => bearing.load,
             _ => interface.pressure_integral,
         };
+        // A roller that has lifted off asks for nothing.
+        if load <= 0.0 {
+            continue;
+        }
         if let Some(asked) = pair.rule(&seat, bearing, load)?
             && (sizing.rule.as_ref()).is_none_or(|r| TIE * used(r) < used(&asked))
         {

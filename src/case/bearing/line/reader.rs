@@ -2,11 +2,11 @@
 //! [`LineGeometry::check`] to say.
 
 use super::geometry::{LineGeometry, LinePlate, PlateCurve};
+use super::limits::MOST_ROLLERS;
 use crate::case::bearing::reader::{BearingReader, plan};
 use crate::case::bearing::roller_shape::RollerShape;
 use crate::case::error::{CaseError, ErrorKind};
 use crate::case::keys;
-use crate::case::parse::Field;
 use crate::ground::units::Dimension;
 
 impl BearingReader<'_, '_> {
@@ -57,8 +57,19 @@ impl BearingReader<'_, '_> {
     }
 
     fn rollers(&self) -> Result<usize, CaseError> {
-        let given = self.table.maybe("rollers", Field::count)?;
-        Ok(given.map_or(1, |count| count.value))
+        let Some(field) = self.table.get("rollers") else {
+            return Ok(1);
+        };
+        let count = field.count()?.value;
+        // A number that no memory holds gets no further.
+        match count > MOST_ROLLERS {
+            true => {
+                let why = format!("must lie between 1 and {MOST_ROLLERS}");
+                let error = field.place().error(ErrorKind::Value, why);
+                Err(error.help("how many rollers lie side by side"))
+            }
+            false => Ok(count),
+        }
     }
 
     /// Upper, lower; `own` where the case does not say.

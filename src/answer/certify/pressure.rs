@@ -168,6 +168,15 @@ impl Contact<'_> {
         if self.touch != Touch::Point && self.shapelessness(field, top) > SHAPELESS {
             return self.claim(what, value, None, SHAPE);
         }
+        // Of one node its area is read, and nothing of the patch.
+        let presses = |i: &usize| field.is_active(*i);
+        if long.is_none()
+            && !beside(self.scene, field, self.pair, top)
+                .iter()
+                .any(presses)
+        {
+            return self.claim(what, value, None, COARSE);
+        }
         let fall = || fall(self.scene, field, self.pair, top);
         let by_stress = || {
             let off = self.off_stress(field, top);

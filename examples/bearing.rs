@@ -19,6 +19,7 @@
 use brinell::analytic::vgroove::VGroove;
 use brinell::answer::results::contact_lines::contact_lines;
 use brinell::answer::results::interface::interfaces;
+use brinell::answer::results::line_frame::LineFrame;
 use brinell::case;
 use brinell::prelude::*;
 use brinell::product::job::{self, Options};
@@ -75,10 +76,9 @@ pub fn figures() -> Figures {
     );
     // The upper roller, and its lines, run along y.
     let line = |pair| {
-        contact_lines(scene, state, pair, 1)
-            .into_iter()
-            .next()
-            .ok_or("no line")
+        let frame = LineFrame::of_axis(scene, 1).ok_or("the load acts along y")?;
+        let lines = contact_lines(scene, state, pair, &frame);
+        lines.into_iter().next().ok_or("no line")
     };
     let heaviest = line(flat)?.peak().ok_or("no load")?.0;
     let found = LineContact::new(heaviest, radius, compliance)?;

@@ -4,20 +4,23 @@ use super::inputs::AnswerInputs;
 use super::named::Named;
 use super::patch::PatchFigures;
 use crate::answer::results::contact_line::ContactLine;
-use crate::answer::results::contact_lines::{across, contact_lines};
+use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{Interface, StatusCounts};
+use crate::answer::results::line_direction::line_frame;
+use crate::answer::results::line_frame::{LineFrame, axis_of, name_of};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
 use crate::answer::results::load::cutting_pair;
 use crate::answer::results::strip_sides::StripSides;
+use crate::ground::geometry::Vec3;
 use crate::model::scene::Scene;
 use serde::Serialize;
 
 /// Line load of an interface.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LineLoadFigures {
-    /// The axis along the carrier body: x, y or z.
-    pub axis: &'static str,
+    /// The direction along the carrier body: x, y, z or its components.
+    pub axis: String,
     /// Ends of the slices.
     pub edges: Vec<f64>,
     /// Mean force per length of each slice.
@@ -76,10 +79,12 @@ pub struct InterfaceFigures {
 /// A line of contact.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LineFigures {
-    /// The axis along which it runs: x, y or z.
-    pub axis: &'static str,
-    /// The axis across it, square to the load, too.
-    pub across_axis: &'static str,
+    /// The direction along which it runs: x, y, z or its components.
+    pub axis: String,
+    /// The direction across it, square to the load, too.
+    pub across_axis: String,
+    /// Unit vector along it.
+    pub along: Vec3,
     /// Mean coordinate across.
     pub across: f64,
     /// Lines like this one in the whole bearing.
@@ -131,11 +136,11 @@ fn interface(
     (measured, heaviest): (&Interface, Option<&HeaviestLine>),
 ) -> InterfaceFigures {
     let (scene, state) = (solved.scene, solved.state);
-    let slices = Slices::equal(scene, pair, SLICES);
-    let axis = slices.as_ref().map(|s| s.axis);
-    let lines = axis.into_iter().flat_map(|axis| {
-        let lines = contact_lines(scene, state, pair, axis).into_iter();
-        lines.filter_map(move |line| line_figures(scene, line, (pair, axis)))
+    let frame = line_frame(scene, pair);
+    let slices = (frame.as_ref()).and_then(|f| Slices::along(scene, pair, (f.along, SLICES)));
+    let lines = frame.iter().flat_map(|frame| {
+        let lines = contact_lines(scene, state, pair, frame).into_iter();
+        lines.filter_map(move |line| line_figures(scene, line, (pair, frame)))
     });
     InterfaceFigures {
         force: measured.force,
@@ -165,27 +170,26 @@ fn interface(
     }
 }
 
-fn axis_name(axis: usize) -> &'static str {
-    ["x", "y", "z"].get(axis).copied().unwrap_or("?")
-}
-
 fn line_figures(
     scene: &Scene,
     line: ContactLine,
-    (pair, axis): (usize, usize),
+    (pair, frame): (usize, &LineFrame),
 ) -> Option<LineFigures> {
     let (peak, peak_at) = line.peak()?;
+    let mirrors = cutting_pair(scene, pair);
+    let is_mirrored = axis_of(&frame.along).is_some_and(|axis| mirrors.contains(&axis));
     let contact = scene.contacts.get(pair);
     let contact = contact.filter(|_| line.is_long());
     let hertz = contact.and_then(|contact| {
-        StripSides::of(scene, contact, (axis, &line.heaviest)).under(scene, contact, peak)
+        StripSides::of(scene, contact, (frame, &line.heaviest)).under(scene, contact, peak)
     });
     Some(LineFigures {
         relative_radius: hertz.map(|hertz| hertz.radius),
-        axis: axis_name(axis),
+        axis: name_of(&frame.along),
+        along: frame.along,
         mean: line.mean(),
-        across_axis: across(scene, axis).map_or("?", axis_name),
-        mirrored: cutting_pair(scene, pair).contains(&axis),
+        across_axis: name_of(&frame.across),
+        mirrored: is_mirrored,
         across: line.across,
         images: line.images,
         at: line.at,
@@ -201,7 +205,7 @@ fn line_figures(
 impl From<LineLoad> for LineLoadFigures {
     fn from(load: LineLoad) -> Self {
         Self {
-            axis: axis_name(load.slices.axis),
+            axis: name_of(&load.slices.along),
             edges: load.slices.edges,
             values: load.q,
             mirrored: load.mirrored,

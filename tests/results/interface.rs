@@ -54,7 +54,7 @@ fn an_even_line_load_is_even_in_slices_that_cut_elements() {
     let scene = stack();
     let state = pressed(&scene);
     let slices = Slices {
-        axis: 1,
+        along: [0.0, 1.0, 0.0],
         edges: vec![0.0, 0.13, 0.31, 0.77, 1.0],
     };
     let load = line_load(&scene, &state, 0, &slices).unwrap();
@@ -71,7 +71,7 @@ fn slices_and_what_lies_outside_sum_to_the_load() {
         force[2] *= 1.0 + (i as f64).sin();
     }
     let slices = Slices {
-        axis: 1,
+        along: [0.0, 1.0, 0.0],
         edges: vec![0.1, 0.3, 0.8],
     };
     for (mirrors, doubled) in [(vec![0, 1], 2.0), (vec![0], 1.0), (vec![], 1.0)] {
@@ -82,7 +82,7 @@ fn slices_and_what_lies_outside_sum_to_the_load() {
         assert_eq!(load.mirrored, doubled == 2.0);
     }
     let backwards = Slices {
-        axis: 1,
+        along: [0.0, 1.0, 0.0],
         edges: vec![0.3, 0.1],
     };
     assert_eq!(line_load(&scene, &state, 0, &backwards), None);
@@ -94,7 +94,7 @@ fn equal_slices_lie_along_the_longer_side() {
     assert_eq!(
         slices,
         Slices {
-            axis: 1,
+            along: [0.0, 1.0, 0.0],
             edges: vec![0.0, 0.25, 0.5, 0.75, 1.0]
         }
     );

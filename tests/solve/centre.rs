@@ -70,7 +70,7 @@ fn check_line_load(outcome: &Outcome) {
     let v_side = [19.3, 15.2, 12.1, 10.7, 7.7, 6.4, 5.0, 3.6, 1.8, 0.0];
     for (pair, axis, table) in [(0, 1, flat), (1, 1, v_side), (2, 0, v_side), (3, 0, flat)] {
         let slices = Slices {
-            axis,
+            along: [0, 1, 2].map(|i| f64::from(u8::from(i == axis))),
             edges: edges.to_vec(),
         };
         let load = line_load(&outcome.scene, outcome.state(), pair, &slices).expect("a line load");

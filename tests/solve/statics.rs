@@ -2,6 +2,7 @@
 
 use brinell::answer::results::balance::{balances, centre_of_force};
 use brinell::answer::results::contact_lines::contact_lines;
+use brinell::answer::results::line_frame::LineFrame;
 use brinell::answer::results::load::applied;
 use brinell::case;
 use brinell::solver::solve::{Silent, solve};
@@ -52,9 +53,14 @@ fn a_displaced_bearing_is_in_balance() {
     // Each roller presses on one line and has lifted off towards the middle.
     for pair in 0..scene.contacts.len() {
         let axis = if pair < 2 { 1 } else { 0 };
-        let [line] = contact_lines(&scene, &state, pair, axis)
-            .try_into()
-            .expect("one line");
+        let [line] = contact_lines(
+            &scene,
+            &state,
+            pair,
+            &LineFrame::of_axis(&scene, axis).unwrap(),
+        )
+        .try_into()
+        .expect("one line");
         assert_eq!(line.images, 1);
         assert!((line.length + line.lifted_off - LENGTH).abs() < 1e-9);
         assert!(line.lifted_off > 2.0 && line.length > 3.0, "{line:?}");

@@ -153,7 +153,7 @@ fn integrals<const N: usize>(
 }
 
 /// τ : C⁻¹ : τ of a stress.
-fn density(stress: &[f64; 6], steel: &Steel) -> f64 {
+pub(super) fn density(stress: &[f64; 6], steel: &Steel) -> f64 {
     work(stress, &elastic_strain(stress, steel))
 }
 

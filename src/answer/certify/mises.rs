@@ -6,6 +6,7 @@ use super::notes::LONG_FACES;
 use super::strip_below::StripBelow;
 use crate::answer::results::curvature::Curvature;
 use crate::answer::results::edges::ByEdge;
+use crate::answer::results::peaks::Place;
 use crate::answer::results::peaks::{BodyPeaks, MisesPeaks};
 
 const YIELDED: &str = "yielded: the Mises stress is held by the yield limit and says nothing of the \
@@ -191,7 +192,11 @@ fn mises(
         } = read;
         let is_next_to_edge = around.border > 0.0;
         let above_it = strips.iter().find(|strip| strip.is_above(&nodal.at));
-        let is_unseen = above_it.is_some_and(|strip| !strip.shows_at(&around.extent));
+        let reach = match (above_it, nodal.place) {
+            (Some(strip), Place::Node(node)) => strip.reach_at(node),
+            _ => 0.0,
+        };
+        let is_unseen = above_it.is_some_and(|strip| !strip.shows_at(reach));
         let strip = above_it.and_then(|strip| Some((*strip, strip.mises?)));
         let counts = strip.map_or_else(|| below.share(index, &nodal.at), |_| 1.0);
         let is_steep = around.fall > MOST_FALL * nodal.value && !below.is_above(index, &nodal.at);
@@ -208,7 +213,7 @@ fn mises(
         // Elsewhere away from a loaded edge it matters more how near to it nodes lie.
         let corrected = strip
             .filter(|_| !is_by_edge || is_on_border)
-            .map_or(0.0, |(strip, _)| strip.resolves(share, &around.extent));
+            .map_or(0.0, |(strip, _)| strip.resolves(share, reach));
         let Curvature { overshoot, vertex } = around.curvature;
         let value = nodal.value + corrected * (vertex - OF_OVERSHOOT * overshoot);
         let left = 1.0 - corrected * (1.0 - OF_BAR);
@@ -224,7 +229,7 @@ fn mises(
             Some((strip, of_half_space)) => {
                 // The finer the mesh, the more is what it says worth beside the half space: its error is of second
                 // order.
-                let weight = (FINE * strip.widest(&around.extent) / (share * strip.half_width))
+                let weight = (FINE * strip.widest(reach) / (share * strip.half_width))
                     .min(1.0)
                     .powi(2);
                 let mises = share * of_half_space;

@@ -11,6 +11,8 @@ mod descent;
 pub mod energy;
 mod fall;
 mod figure;
+mod flow_shares;
+mod held_ends;
 mod increments;
 mod line;
 mod mises;
@@ -171,7 +173,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     claims
 }
 
-/// What penetration does to a figure: all of it to the descent, where facets do not explain it, too, and to stresses and
+/// What penetration does to a figure: all of it to the descent, where facets do not explain it (at steep rims, too), and to stresses and
 /// pressures the stress of a strain of penetration over element size.
 fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<f64> {
     // What is left is pressed together by both sides, the softer one most of all.
@@ -191,7 +193,11 @@ fn penetration(claim: &Figure, scene: &Scene, measured: &[Interface]) -> Option<
             let missed = measured.iter();
             Some(
                 missed
-                    .map(|i| i.contact_error.max(i.unexplained_penetration))
+                    .map(|i| {
+                        i.contact_error
+                            .max(i.unexplained_penetration)
+                            .max(i.rim_penetration)
+                    })
                     .sum(),
             )
         }

@@ -6,6 +6,7 @@ use super::line::turned_by_place;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
+use crate::answer::results::line_frame::axis_of;
 use crate::answer::results::load::main_direction;
 use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::Scene;
@@ -184,8 +185,11 @@ pub(super) fn eccentricity(
     line: Option<&HeaviestLine>,
     too_stiff: Option<f64>,
 ) -> Option<Figure> {
-    let line = line.filter(|line| !scene.mirrors.contains(&line.axis))?;
-    let value = interface.centre_of_force?[line.axis] - line.line.middle()?;
+    let is_whole = |line: &&HeaviestLine| {
+        axis_of(&line.frame.along).is_none_or(|axis| !scene.mirrors.contains(&axis))
+    };
+    let line = line.filter(is_whole)?;
+    let value = line.frame.along(&interface.centre_of_force?) - line.line.middle()?;
     let spread = line.line.spread()?;
     let scatter = OF_SCATTER * line.line.scatter()?;
     let error = too_stiff.map(|share| share * value.abs().min(spread) + scatter);

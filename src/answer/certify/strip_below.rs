@@ -3,7 +3,8 @@
 use super::line;
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
-use crate::answer::results::hex::distance;
+use crate::ground::geometry::{dot, norm, range, sub};
+use crate::model::mesh::Mesh;
 use crate::model::scene::{ContactPair, Scene, joined_to};
 
 /// Facets in a half-width between which the nodal peak begins to be corrected by what extrapolation overshoots, and is wholly.
@@ -25,11 +26,12 @@ pub(super) struct StripBelow<'l> {
     /// By the load of that row, or as found below a layer.
     pub half_width: f64,
     line: &'l HeaviestLine,
+    mesh: &'l Mesh,
 }
 
 impl<'l> StripBelow<'l> {
     /// The strips on the bodies of `scene` below the heaviest lines of its pairs, on either side, and on what is joined to them.
-    pub fn all(scene: &Scene, lines: &'l [Option<HeaviestLine>]) -> Vec<Self> {
+    pub fn all(scene: &'l Scene, lines: &'l [Option<HeaviestLine>]) -> Vec<Self> {
         let of_pair = |(pair, line): (&ContactPair, &'l Option<HeaviestLine>)| {
             let line = line.as_ref()?;
             let (half_space, half_width) = match line.departs {
@@ -48,6 +50,7 @@ impl<'l> StripBelow<'l> {
                     mises,
                     half_width,
                     line,
+                    mesh: &scene.mesh,
                 })
             };
             let own = pair.bodies(&scene.mesh);
@@ -82,27 +85,41 @@ impl<'l> StripBelow<'l> {
         self.spacing() <= COARSEST * self.half_width
     }
 
-    /// Does it where elements have that extent? Below a layer they may be larger than those that press.
-    pub fn shows_at(&self, extent: &[f64; 3]) -> bool {
+    /// How far the elements of its body about a node reach square to the line, the most of them: across it, or down.
+    pub fn reach_at(&self, node: usize) -> f64 {
+        let frame = &self.line.frame;
+        let is_at_node = |element: &usize| self.mesh.hexes[*element].contains(&(node as u32));
+        let elements = self.mesh.bodies[self.body].elements.clone();
+        let reach = |element: usize| {
+            let corners = self.mesh.corners(element);
+            [frame.across, frame.up].map(|direction| {
+                let [low, high] = range(corners.map(|corner| dot(direction, corner)));
+                high - low
+            })
+        };
+        let all = elements.filter(is_at_node).flat_map(reach);
+        all.fold(0.0, f64::max)
+    }
+
+    /// Does it where elements reach that far? Below a layer they may be larger than those that press.
+    pub fn shows_at(&self, reach: f64) -> bool {
         match self.mises {
             Some(_) => self.shows(),
-            None => self.widest(extent) <= COARSEST * self.half_width,
+            None => self.widest(reach) <= COARSEST * self.half_width,
         }
     }
 
-    /// The larger of that, the one at its edge and the extent across it of the elements around the peak below, where they
+    /// The larger of that, the one at its edge and what the elements around the peak below reach, where they
     /// grow more with depth than [`GROWTH`].
-    pub fn widest(&self, extent: &[f64; 3]) -> f64 {
-        let across = (0..3).filter(|k| *k != self.line.axis).map(|k| extent[k]);
-        across.fold(self.line.line.heaviest.spacing(), |widest, extent| {
-            widest.max(extent / GROWTH)
-        })
+    pub fn widest(&self, reach: f64) -> f64 {
+        let spacing = self.line.line.heaviest.spacing();
+        spacing.max(reach / GROWTH)
     }
 
     /// Pressure, stress and width of the strip where it passes over that, over those of its heaviest row: roots of the loads
     /// per length.
     pub fn share(&self, at: &[f64; 3]) -> f64 {
-        let at = at[self.line.axis];
+        let at = self.line.frame.along(at);
         let rows = &self.line.line;
         let next = rows.at.partition_point(|row| *row < at);
         let row = |index: usize| Some((*rows.at.get(index)?, *rows.load.get(index)?));
@@ -115,17 +132,16 @@ impl<'l> StripBelow<'l> {
     }
 
     /// Is the nodal peak below the strip corrected, where its load is that share of the largest? One where it is wholly.
-    pub fn resolves(&self, share: f64, extent: &[f64; 3]) -> f64 {
+    pub fn resolves(&self, share: f64, reach: f64) -> f64 {
         let [from, to] = CORRECTED;
-        let facets = share * self.half_width / self.widest(extent);
+        let facets = share * self.half_width / self.widest(reach);
         ((facets - from) / (to - from)).clamp(0.0, 1.0)
     }
 
     /// Is that below the strip?
     pub fn is_above(&self, at: &[f64; 3]) -> bool {
         let centre = self.line.line.heaviest.centre;
-        let mut below = *at;
-        below[self.line.axis] = centre[self.line.axis];
-        distance(centre, below) <= 3.0 * self.half_width.max(self.spacing())
+        let frame = &self.line.frame;
+        norm(frame.square(sub(*at, centre))) <= 3.0 * self.half_width.max(self.spacing())
     }
 }

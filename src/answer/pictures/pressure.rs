@@ -1,7 +1,8 @@
 //! The pressure on the carrier surface of every interface, seen along the load.
 
 use super::patch::Patch;
-use crate::answer::results::line_axis::line_axis;
+use crate::answer::results::line_direction::line_frame;
+use crate::answer::results::line_frame::axis_of;
 use crate::answer::results::load::upright;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -20,7 +21,8 @@ pub struct PressureMap {
 pub fn pressure_maps(scene: &Scene, state: &State) -> Vec<PressureMap> {
     let up = upright(scene);
     let map = |pair: usize| {
-        let along = line_axis(scene, pair).unwrap_or((up + 1) % 3);
+        let line = line_frame(scene, pair).and_then(|frame| axis_of(&frame.along));
+        let along = line.unwrap_or((up + 1) % 3);
         let drawn = (along != up).then(|| [along, 3 - along - up])?;
         Some(PressureMap {
             interface: scene.contacts[pair].name.clone(),

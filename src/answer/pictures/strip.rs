@@ -4,7 +4,8 @@ use crate::analytic::hertz::LineContact;
 use crate::analytic::subsurface::LineField;
 use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::depth::mises_along;
-use crate::answer::results::line_axis::line_axis;
+use crate::answer::results::line_direction::line_frame;
+use crate::answer::results::line_frame::{LineFrame, name_of};
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strip_profile::{StripProfile, strip_profile};
 use crate::answer::results::strip_sides::StripSides;
@@ -20,8 +21,10 @@ pub type Curve = Vec<(f64, f64)>;
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripPicture {
     pub interface: String,
-    /// The axis along which it runs, and its mean coordinate across.
-    pub axis: usize,
+    /// The directions along and across it, and its mean coordinate across.
+    pub frame: LineFrame,
+    /// What the direction along it is called: x, y, z or its components.
+    pub direction: String,
     pub across: f64,
     pub half_width: f64,
     pub profile: StripProfile,
@@ -46,22 +49,23 @@ const REACH: f64 = 6.0;
 pub fn strips(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<StripPicture> {
     let mut all = Vec::new();
     for (pair, contact) in scene.contacts.iter().enumerate() {
-        let Some(axis) = line_axis(scene, pair) else {
+        let Some(frame) = line_frame(scene, pair) else {
             continue;
         };
-        for line in contact_lines(scene, state, pair, axis) {
-            let Some(profile) = strip_profile(scene, state, pair, axis, &line) else {
+        for line in contact_lines(scene, state, pair, &frame) {
+            let Some(profile) = strip_profile(scene, state, pair, &frame, &line) else {
                 continue;
             };
             let half_width = line.heaviest.half_width;
-            let sides = StripSides::of(scene, contact, (axis, &line.heaviest));
+            let sides = StripSides::of(scene, contact, (&frame, &line.heaviest));
             let hertz = sides.under(scene, contact, profile.line_load);
             let reach = REACH * hertz.map_or(half_width, |hertz| hertz.half_width);
             let partners = contact.carrier_first();
             let bodies = partners.map(|partner| partner.body(&scene.mesh));
             all.push(StripPicture {
                 interface: contact.name.clone(),
-                axis,
+                frame,
+                direction: name_of(&frame.along),
                 across: line.across,
                 half_width,
                 ellipse: hertz.as_ref().map_or_else(Vec::new, ellipse),

@@ -3,6 +3,7 @@
 use super::section::{Plane, Section};
 use super::strip::StripPicture;
 use crate::answer::Answer;
+use crate::answer::results::line_frame::axis_of;
 use crate::answer::results::load::upright;
 use crate::answer::results::recovery::Recovered;
 use crate::model::mesh::Body;
@@ -40,7 +41,7 @@ pub fn views(
     };
     let mut views = Vec::new();
     for axis in (0..3).filter(|axis| *axis != up) {
-        let of_axis = strips.iter().filter(|strip| strip.axis == axis);
+        let of_axis = (strips.iter()).filter(|strip| axis_of(&strip.frame.along) == Some(axis));
         let heaviest = of_axis.max_by(|a, b| a.profile.line_load.total_cmp(&b.profile.line_load));
         if let Some(strip) = heaviest {
             let view = view(axis, strip.profile.at);

@@ -5,7 +5,7 @@ use super::hex::GaussRule;
 use super::means::stress_of_means;
 use super::recovery::Recovered;
 use super::tensor::mises;
-use crate::ground::geometry::{Vec3, bounds};
+use crate::ground::geometry::Vec3;
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -28,8 +28,6 @@ pub struct Around {
     pub rises_to_long_faces: bool,
     /// What is between the nodal value and the stress itself.
     pub curvature: Curvature,
-    /// How far these elements reach along x, y and z, the largest of them.
-    pub extent: Vec3,
     /// Are they far from parallelepipeds, see [`IRREGULAR`]?
     pub is_irregular: bool,
 }
@@ -67,13 +65,8 @@ pub(super) fn around(
     };
     let elements: Vec<(usize, usize)> = body.elements.clone().filter_map(corner_at_node).collect();
     let (mut extrapolated, mut smallest, mut beside) = (peak, peak, peak);
-    let mut extent = [0.0; 3];
     let mut rises_to_long_faces = false;
     for (element, corner) in &elements {
-        let [least, most] = bounds(scene.mesh.corners(*element));
-        for k in 0..3 {
-            extent[k] = f64::max(extent[k], most[k] - least[k]);
-        }
         let at_node = mises(&rule.extrapolate(&state.stress[*element])[*corner]);
         extrapolated = extrapolated.max(at_node);
         for point in &recovered.points.cells[*element] {
@@ -99,7 +92,6 @@ pub(super) fn around(
         border: beside - peak,
         rises_to_long_faces,
         curvature: curvature(scene, recovered, &elements, is_beside),
-        extent,
         is_irregular: own
             .iter()
             .any(|element| scene.mesh.distortion(*element) > IRREGULAR),

@@ -1,10 +1,12 @@
 //! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
 
 use super::contact_line::{ContactLine, lengths};
-use super::load::{cutting_pair, upright};
+use super::line_frame::{LineFrame, axis_of};
+use super::load::cutting_pair;
+use super::rows::NodeRows;
 use super::strip_row::StripRow;
 use super::symmetry_planes::{End, SymmetryPlanes};
-use crate::ground::geometry::{norm, range, sub};
+use crate::ground::geometry::{dot, norm, range, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use std::ops::Range;
@@ -22,10 +24,15 @@ struct PressingRun {
     cut: Option<End>,
 }
 
-/// The lines of contact pair `pair` along `axis`, by their place across; empty where the carrier's
+/// The lines of contact pair `pair` along `frame`, by their place across; empty where the carrier's
 /// nodes do not stand in rows (a row has three nodes or more) or nothing presses.
-pub fn contact_lines(scene: &Scene, state: &State, pair: usize, axis: usize) -> Vec<ContactLine> {
-    contact_lines_by(scene, state, pair, axis, &|_| true)
+pub fn contact_lines(
+    scene: &Scene,
+    state: &State,
+    pair: usize,
+    frame: &LineFrame,
+) -> Vec<ContactLine> {
+    contact_lines_by(scene, state, pair, frame, &|_| true)
 }
 
 /// The same, the heaviest row of each among those that count; empty where none does.
@@ -33,10 +40,10 @@ pub(super) fn contact_lines_by(
     scene: &Scene,
     state: &State,
     pair: usize,
-    axis: usize,
+    frame: &LineFrame,
     counts: &dyn Fn(&StripRow) -> bool,
 ) -> Vec<ContactLine> {
-    let Some(rows) = Rows::new(scene, state, pair, axis) else {
+    let Some(rows) = Rows::new(scene, state, pair, frame) else {
         return Vec::new();
     };
     let mut runs = rows.runs(scene, state, pair);
@@ -65,17 +72,9 @@ fn side_of(row: &[usize], pressing: &[usize], height: impl Fn(usize) -> f64) -> 
     is_one.then(|| own.collect())
 }
 
-/// The axis across lines along `axis` of surfaces that face the load; `None` where they run along
-/// the load.
-pub fn across(scene: &Scene, axis: usize) -> Option<usize> {
-    let facing = upright(scene);
-    (0..3).find(|i| *i != axis && *i != facing && axis != facing)
-}
-
 /// The nodes of a carrier surface in rows.
 struct Rows {
-    axis: usize,
-    across: usize,
+    frame: LineFrame,
     /// Coordinate along the axis of each row, and the length that it stands for.
     at: Vec<f64>,
     length: Vec<f64>,
@@ -89,45 +88,27 @@ struct Rows {
 }
 
 impl Rows {
-    fn new(scene: &Scene, state: &State, pair: usize, axis: usize) -> Option<Self> {
-        const FEWEST: usize = 3;
+    fn new(scene: &Scene, state: &State, pair: usize, frame: &LineFrame) -> Option<Self> {
         /// Nodes that press all around, as those of a bush, have no order across; a row that is steeper than 70 degrees counts as such.
         const STEEPEST: f64 = 3.0;
         scene.carrier(pair)?;
-        let across = across(scene, axis)?;
         let field = state.contacts.get(pair)?;
         let nodes = &field.nodes;
         let point = |i: usize| scene.mesh.points[nodes[i] as usize];
-        let mut order: Vec<usize> = (0..nodes.len()).collect();
-        order.sort_by(|a, b| point(*a)[axis].total_cmp(&point(*b)[axis]));
-        let (first, last) = (point(*order.first()?)[axis], point(*order.last()?)[axis]);
-        let same = 1e-6 * (last - first);
-        let (mut at, mut members): (Vec<f64>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());
-        for i in order {
-            let here = point(i)[axis];
-            match members.last_mut() {
-                Some(row) if at.last().is_some_and(|a| here - a <= same) => row.push(i),
-                _ => {
-                    at.push(here);
-                    members.push(vec![i]);
-                }
-            }
-        }
-        if at.len() < 2 || members.iter().any(|row| row.len() < FEWEST) {
-            return None;
-        }
+        let across = |i: usize| frame.across(&point(i));
+        let along: Vec<f64> = (0..nodes.len()).map(|i| frame.along(&point(i))).collect();
+        let NodeRows { at, mut members } = NodeRows::of(&along)?;
         for row in &mut members {
             // A roller's surface goes all the way round.
             row.retain(|i| field.gap[*i].is_finite());
-            row.sort_by(|a, b| point(*a)[across].total_cmp(&point(*b)[across]));
+            row.sort_by(|a, b| across(*a).total_cmp(&across(*b)));
         }
-        let facing = upright(scene);
         let goes_back = |row: &[usize]| {
             let steps = row
                 .windows(2)
                 .map(|ends| sub(point(ends[1]), point(ends[0])));
             let (way, forward) = steps.fold((0.0, 0.0), |(way, forward), step| {
-                (way + norm(step), forward + step[across])
+                (way + norm(step), forward + frame.across(&step))
             });
             way > STEEPEST * forward
         };
@@ -139,23 +120,25 @@ impl Rows {
             }
             // So does a pin's, and faces its hole all the way: what lies across from where it presses belongs to no row there.
             if goes_back(row) {
-                *row = side_of(row, &pressing, |i| point(i)[facing])?;
+                *row = side_of(row, &pressing, |i| dot(frame.up, point(i)))?;
             }
         }
         Some(Self {
-            axis,
-            across,
+            frame: *frame,
             length: lengths(&at),
             at,
             members,
             mirrors: cutting_pair(scene, pair),
-            planes: SymmetryPlanes::of(scene, pair, across),
+            planes: SymmetryPlanes::square_to(scene, pair, &frame.across),
         })
     }
 
     fn runs(&self, scene: &Scene, state: &State, pair: usize) -> Vec<PressingRun> {
         let field = &state.contacts[pair];
-        let across = |i: usize| scene.mesh.points[field.nodes[i] as usize][self.across];
+        let across = |i: usize| {
+            self.frame
+                .across(&scene.mesh.points[field.nodes[i] as usize])
+        };
         let mut runs = Vec::new();
         for (row, members) in self.members.iter().enumerate() {
             let presses = |k: &usize| field.is_active(members[*k]);
@@ -268,14 +251,17 @@ impl Rows {
         let total: f64 = runs.iter().map(force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
-        let doubled = |axis: usize| if self.mirrors.contains(&axis) { 2 } else { 1 };
+        let is_mirrored =
+            |direction| axis_of(direction).is_some_and(|axis| self.mirrors.contains(&axis));
+        let doubled = |direction| if is_mirrored(direction) { 2 } else { 1 };
         Some(ContactLine {
             across: runs.iter().map(|r| force(r) * r.across).sum::<f64>() / total,
             at: self.at.clone(),
             load,
-            length: length * doubled(self.axis) as f64,
-            lifted_off: (self.length.iter().sum::<f64>() - length) * doubled(self.axis) as f64,
-            images: if cut { 1 } else { doubled(self.across) },
+            length: length * doubled(&self.frame.along) as f64,
+            lifted_off: (self.length.iter().sum::<f64>() - length)
+                * doubled(&self.frame.along) as f64,
+            images: if cut { 1 } else { doubled(&self.frame.across) },
             heaviest,
         })
     }

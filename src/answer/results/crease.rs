@@ -1,7 +1,7 @@
 //! The line along which two planes of a surface meet below a strip, as at the bottom of a V.
 
 use super::strip_row::StripRow;
-use crate::ground::geometry::{cross, dot, norm, sub, unit};
+use crate::ground::geometry::{Vec3, cross, dot, norm, sub, unit};
 use crate::model::mesh::shape::{Shape, fit};
 use crate::model::mesh::{Face, Mesh, Surface};
 
@@ -15,8 +15,8 @@ pub(super) struct Crease {
 }
 
 impl Crease {
-    /// That of faces about a row of a strip along `axis`; `None` where they lie on one plane, or not on two.
-    pub fn between(mesh: &Mesh, about: &Surface, axis: usize, row: &StripRow) -> Option<Self> {
+    /// That of faces about a row of a strip along `line`; `None` where they lie on one plane, or not on two.
+    pub fn between(mesh: &Mesh, about: &Surface, line: &Vec3, row: &StripRow) -> Option<Self> {
         /// Cosine of the angle from which on two facets are of one plane: a thousandth, as rounded coordinates turn them.
         const ONE_PLANE: f64 = 1.0 - 0.5e-6;
         let normal = |face: &Face| unit(face.area_vector(mesh));
@@ -34,7 +34,7 @@ impl Crease {
         let ((a, m), (b, n)) = (plane(one)?, plane(other)?);
         let along = cross(m, n);
         let turn = norm(along);
-        if along[axis].abs() < 0.99 * turn {
+        if dot(along, *line).abs() < 0.99 * turn {
             return None;
         }
         // Square to the line: heights of the middle above both planes say how far off it is.
@@ -48,10 +48,10 @@ impl Crease {
     }
 
     /// That of a plane and its own image, where a plane of symmetry square to the direction `across` cuts the strip.
-    pub fn with_image(shape: &Shape, across: usize) -> Option<Self> {
+    pub fn with_image(shape: &Shape, across: &Vec3) -> Option<Self> {
         match shape {
             Shape::Plane { normal, .. } => Some(Self {
-                slope: normal.get(across)?.abs().asin(),
+                slope: dot(*normal, *across).abs().min(1.0).asin(),
                 distance: 0.0,
             }),
             _ => None,
@@ -86,7 +86,12 @@ mod tests {
             centre: [middle, 1.0, 1.0],
             ..StripRow::default()
         };
-        Crease::between(&mesh, mesh.surface("z_max").unwrap(), 1, &row)
+        Crease::between(
+            &mesh,
+            mesh.surface("z_max").unwrap(),
+            &[0.0, 1.0, 0.0],
+            &row,
+        )
     }
 
     #[test]

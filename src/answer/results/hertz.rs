@@ -6,9 +6,10 @@
 
 use super::below::{flows_below, is_layered};
 use super::contact_line::ContactLine;
-use super::contact_lines::{across, contact_lines, contact_lines_by};
+use super::contact_lines::{contact_lines, contact_lines_by};
 use super::edges::LoadedEdges;
-use super::line_axis::line_axis;
+use super::line_direction::line_frame;
+use super::line_frame::{LineFrame, axis_of};
 use super::strip_row::StripRow;
 use super::strip_sides::StripSides;
 use crate::analytic::hertz::LineContact;
@@ -20,8 +21,8 @@ use crate::model::state::State;
 pub struct HeaviestLine {
     /// The line.
     pub line: ContactLine,
-    /// The axis along it.
-    pub axis: usize,
+    /// The directions along and across it.
+    pub frame: LineFrame,
     /// Its largest load per length.
     pub line_load: f64,
     /// Share by which that load stands out from the straight line between the rows beside it.
@@ -93,38 +94,38 @@ impl HeaviestLine {
 
     /// The line of contact pair `pair` that carries most; `None` where there are no lines.
     pub fn find(scene: &Scene, state: &State, pair: usize, edges: &LoadedEdges) -> Option<Self> {
-        let axis = line_axis(scene, pair)?;
+        let frame = line_frame(scene, pair)?;
         let heaviest = |lines: &[ContactLine], load: fn(&ContactLine) -> f64| {
-            Self::heaviest(scene, state, (pair, axis), edges, lines, load)
+            Self::heaviest(scene, state, (pair, &frame), edges, lines, load)
         };
-        let all = contact_lines(scene, state, pair, axis);
+        let all = contact_lines(scene, state, pair, &frame);
         let mut line = heaviest(&all, ContactLine::heaviest_load)?;
         if line.departs == Some(Departure::LoadedEdge) {
             let is_away = |row: &StripRow| !edges.are_near(&row.centre);
-            let away = contact_lines_by(scene, state, pair, axis, &is_away);
+            let away = contact_lines_by(scene, state, pair, &frame, &is_away);
             line.away = heaviest(&away, ContactLine::heaviest_mean_load).map(Box::new);
         }
         Some(line)
     }
 
-    /// That of some lines along `axis`, by their load as it is to be read.
+    /// That of some lines along `frame`, by their load as it is to be read.
     fn heaviest(
         scene: &Scene,
         state: &State,
-        (pair, axis): (usize, usize),
+        (pair, frame): (usize, &LineFrame),
         edges: &LoadedEdges,
         lines: &[ContactLine],
         load: fn(&ContactLine) -> f64,
     ) -> Option<Self> {
         let loaded = lines.iter().map(|line| (load(line), line));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let mirrored = across(scene, axis).is_some_and(|across| scene.mirrors.contains(&across));
+        let mirrored = axis_of(&frame.across).is_some_and(|across| scene.mirrors.contains(&across));
         let apart = distance_to_the_next(line, lines, mirrored);
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;
-        let sides = StripSides::of(scene, contact, (axis, row));
+        let sides = StripSides::of(scene, contact, (frame, row));
         let hertz = sides.under(scene, contact, line_load);
-        let rows = RowsBeside { line, axis, edges };
+        let rows = RowsBeside { line, frame, edges };
         let kink = rows.kink(row.row);
         let departs = match hertz {
             Some(hertz) if apart < MERGED * 2.0 * hertz.half_width => Some(Departure::Width),
@@ -143,7 +144,7 @@ impl HeaviestLine {
             hidden: rows.hidden(),
             contact: hertz,
             departs,
-            axis,
+            frame: *frame,
             alternates: (line.heaviest_load() / line_load - 1.0).abs(),
             line: line.clone(),
             away: None,
@@ -208,7 +209,7 @@ fn distance_to_the_next(line: &ContactLine, lines: &[ContactLine], mirrored: boo
 /// The rows of a line, each with those beside it.
 struct RowsBeside<'a> {
     line: &'a ContactLine,
-    axis: usize,
+    frame: &'a LineFrame,
     edges: &'a LoadedEdges,
 }
 
@@ -242,8 +243,8 @@ impl RowsBeside<'_> {
     }
 
     fn is_at_edge(&self, row: usize) -> bool {
-        let mut centre = self.line.heaviest.centre;
-        centre[self.axis] = self.line.at[row];
+        let line = self.line;
+        let centre = self.frame.moved(line.heaviest.centre, line.at[row]);
         self.edges.are_near(&centre)
     }
 }

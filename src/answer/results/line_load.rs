@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::line_axis::{extent, line_axis};
+use super::line_direction::line_frame;
+use super::line_frame::axis_of;
 use super::load::{self, cutting_pair, times};
-use crate::ground::geometry::{self, dot};
+use crate::ground::geometry::{Vec3, dot, range};
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -12,8 +13,8 @@ use crate::model::state::State;
 /// Where a line load is cut into slices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slices {
-    /// The axis (0, 1, 2) along the carrier body.
-    pub axis: usize,
+    /// Unit vector along the carrier body.
+    pub along: Vec3,
     /// Coordinates of the slice ends, ascending; one more than there are slices.
     pub edges: Vec<f64>,
 }
@@ -36,12 +37,17 @@ impl Slices {
     /// `count` equal slices over the extent of the carrier surface of pair `pair`, along its lines of contact.
     /// `None` without such a surface or without extent.
     pub fn equal(scene: &Scene, pair: usize, count: usize) -> Option<Self> {
-        let axis = line_axis(scene, pair)?;
-        let [low, high] = extent(&scene.mesh, scene.carrier(pair)?, axis);
+        Self::along(scene, pair, (line_frame(scene, pair)?.along, count))
+    }
+
+    /// The same along another direction.
+    pub fn along(scene: &Scene, pair: usize, (along, count): (Vec3, usize)) -> Option<Self> {
+        let nodes = scene.carrier(pair)?.nodes().into_iter();
+        let [low, high] = range(nodes.map(|n| dot(along, scene.mesh.points[n as usize])));
         let step = (high - low) / count.max(1) as f64;
         let whole = step.is_finite() && step > 0.0;
         whole.then(|| Self {
-            axis,
+            along,
             edges: (0..=count.max(1)).map(|i| low + step * i as f64).collect(),
         })
     }
@@ -54,23 +60,22 @@ impl Slices {
 /// slice means times slice lengths and [`LineLoad::outside`] sum to the load. `None` where the
 /// pair has no carrier surface in the mesh or the slices are not ascending.
 pub fn line_load(scene: &Scene, state: &State, pair: usize, slices: &Slices) -> Option<LineLoad> {
-    let axis = slices.axis;
     let ascending = slices.edges.len() > 1 && slices.edges.windows(2).all(|w| w[0] < w[1]);
-    if axis > 2 || !ascending {
+    if !ascending {
         return None;
     }
     let field = state.contacts.get(pair)?;
-    let tributary = tributaries(scene, scene.carrier(pair)?, axis);
+    let tributary = tributaries(scene, scene.carrier(pair)?, &slices.along);
     let along = load::along(scene, state);
     // A mirror along the axis makes slices of its own, on the other side.
     let mirrors = cutting_pair(scene, pair);
-    let mirrored = mirrors.contains(&axis);
+    let mirrored = axis_of(&slices.along).is_some_and(|axis| mirrors.contains(&axis));
     let copies = times(&mirrors) * if mirrored { 0.5 } else { 1.0 };
     let mut load = vec![0.0; slices.edges.len() - 1];
     let mut outside = 0.0;
     for (node, force) in field.nodes.iter().zip(&field.force) {
         let force = copies * dot(*force, along);
-        let at = scene.mesh.points[*node as usize][axis];
+        let at = dot(slices.along, scene.mesh.points[*node as usize]);
         let (low, high) = tributary.get(node).copied().unwrap_or((at, at));
         let inside = spread(force, low, high, &slices.edges, &mut load);
         outside += force - inside;
@@ -106,13 +111,13 @@ fn spread(force: f64, low: f64, high: f64, edges: &[f64], load: &mut [f64]) -> f
     inside
 }
 
-/// Range along `axis` that each node of the surface stands for: half way to the farthest node of
+/// Range along a direction that each node of the surface stands for: half way to the farthest node of
 /// the faces around it, on both sides.
-fn tributaries(scene: &Scene, surface: &Surface, axis: usize) -> BTreeMap<u32, (f64, f64)> {
-    let coordinate = |node: u32| scene.mesh.points[node as usize][axis];
+fn tributaries(scene: &Scene, surface: &Surface, along: &Vec3) -> BTreeMap<u32, (f64, f64)> {
+    let coordinate = |node: u32| dot(*along, scene.mesh.points[node as usize]);
     let mut around: BTreeMap<u32, (f64, f64)> = BTreeMap::new();
     for face in &surface.faces {
-        let [low, high] = geometry::range(face.nodes.map(coordinate));
+        let [low, high] = range(face.nodes.map(coordinate));
         for node in face.nodes {
             let range = around.entry(node).or_insert((low, high));
             *range = (range.0.min(low), range.1.max(high));

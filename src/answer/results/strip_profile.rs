@@ -1,9 +1,9 @@
 //! The pressure across a strip of contact, at one place along it.
 
 use super::contact_line::ContactLine;
-use super::contact_lines::across;
+use super::line_frame::LineFrame;
 use super::symmetry_planes::{End, SymmetryPlanes};
-use crate::ground::geometry::{norm, sub};
+use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 
@@ -24,22 +24,22 @@ pub struct StripProfile {
     pub normal: [f64; 3],
 }
 
-/// The profile of `line`, which runs along `axis` of contact pair `pair`, at its most heavily
+/// The profile of `line`, which runs along `frame` of contact pair `pair`, at its most heavily
 /// loaded row; `None` where nothing presses there.
 pub fn strip_profile(
     scene: &Scene,
     state: &State,
     pair: usize,
-    axis: usize,
+    frame: &LineFrame,
     line: &ContactLine,
 ) -> Option<StripProfile> {
     let (line_load, at) = line.peak()?;
-    let across = across(scene, axis)?;
     let field = state.contacts.get(pair)?;
     let point = |i: usize| scene.mesh.points[field.nodes[i] as usize];
     let same = 1e-6 * (line.at.last()? - line.at.first()?);
-    let in_row = |i: &usize| (point(*i)[axis] - at).abs() <= same;
-    let off = |i: &usize| (point(*i)[across] - line.across).abs();
+    let across = |i: usize| frame.across(&point(i));
+    let in_row = |i: &usize| (frame.along(&point(*i)) - at).abs() <= same;
+    let off = |i: &usize| (across(*i) - line.across).abs();
     let pressing = (0..field.nodes.len()).filter(|i| in_row(i) && field.pressure[*i] > 0.0);
     let nearest = pressing.min_by(|a, b| off(a).total_cmp(&off(b)))?;
     // The node next to node `i` of the row, across a face.
@@ -48,7 +48,7 @@ pub fn strip_profile(
         let around = faces.filter(|face| face.nodes.contains(&field.nodes[i]));
         let nodes = around.flat_map(|face| face.nodes);
         let mut places = nodes.filter_map(|n| field.nodes.binary_search(&n).ok());
-        places.find(|k| *k != i && in_row(k) && (point(*k)[across] > point(i)[across]) == up)
+        places.find(|k| *k != i && in_row(k) && (across(*k) > across(i)) == up)
     };
     // As far as it presses, and to the first open node on either side.
     let mut run = vec![nearest];
@@ -59,15 +59,15 @@ pub fn strip_profile(
             end = next;
         }
     }
-    let ends = [*run.first()?, *run.last()?].map(|i| point(i)[across]);
-    let cut = SymmetryPlanes::of(scene, pair, across).cut(ends[0], ends[1]);
+    let ends = [*run.first()?, *run.last()?].map(across);
+    let cut = SymmetryPlanes::square_to(scene, pair, &frame.across).cut(ends[0], ends[1]);
     // From the plane that cuts it outwards.
     if let Some((End::High, _)) = cut {
         run.reverse();
     }
     let mirrored = cut.is_some();
     let run = run.as_slice();
-    let mut points = along_surface(run, &point, axis, |i| field.pressure[i].max(0.0));
+    let mut points = along_surface(run, &point, frame, |i| field.pressure[i].max(0.0));
     let centre = if mirrored { 0.0 } else { centroid(&points) };
     let place = between(run, &points, centre, &point)?;
     points.iter_mut().for_each(|(s, _)| *s -= centre);
@@ -81,21 +81,21 @@ pub fn strip_profile(
     })?;
     let mirror = cut
         .filter(|_| Some(heaviest) == run.first())
-        .map(|_| across);
+        .map(|_| frame.across);
     Some(StripProfile {
         at,
         line_load,
         points,
         centre: place,
-        normal: normal(scene, pair, field.nodes[*heaviest], (axis, mirror))?,
+        normal: normal(scene, pair, field.nodes[*heaviest], (frame, mirror))?,
     })
 }
 
-/// Distance from the first node along the surface, square to `axis`, and the pressure.
+/// Distance from the first node along the surface, square to the line, and the pressure.
 fn along_surface(
     run: &[usize],
     point: &impl Fn(usize) -> [f64; 3],
-    axis: usize,
+    frame: &LineFrame,
     pressure: impl Fn(usize) -> f64,
 ) -> Vec<(f64, f64)> {
     let mut distance = 0.0;
@@ -103,9 +103,7 @@ fn along_surface(
     let step = |i: &usize| {
         let here = point(*i);
         if let Some(before) = before {
-            let mut step = sub(here, before);
-            step[axis] = 0.0;
-            distance += norm(step);
+            distance += norm(frame.square(sub(here, before)));
         }
         before = Some(here);
         (distance, pressure(*i))
@@ -140,17 +138,16 @@ fn between(
     Some([0, 1, 2].map(|k| from[k] + share * (to[k] - from[k])))
 }
 
-/// Unit normal of the carrier at `node`, square to `axis` and to the axis of the plane of symmetry through it.
+/// Unit normal of the carrier at `node`, square to the line and to the normal of the plane of symmetry through it.
 fn normal(
     scene: &Scene,
     pair: usize,
     node: u32,
-    (axis, mirror): (usize, Option<usize>),
+    (frame, mirror): (&LineFrame, Option<Vec3>),
 ) -> Option<[f64; 3]> {
-    let mut sum = scene.carrier(pair)?.area_vector_at(&scene.mesh, node);
-    sum[axis] = 0.0;
+    let mut sum = frame.square(scene.carrier(pair)?.area_vector_at(&scene.mesh, node));
     if let Some(mirror) = mirror {
-        sum[mirror] = 0.0;
+        sum = sub(sum, scale(mirror, dot(mirror, sum)));
     }
     let length = norm(sum);
     (length > 0.0).then(|| sum.map(|c| c / length))

@@ -1,11 +1,11 @@
 //! The two sides of a strip of contact: how they curve there, and what Hertz makes of them.
 
 use super::circle::FittedCircle;
-use super::contact_lines::across;
 use super::crease::Crease;
+use super::line_frame::LineFrame;
 use super::strip_row::StripRow;
 use crate::analytic::hertz::LineContact;
-use crate::ground::geometry::{dot, norm, sub};
+use crate::ground::geometry::{Vec3, dot, norm, sub};
 use crate::model::mesh::shape::fit;
 use crate::model::mesh::{Face, Mesh, Surface};
 use crate::model::scene::{ContactPair, Partner, Scene};
@@ -26,10 +26,10 @@ struct Side {
 }
 
 impl StripSides {
-    /// Those of a contact pair, at a row of a strip along `axis`.
-    pub fn of(scene: &Scene, pair: &ContactPair, (axis, row): (usize, &StripRow)) -> Self {
-        let cut = across(scene, axis).filter(|_| row.mirrored);
-        let of_surface = |surface| Side::of(&scene.mesh, surface, (axis, row), cut);
+    /// Those of a contact pair, at a row of a strip along `frame`.
+    pub fn of(scene: &Scene, pair: &ContactPair, (frame, row): (&LineFrame, &StripRow)) -> Self {
+        let cut = Some(frame.across).filter(|_| row.mirrored);
+        let of_surface = |surface| Side::of(&scene.mesh, surface, (frame, row), cut);
         let side = |side: &Partner| {
             side.surface(&scene.mesh)
                 .map_or_else(Side::plane, of_surface)
@@ -74,41 +74,35 @@ impl Side {
     fn of(
         mesh: &Mesh,
         surface: &Surface,
-        (axis, row): (usize, &StripRow),
-        cut: Option<usize>,
+        (frame, row): (&LineFrame, &StripRow),
+        cut: Option<Vec3>,
     ) -> Self {
         const PARALLEL: f64 = 0.99;
-        let mut along = [0.0; 3];
-        along[axis] = 1.0;
         let mut shape = fit(mesh, surface);
-        let mut curvature = shape.curvature(along, PARALLEL);
+        let mut curvature = shape.curvature(frame.along, PARALLEL);
         if curvature.is_none() {
-            let about = about(mesh, surface, axis, row);
-            if let Some(crease) = Crease::between(mesh, &about, axis, row) {
+            let about = about(mesh, surface, frame, row);
+            if let Some(crease) = Crease::between(mesh, &about, &frame.along, row) {
                 return Self {
                     crease: Some(crease),
                     ..Self::plane()
                 };
             }
             shape = fit(mesh, &about);
-            curvature = shape.curvature(along, PARALLEL);
+            curvature = shape.curvature(frame.along, PARALLEL);
         }
         Self {
-            curvature: curvature.or_else(|| row_curvature(mesh, surface, axis, row.at)),
-            crease: cut.and_then(|across| Crease::with_image(&shape, across)),
+            curvature: curvature.or_else(|| row_curvature(mesh, surface, frame, row.at)),
+            crease: cut.and_then(|across| Crease::with_image(&shape, &across)),
         }
     }
 }
 
-/// The faces of a surface that come as near to the line through the middle of a row along `axis` as three of its
+/// The faces of a surface that come as near to the line through the middle of a row along `frame` as three of its
 /// half-widths.
-fn about(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Surface {
+fn about(mesh: &Mesh, surface: &Surface, frame: &LineFrame, row: &StripRow) -> Surface {
     let reach = 3.0 * row.half_width.max(row.middle_spacing());
-    let from_line = |corner: [f64; 3]| {
-        let mut arm = sub(corner, row.centre);
-        arm[axis] = 0.0;
-        norm(arm)
-    };
+    let from_line = |corner: [f64; 3]| norm(frame.square(sub(corner, row.centre)));
     let near = |face: &&Face| {
         face.corners(mesh)
             .into_iter()
@@ -120,15 +114,15 @@ fn about(mesh: &Mesh, surface: &Surface, axis: usize, row: &StripRow) -> Surface
     }
 }
 
-fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option<f64> {
+fn row_curvature(mesh: &Mesh, surface: &Surface, frame: &LineFrame, at: f64) -> Option<f64> {
     let nodes = surface.nodes();
-    let off = |n: &u32| (mesh.points[*n as usize][axis] - at).abs();
+    let off = |n: &u32| (frame.along(&mesh.points[*n as usize]) - at).abs();
     let nearest = nodes.iter().map(off).fold(f64::INFINITY, f64::min);
-    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let plane = [frame.across, frame.up];
     let size = nodes.iter().map(off).fold(0.0, f64::max);
     let row = nodes.iter().filter(|n| off(n) <= nearest + 1e-6 * size);
     let points: Vec<[f64; 2]> = row
-        .map(|n| [u, v].map(|k| mesh.points[*n as usize][k]))
+        .map(|n| plane.map(|d| dot(d, mesh.points[*n as usize])))
         .collect();
     let FittedCircle {
         centre: middle,
@@ -138,9 +132,8 @@ fn row_curvature(mesh: &Mesh, surface: &Surface, axis: usize, at: f64) -> Option
     let outward = surface.faces.iter().map(|face| {
         let corners = face.corners(mesh);
         let normal = face.area_vector(mesh);
-        let mut arm = [0.0; 3];
-        (arm[u], arm[v]) = (corners[0][u] - middle[0], corners[0][v] - middle[1]);
-        dot(normal, arm)
+        let arm = [0, 1].map(|k| dot(plane[k], corners[0]) - middle[k]);
+        dot(normal, plane[0]) * arm[0] + dot(normal, plane[1]) * arm[1]
     });
     Some(outward.sum::<f64>().signum() / radius)
 }

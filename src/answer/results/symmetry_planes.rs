@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::ground::geometry::range;
+use super::line_frame::axis_of;
+use crate::ground::geometry::{Vec3, range};
 use crate::model::scene::{PlaneMotion, RigidPlane, Scene, Support};
 
 /// Those square to one axis, at which both bodies of a pair end and their mirror images go on.
@@ -36,6 +37,16 @@ impl SymmetryPlanes {
         let mut at: Vec<f64> = named.then_some(0.0).into_iter().collect();
         at.extend(held_ends(scene, pair, axis, same));
         Self { at, named, same }
+    }
+
+    /// Those square to a direction: none but where that is an axis.
+    pub fn square_to(scene: &Scene, pair: usize, direction: &Vec3) -> Self {
+        let none = || Self {
+            at: Vec::new(),
+            named: false,
+            same: 0.0,
+        };
+        axis_of(direction).map_or_else(none, |axis| Self::of(scene, pair, axis))
     }
 
     /// Which of some coordinates lies on one that supports make, and no name says.

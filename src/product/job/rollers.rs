@@ -8,7 +8,7 @@ use crate::analytic::sizing::effective_length;
 use crate::answer::{InterfaceFigures, LineFigures};
 use crate::case::bearing::{Dimensions, Seat};
 use crate::case::{BearingCase, Case, CaseError, Kind, Steels};
-use crate::ground::geometry::{AXES, range};
+use crate::ground::geometry::{dot, range};
 use crate::ground::units::UnitSystem;
 use crate::model::scene::{ContactPair, Scene};
 
@@ -110,15 +110,13 @@ pub struct Span {
 impl Span {
     /// The overlap of both surfaces along the axis of a line.
     pub fn of(scene: &Scene, pair: &ContactPair, line: &LineFigures) -> Self {
-        let axis = AXES.iter().position(|name| *name == line.axis);
-        let axis = axis.unwrap_or_default();
         let sides = [&pair.upper, &pair.lower].into_iter();
         let surfaces = sides.filter_map(|side| side.surface(&scene.mesh));
         let all = surfaces.fold(
             [f64::NEG_INFINITY, f64::INFINITY],
             |[low, high], surface| {
                 let nodes = surface.faces.iter().flat_map(|face| face.nodes);
-                let at = nodes.map(|node| scene.mesh.points[node as usize][axis]);
+                let at = nodes.map(|node| dot(line.along, scene.mesh.points[node as usize]));
                 let ends = range(at);
                 [low.max(ends[0]), high.min(ends[1])]
             },

@@ -5,6 +5,7 @@ use super::error::JobError;
 use super::mesh::strips_file;
 use crate::analytic::hertz::{LineContact, widening_in_flow};
 use crate::answer::results::contact_lines::contact_lines;
+use crate::answer::results::line_frame::LineFrame;
 use crate::answer::results::load::{applied, full};
 use crate::case::bearing::{FoundLine, Preset, Strips};
 use crate::case::{BearingCase, Case};
@@ -44,7 +45,8 @@ fn lines(bearing: &BearingCase, scene: &Scene, state: &State) -> Vec<FoundLine> 
         let Some(seat) = bearing.seat(&pair.name) else {
             continue;
         };
-        let lines = contact_lines(scene, state, index, seat.axis);
+        let frame = LineFrame::of_axis(scene, seat.axis);
+        let lines = frame.map_or_else(Vec::new, |frame| contact_lines(scene, state, index, &frame));
         let peak =
             |line: &crate::answer::results::contact_line::ContactLine| line.peak().map(|p| p.0);
         let heaviest = lines.iter().filter_map(peak).fold(0.0, f64::max);

@@ -14,7 +14,7 @@ pub fn csv(lines: &[WholeLine], units: &UnitLabels) -> String {
     for line in lines {
         let interface = field(line.interface);
         for (along, load) in &line.rows {
-            let (axis, across) = (line.axis, line.across);
+            let (axis, across) = (field(line.axis), line.across);
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{interface},{axis},{across},{along},{load}");
         }
@@ -40,15 +40,15 @@ mod tests {
     fn names_with_commas_stay_one_field() {
         let line = WholeLine {
             interface: "a \"b\", c",
-            axis: "y",
-            across_axis: "x",
+            axis: "(0.6000, 0.8000, 0.0000)",
+            across_axis: "(0.8000, -0.6000, 0.0000)",
             across: -0.5,
             rows: vec![(0.1, 1.0 / 3.0)],
             mean: 1.0,
         };
         let text = csv(&[line], &UnitLabels::new("in", "kip", "ksi"));
         let expected = "interface,axis,line across at [in],along [in],line load [kip/in]\n\
-                        \"a \"\"b\"\", c\",y,-0.5,0.1,0.3333333333333333\n";
+                        \"a \"\"b\"\", c\",\"(0.6000, 0.8000, 0.0000)\",-0.5,0.1,0.3333333333333333\n";
         assert_eq!(text, expected);
     }
 }

@@ -20,10 +20,10 @@ pub const FILES: [&str; 2] = ["line-load.csv", "line-load.svg"];
 #[derive(Debug, Clone, PartialEq)]
 pub struct WholeLine<'a> {
     pub interface: &'a str,
-    /// The axis along which it runs.
-    pub axis: &'static str,
-    /// The axis across it.
-    pub across_axis: &'static str,
+    /// The direction along which it runs.
+    pub axis: &'a str,
+    /// The direction across it.
+    pub across_axis: &'a str,
     /// Its place across.
     pub across: f64,
     /// Coordinate along and force normal to the surface per length at each row of nodes; the
@@ -42,8 +42,8 @@ pub fn whole_lines(summary: &Summary) -> Vec<WholeLine<'_>> {
             let across = [Some(line.across), (line.images > 1).then_some(-line.across)];
             lines.extend(across.into_iter().flatten().map(|across| WholeLine {
                 interface,
-                axis: line.axis,
-                across_axis: line.across_axis,
+                axis: &line.axis,
+                across_axis: &line.across_axis,
                 across,
                 rows: whole_rows(line),
                 mean: line.mean,

@@ -3,24 +3,33 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::hex::distance;
-use crate::ground::geometry::bounds;
+use super::super::line_frame::axis_of;
+use super::super::own_directions::box_directions;
+use crate::ground::geometry::{Vec3, dot, range};
 use crate::model::mesh::Surface;
 use crate::model::mesh::surface::sorted;
 use crate::model::scene::Scene;
 use crate::model::scene::held_planes::held_planes;
 
-/// The longest side of the box about some nodes and their images: as long whether mirror planes are made use of or not.
-pub fn longest_side(scene: &Scene, nodes: impl Iterator<Item = u32>) -> f64 {
-    let [mut low, mut high] = bounds(nodes.map(|node| scene.mesh.points[node as usize]));
-    let size = distance(low, high);
-    for axis in scene.mirrors.iter().copied().filter(|axis| *axis < 3) {
+/// The longest side of the box about some nodes and their images, along directions of their own: as long whether mirror planes are made
+/// use of or not, and however all is turned. `side` is one of a face, or of an element.
+pub fn longest_side(scene: &Scene, nodes: &[u32], side: [u32; 2]) -> f64 {
+    let length = |along: Vec3| {
+        let [low, high] = range(
+            nodes
+                .iter()
+                .map(|n| dot(along, scene.mesh.points[*n as usize])),
+        );
+        let size = high - low;
+        let [near, far] = [low.abs().min(high.abs()), low.abs().max(high.abs())];
         // A surface apart from the plane is not the half of one.
-        if low[axis].abs().min(high[axis].abs()) <= 1e-6 * size {
-            let half = low[axis].abs().max(high[axis].abs());
-            (low[axis], high[axis]) = (-half, half);
+        match axis_of(&along).filter(|axis| scene.mirrors.contains(axis)) {
+            Some(_) if near <= 1e-6 * far => 2.0 * far,
+            _ => size,
         }
-    }
-    (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max)
+    };
+    let sides = box_directions(scene, nodes, side).map(length);
+    sides.into_iter().fold(0.0, f64::max)
 }
 
 /// Edges where a surface ends, the nodes of each ascending.

@@ -10,7 +10,8 @@ use super::super::fillet;
 use super::super::hex::distance;
 use super::boundary::{boundary, longest_side};
 use super::reach::EdgeNodes;
-use crate::ground::geometry::bounds;
+use super::wedges::off_segment;
+use crate::ground::geometry::Vec3;
 use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::{ContactPair, EDGE_REACH, Scene};
 use crate::model::state::State;
@@ -56,7 +57,8 @@ impl LoadedEdges {
             let other = other.surface(&scene.mesh);
             let extents = [Some(surface), other].into_iter().flatten();
             let extents = extents.map(|surface| {
-                longest_side(scene, surface.faces.iter().flat_map(|face| face.nodes))
+                let side = surface.faces.first().map_or([0; 2], |face| face.edge(0));
+                longest_side(scene, &surface.nodes(), side)
             });
             let whole = EDGE_REACH * extents.fold(f64::INFINITY, f64::min);
             let most = field.pressure.iter().copied().fold(0.0, f64::max);
@@ -157,8 +159,8 @@ impl LoadedEdges {
     }
 }
 
-/// Boxes about the carrier's nodes in contact, each as large as half of the faces around it, and their pressures.
-struct Pressed(Vec<([f64; 3], f64, f64)>);
+/// The carrier's nodes in contact, how far each reaches, which is half of the diagonal of the faces around it, and their pressures.
+struct Pressed(Vec<(Vec3, f64, f64)>);
 
 impl Pressed {
     fn new(scene: &Scene, surface: &Surface, pressure: impl Fn(&u32) -> Option<f64>) -> Self {
@@ -183,15 +185,20 @@ impl Pressed {
         )
     }
 
-    /// The largest pressure of those that reach the box about a face, or a side of it.
+    /// The largest pressure of those that reach a side of a face, or one of the sides of a whole face.
     fn at(&self, mesh: &Mesh, nodes: &[u32]) -> Option<f64> {
-        let [low, high] = bounds(nodes.iter().map(|node| mesh.points[*node as usize]));
-        let reaches = |(at, size, _): &&([f64; 3], f64, f64)| {
-            (0..3).all(|i| at[i] + size >= low[i] && at[i] - size <= high[i])
+        let point = |k: usize| mesh.points[nodes[k % nodes.len()] as usize];
+        let apart = |at: &Vec3| {
+            let sides = (0..nodes.len()).map(|k| off_segment(*at, point(k), point(k + 1)));
+            sides.fold(f64::INFINITY, f64::min)
         };
+        let reaches = |(at, size, _): &&(Vec3, f64, f64)| apart(at) <= (1.0 + ROUNDING) * size;
         largest(self.0.iter().filter(reaches).map(|(_, _, p)| *p))
     }
 }
+
+/// Share of a distance by which rounding may change it.
+const ROUNDING: f64 = 1e-6;
 
 fn largest(values: impl Iterator<Item = f64>) -> Option<f64> {
     values.reduce(f64::max)

@@ -59,8 +59,9 @@ pub(super) fn singular(scene: &Scene) -> EdgeNodes {
         if is_singular {
             let whole = *reaches.entry(wedge.body).or_insert_with(|| {
                 let elements = scene.mesh.bodies[wedge.body].elements.clone();
-                let nodes = scene.mesh.hexes[elements].iter().flatten().copied();
-                EDGE_REACH * longest_side(scene, nodes)
+                let first = scene.mesh.hexes[elements.start];
+                let nodes = scene.mesh.nodes_of_body(wedge.body);
+                EDGE_REACH * longest_side(scene, &nodes, [first[0], first[1]])
             });
             nodes.add(&scene.mesh, &wedge.face, wedge.side, whole);
         }
@@ -123,7 +124,7 @@ fn is_of_one_steel(scene: &Scene, body: usize, beyond: impl Iterator<Item = usiz
 }
 
 /// Distance of a point from the straight line between two others.
-fn off_segment(at: Vec3, a: Vec3, b: Vec3) -> f64 {
+pub(super) fn off_segment(at: Vec3, a: Vec3, b: Vec3) -> f64 {
     let along = sub(b, a);
     let share = dot(sub(at, a), along) / dot(along, along).max(f64::MIN_POSITIVE);
     distance(at, add(a, scale(along, share.clamp(0.0, 1.0))))

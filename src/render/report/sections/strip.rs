@@ -1,7 +1,6 @@
 //! The pressure across each line of contact where it carries most, against Hertz.
 
 use crate::answer::pictures::StripPicture;
-use crate::ground::geometry::AXES;
 use crate::render::plot::{Line, Panel, PlotFigure, Scale, charts};
 use crate::render::report::Inputs;
 use crate::render::text::significant;
@@ -10,7 +9,7 @@ use maud::{Markup, html};
 /// Such as "upper_plate-upper_roller, line at x = 0 in, at y = 4 in".
 pub(super) fn name(strip: &StripPicture, length: &str) -> String {
     let row = significant(strip.profile.at, 3);
-    let along = AXES[strip.axis];
+    let along = &strip.direction;
     let across = significant(strip.across, 3);
     format!(
         "{}, line at {across} {length}, where {along} = {row} {length}",

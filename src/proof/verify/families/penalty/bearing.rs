@@ -3,6 +3,7 @@
 use super::problem::{NamedFigures, Problem};
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::interface::interfaces;
+use crate::answer::results::line_frame::axis_of;
 use crate::answer::results::line_load::{Slices, line_load};
 use crate::answer::results::load::descent;
 use crate::answer::results::peaks::peaks;
@@ -65,9 +66,10 @@ fn figures(run: &SolvedScene) -> Result<NamedFigures, VerifyError> {
         ),
     ];
     let slices = Slices::equal(scene, 0, 10).ok_or(VerifyError::Missing("line load"))?;
+    let along = axis_of(&slices.along).ok_or(VerifyError::Missing("line load"))?;
     let strip = Strip {
         middle: Some(0.0),
-        ..Strip::across(1 - slices.axis)
+        ..Strip::across(1 - along)
     };
     let surface = scene
         .carrier(0)

@@ -1,6 +1,7 @@
 //! Meshes, scenes and states made by hand, with exactly known fields.
 #![allow(dead_code)]
 
+use brinell::answer::results::line_frame::LineFrame;
 use brinell::model::material::Steel;
 use brinell::model::mesh::{Body, Face, Mesh, Surface};
 use brinell::model::scene::{ContactPair, Partner, PlaneMotion, RigidPlane, Scene, Side, Support};
@@ -195,6 +196,11 @@ pub fn fill_stress(scene: &Scene, state: &mut State, stress: impl Fn([f64; 3]) -
             *value = stress(rule.position(k, &corners));
         }
     }
+}
+
+/// The frame of lines along an axis.
+pub fn along(scene: &Scene, axis: usize) -> LineFrame {
+    LineFrame::of_axis(scene, axis).unwrap()
 }
 
 /// Are the values equal to a relative 1e-12?

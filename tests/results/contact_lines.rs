@@ -1,4 +1,4 @@
-use crate::block::{close, pressed, settle, stack};
+use crate::block::{along, close, pressed, settle, stack};
 use brinell::answer::results::contact_lines::contact_lines;
 use brinell::answer::results::edges::LoadedEdges;
 use brinell::answer::results::hertz::HeaviestLine;
@@ -9,14 +9,9 @@ use brinell::model::scene::Support;
 #[test]
 fn a_line_cut_by_a_mirror_is_one_and_whole() {
     let scene = stack();
-    let [line] = contact_lines(
-        &scene,
-        &pressed(&scene),
-        0,
-        &LineFrame::of_axis(&scene, 1).unwrap(),
-    )
-    .try_into()
-    .unwrap();
+    let [line] = contact_lines(&scene, &pressed(&scene), 0, &along(&scene, 1))
+        .try_into()
+        .unwrap();
     assert_eq!((line.across, line.images), (0.0, 1));
     assert_eq!(line.at, [0.0, 0.2, 0.5, 1.0]);
     // 32.5 over the whole width of 1.
@@ -40,7 +35,7 @@ fn a_line_cut_by_a_plane_that_supports_make_is_whole_too() {
         };
         (scene.supports).extend(["block_u-", "plate_u-"].map(slides));
         (scene.mesh.points.iter_mut()).for_each(|point| point[0] = sign * point[0] + offset);
-        let [line] = contact_lines(&scene, &state, 0, &LineFrame::of_axis(&scene, 1).unwrap())
+        let [line] = contact_lines(&scene, &state, 0, &along(&scene, 1))
             .try_into()
             .unwrap();
         assert_eq!((line.across, line.images), (offset, 1));
@@ -50,21 +45,14 @@ fn a_line_cut_by_a_plane_that_supports_make_is_whole_too() {
             line.heaviest.nodes[0].0.abs() < 1e-12,
             "outwards from the plane"
         );
-        let profile = strip_profile(
-            &scene,
-            &state,
-            0,
-            &LineFrame::of_axis(&scene, 1).unwrap(),
-            &line,
-        )
-        .unwrap();
+        let profile = strip_profile(&scene, &state, 0, &along(&scene, 1), &line).unwrap();
         let (first, last) = (profile.points[0].0, profile.points.last().unwrap().0);
         close(first, -last);
         // A plane that one of both bodies only ends at is none; nor is one that is held along itself.
         for (body, held) in [("none", None), ("plate_u-", Some(0.0))] {
             let mut other = scene.clone();
             (other.supports[2].surface, other.supports[2].components[2]) = (body.to_string(), held);
-            let [line] = contact_lines(&other, &state, 0, &LineFrame::of_axis(&other, 1).unwrap())
+            let [line] = contact_lines(&other, &state, 0, &along(&other, 1))
                 .try_into()
                 .unwrap();
             assert!(!line.heaviest.mirrored);
@@ -85,7 +73,7 @@ fn a_line_beside_the_mirror_is_two_and_may_lift_off() {
         }
     }
     settle(&mut state.contacts[0]);
-    let [line] = contact_lines(&scene, &state, 0, &LineFrame::of_axis(&scene, 1).unwrap())
+    let [line] = contact_lines(&scene, &state, 0, &along(&scene, 1))
         .try_into()
         .unwrap();
     assert_eq!((line.across, line.images), (0.5, 2));
@@ -122,7 +110,7 @@ fn two_lines_with_open_nodes_between_are_told_apart() {
         }
     }
     settle(&mut state.contacts[0]);
-    let lines = contact_lines(&scene, &state, 0, &LineFrame::of_axis(&scene, 0).unwrap());
+    let lines = contact_lines(&scene, &state, 0, &along(&scene, 0));
     let across: Vec<f64> = lines.iter().map(|l| l.across).collect();
     assert_eq!(across.len(), 2);
     assert!(across[0] == 0.0 && across[1] > 0.5);
@@ -141,7 +129,7 @@ fn nodes_on_the_far_side_of_a_roller_part_no_line() {
             (field.pressure[i], field.gap[i]) = (0.0, f64::INFINITY);
         }
     }
-    let [line] = contact_lines(&scene, &state, 0, &LineFrame::of_axis(&scene, 1).unwrap())
+    let [line] = contact_lines(&scene, &state, 0, &along(&scene, 1))
         .try_into()
         .unwrap();
     assert_eq!((line.across, line.images), (0.0, 1));

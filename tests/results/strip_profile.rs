@@ -1,7 +1,6 @@
-use crate::block::{close, fill_stress, pressed, settle, stack};
+use crate::block::{along, close, fill_stress, pressed, settle, stack};
 use brinell::answer::results::contact_lines::contact_lines;
 use brinell::answer::results::depth::mises_along;
-use brinell::answer::results::line_frame::LineFrame;
 use brinell::answer::results::recovery::recover;
 use brinell::answer::results::strip_profile::strip_profile;
 
@@ -21,17 +20,10 @@ fn half_a_strip_is_written_out_whole_and_ends_at_open_nodes() {
             *gap = f64::INFINITY;
         }
     }
-    let [line] = contact_lines(&scene, &state, 0, &LineFrame::of_axis(&scene, 1).unwrap())
+    let [line] = contact_lines(&scene, &state, 0, &along(&scene, 1))
         .try_into()
         .unwrap();
-    let profile = strip_profile(
-        &scene,
-        &state,
-        0,
-        &LineFrame::of_axis(&scene, 1).unwrap(),
-        &line,
-    )
-    .unwrap();
+    let profile = strip_profile(&scene, &state, 0, &along(&scene, 1), &line).unwrap();
     assert_eq!(profile.at, 0.0);
     let expected = [
         (-0.5, 0.0),

@@ -20,13 +20,7 @@ pub struct LineFrame {
 impl LineFrame {
     /// That of lines along an axis (0, 1, 2); `None` where the load acts along it, too.
     pub fn of_axis(scene: &Scene, axis: usize) -> Option<Self> {
-        let up = upright(scene);
-        let across = (0..3).find(|i| *i != axis && *i != up && axis != up)?;
-        Some(Self {
-            along: unit_along(axis),
-            across: unit_along(across),
-            up: unit_along(up),
-        })
+        Self::new(unit_along(axis), unit_along(upright(scene)))
     }
 
     /// That of lines along `along` between surfaces that face `up`; `None` where these are parallel.

@@ -8,7 +8,7 @@ use crate::answer::results::contact_lines::contact_lines;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{Interface, StatusCounts};
 use crate::answer::results::line_direction::line_frame;
-use crate::answer::results::line_frame::{LineFrame, axis_of, name_of};
+use crate::answer::results::line_frame::{LineFrame, is_mirrored, name_of};
 use crate::answer::results::line_load::{LineLoad, Slices, line_load};
 use crate::answer::results::load::cutting_pair;
 use crate::answer::results::strip_sides::StripSides;
@@ -176,8 +176,6 @@ fn line_figures(
     (pair, frame): (usize, &LineFrame),
 ) -> Option<LineFigures> {
     let (peak, peak_at) = line.peak()?;
-    let mirrors = cutting_pair(scene, pair);
-    let is_mirrored = axis_of(&frame.along).is_some_and(|axis| mirrors.contains(&axis));
     let contact = scene.contacts.get(pair);
     let contact = contact.filter(|_| line.is_long());
     let hertz = contact.and_then(|contact| {
@@ -189,7 +187,7 @@ fn line_figures(
         along: frame.along,
         mean: line.mean(),
         across_axis: name_of(&frame.across),
-        mirrored: is_mirrored,
+        mirrored: is_mirrored(&frame.along, &cutting_pair(scene, pair)),
         across: line.across,
         images: line.images,
         at: line.at,

@@ -6,7 +6,7 @@ use super::line::turned_by_place;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
-use crate::answer::results::line_frame::axis_of;
+use crate::answer::results::line_frame::is_mirrored;
 use crate::answer::results::load::main_direction;
 use crate::ground::geometry::{Vec3, dot, norm, scale, sub};
 use crate::model::scene::Scene;
@@ -185,9 +185,7 @@ pub(super) fn eccentricity(
     line: Option<&HeaviestLine>,
     too_stiff: Option<f64>,
 ) -> Option<Figure> {
-    let is_whole = |line: &&HeaviestLine| {
-        axis_of(&line.frame.along).is_none_or(|axis| !scene.mirrors.contains(&axis))
-    };
+    let is_whole = |line: &&HeaviestLine| !is_mirrored(&line.frame.along, &scene.mirrors);
     let line = line.filter(is_whole)?;
     let value = line.frame.along(&interface.centre_of_force?) - line.line.middle()?;
     let spread = line.line.spread()?;

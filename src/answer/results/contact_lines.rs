@@ -1,7 +1,7 @@
 //! The lines along which a roller presses: the load of each, where it carries and where it lifts off.
 
 use super::contact_line::{ContactLine, lengths};
-use super::line_frame::{LineFrame, axis_of};
+use super::line_frame::{LineFrame, is_mirrored};
 use super::load::cutting_pair;
 use super::rows::NodeRows;
 use super::strip_row::StripRow;
@@ -251,9 +251,13 @@ impl Rows {
         let total: f64 = runs.iter().map(force).sum();
         let carries = (load.iter().zip(&self.length)).filter(|(load, _)| **load > 0.0);
         let length: f64 = carries.map(|(_, length)| length).sum();
-        let is_mirrored =
-            |direction| axis_of(direction).is_some_and(|axis| self.mirrors.contains(&axis));
-        let doubled = |direction| if is_mirrored(direction) { 2 } else { 1 };
+        let doubled = |direction| {
+            if is_mirrored(direction, &self.mirrors) {
+                2
+            } else {
+                1
+            }
+        };
         Some(ContactLine {
             across: runs.iter().map(|r| force(r) * r.across).sum::<f64>() / total,
             at: self.at.clone(),

@@ -9,7 +9,7 @@ use super::contact_line::ContactLine;
 use super::contact_lines::{contact_lines, contact_lines_by};
 use super::edges::LoadedEdges;
 use super::line_direction::line_frame;
-use super::line_frame::{LineFrame, axis_of};
+use super::line_frame::{LineFrame, is_mirrored};
 use super::strip_row::StripRow;
 use super::strip_sides::StripSides;
 use crate::analytic::hertz::LineContact;
@@ -119,7 +119,7 @@ impl HeaviestLine {
     ) -> Option<Self> {
         let loaded = lines.iter().map(|line| (load(line), line));
         let (line_load, line) = loaded.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let mirrored = axis_of(&frame.across).is_some_and(|across| scene.mirrors.contains(&across));
+        let mirrored = is_mirrored(&frame.across, &scene.mirrors);
         let apart = distance_to_the_next(line, lines, mirrored);
         let contact = scene.contacts.get(pair)?;
         let row = &line.heaviest;

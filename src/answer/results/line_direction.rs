@@ -1,7 +1,7 @@
 //! The direction along which the lines of contact of a pair run.
 
 use super::circle::FittedCircle;
-use super::line_frame::{LineFrame, axis_of, facing};
+use super::line_frame::{LineFrame, axis_of, facing, is_mirrored};
 use super::load::direction;
 use super::own_directions::{AXES, length, own_directions, snapped};
 use super::rows::NodeRows;
@@ -128,7 +128,7 @@ fn longest(
 ) -> Vec3 {
     // A mirrored side is twice as long as it looks.
     let length = |surface: &Surface, along: Vec3| {
-        let mirrored = axis_of(&along).is_some_and(|axis| scene.mirrors.contains(&axis));
+        let mirrored = is_mirrored(&along, &scene.mirrors);
         length(&scene.mesh, &surface.nodes(), along) * if mirrored { 2.0 } else { 1.0 }
     };
     /// Sides that differ by less are alike.

@@ -68,6 +68,11 @@ pub fn axis_of(direction: &Vec3) -> Option<usize> {
     (0..3).find(|i| direction[*i].abs() > 1.0 - ROUNDING)
 }
 
+/// Is a direction the normal of one of some mirror planes?
+pub fn is_mirrored(direction: &Vec3, mirrors: &[usize]) -> bool {
+    axis_of(direction).is_some_and(|axis| mirrors.contains(&axis))
+}
+
 /// What a direction is called: x, y or z, or its components.
 pub fn name_of(direction: &Vec3) -> String {
     match axis_of(direction) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::line_direction::line_frame;
-use super::line_frame::axis_of;
+use super::line_frame::is_mirrored;
 use super::load::{self, cutting_pair, times};
 use crate::ground::geometry::{Vec3, dot, range};
 use crate::model::mesh::Surface;
@@ -69,7 +69,7 @@ pub fn line_load(scene: &Scene, state: &State, pair: usize, slices: &Slices) -> 
     let along = load::along(scene, state);
     // A mirror along the axis makes slices of its own, on the other side.
     let mirrors = cutting_pair(scene, pair);
-    let mirrored = axis_of(&slices.along).is_some_and(|axis| mirrors.contains(&axis));
+    let mirrored = is_mirrored(&slices.along, &mirrors);
     let copies = times(&mirrors) * if mirrored { 0.5 } else { 1.0 };
     let mut load = vec![0.0; slices.edges.len() - 1];
     let mut outside = 0.0;

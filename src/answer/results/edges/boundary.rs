@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::hex::distance;
-use super::super::line_frame::axis_of;
+use super::super::line_frame::is_mirrored;
 use super::super::own_directions::box_directions;
 use crate::ground::geometry::{Vec3, dot, range};
 use crate::model::mesh::Surface;
@@ -23,9 +23,9 @@ pub fn longest_side(scene: &Scene, nodes: &[u32], side: [u32; 2]) -> f64 {
         let size = high - low;
         let [near, far] = [low.abs().min(high.abs()), low.abs().max(high.abs())];
         // A surface apart from the plane is not the half of one.
-        match axis_of(&along).filter(|axis| scene.mirrors.contains(axis)) {
-            Some(_) if near <= 1e-6 * far => 2.0 * far,
-            _ => size,
+        match is_mirrored(&along, &scene.mirrors) && near <= 1e-6 * far {
+            true => 2.0 * far,
+            false => size,
         }
     };
     let sides = box_directions(scene, nodes, side).map(length);

@@ -3,7 +3,7 @@
 use crate::answer::certify::{Figure, is_replaced};
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
-use crate::answer::results::line_frame::axis_of;
+use crate::answer::results::line_frame::is_mirrored;
 use crate::case::Case;
 use crate::product::converge::cost::Meter;
 use crate::product::job::{self, JobError, Options, Outcome};
@@ -155,7 +155,7 @@ fn strips(outcome: &Outcome) -> BTreeMap<String, StripMesh> {
         let heaviest = HeaviestLine::find(scene, state, pair, &edges)?;
         let (frame, line) = (&heaviest.frame, &heaviest.line);
         let at = line.heaviest.at;
-        let mirrored = axis_of(&frame.along).is_some_and(|axis| scene.mirrors.contains(&axis));
+        let mirrored = is_mirrored(&frame.along, &scene.mirrors);
         let to = |end: Option<&f64>| end.map_or(f64::INFINITY, |end| (end - at).abs());
         let (first, last) = (to(line.at.first()), to(line.at.last()));
         Some(StripMesh {

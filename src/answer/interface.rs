@@ -136,7 +136,7 @@ fn interface(
     (measured, heaviest): (&Interface, Option<&HeaviestLine>),
 ) -> InterfaceFigures {
     let (scene, state) = (solved.scene, solved.state);
-    let frame = line_frame(scene, pair);
+    let frame = heaviest.map_or_else(|| line_frame(scene, pair), |line| Some(line.frame));
     let slices = (frame.as_ref()).and_then(|f| Slices::along(scene, pair, (f.along, SLICES)));
     let lines = frame.iter().flat_map(|frame| {
         let lines = contact_lines(scene, state, pair, frame).into_iter();

@@ -60,16 +60,21 @@ pub(super) fn unseen_energy(scene: &Scene, state: &State, recovered: &Recovered)
         if ends.is_empty() {
             continue;
         }
-        for element in body.elements.clone() {
+        let mut is_behind = vec![false; mesh.points.len()];
+        for node in ends.keys().flatten() {
+            is_behind[*node as usize] = true;
+        }
+        let is_next = |element: &usize| mesh.hexes[*element].iter().any(|n| is_behind[*n as usize]);
+        for element in body.elements.clone().filter(is_next) {
             for face in faces_of(&mesh.hexes[element]) {
                 let end = ends.get(&sorted(face)).filter(|end| end.element != element);
                 let Some(end) = end else {
                     continue;
                 };
-                for next in columns(element, face).iter().zip(face) {
-                    let own = end.columns.iter().find(|column| column.behind == next.1);
+                for (next, node) in columns(element, face).iter().zip(face) {
+                    let own = end.columns.iter().find(|column| column.behind == node);
                     sum += own.map_or(0.0, |own| {
-                        let by = std::array::from_fn(|k| own.stress[k] - next.0.stress[k]);
+                        let by = std::array::from_fn(|k| own.stress[k] - next.stress[k]);
                         density(&along(&by, end.normal), steel) * own.volume
                     });
                 }

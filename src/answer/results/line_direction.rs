@@ -3,7 +3,7 @@
 use super::circle::FittedCircle;
 use super::line_frame::{LineFrame, axis_of, facing, is_mirrored};
 use super::load::direction;
-use super::own_directions::{AXES, length, own_directions, snapped};
+use super::own_directions::{AXES, first_side, length, own_directions, snapped};
 use super::rows::NodeRows;
 use crate::ground::geometry::{Vec3, dot, tangents};
 use crate::model::mesh::shape::{Shape, fit};
@@ -43,8 +43,8 @@ fn directions(scene: &Scene, sides: &[&Surface], carrier: &Surface) -> [Vec<Vec3
         Shape::Plane { .. } | Shape::Sphere { .. } => Vec::new(),
     });
     let round: Vec<Vec3> = round.collect();
-    match round.first() {
-        Some(first) => [round.clone(), vec![*first]],
+    match round.first().copied() {
+        Some(first) => [round, vec![first]],
         None => {
             // Axes in their order, which decides where sides are alike.
             let own = |surface: &Surface| {
@@ -75,8 +75,7 @@ fn along_cylinder(direction: Vec3) -> Vec<Vec3> {
 
 /// Those of a surface, see [`own_directions`].
 fn of_surface(scene: &Scene, surface: &Surface) -> [Vec3; 3] {
-    let side = surface.faces.first().map_or([0; 2], |face| face.edge(0));
-    own_directions(scene, &surface.nodes(), side)
+    own_directions(scene, &surface.nodes(), first_side(surface))
 }
 
 /// The direction about which the rows of nodes of a surface are round, most of all.
@@ -98,9 +97,8 @@ fn radius_about(mesh: &Mesh, surface: &Surface, along: Vec3) -> Option<f64> {
     /// Largest radius over the size of the surface. The nodes of a flat V lie on a circle, too, if that is large enough.
     const ROUND: f64 = 2.0;
     let plane = tangents(along);
-    let places: Vec<Vec3> = (surface.nodes().iter())
-        .map(|n| mesh.points[*n as usize])
-        .collect();
+    let nodes = surface.nodes();
+    let places: Vec<Vec3> = nodes.iter().map(|n| mesh.points[*n as usize]).collect();
     let coordinates: Vec<f64> = places.iter().map(|at| dot(along, *at)).collect();
     let rows = NodeRows::of(&coordinates)?.members;
     let in_plane = |i: &usize| plane.map(|side| dot(side, places[*i]));
@@ -108,7 +106,7 @@ fn radius_about(mesh: &Mesh, surface: &Surface, along: Vec3) -> Option<f64> {
         .map(|row| FittedCircle::through(&row.iter().map(in_plane).collect::<Vec<_>>()))
         .collect();
     let circles = circles.filter(|circles| circles.len() >= FEWEST_ROWS)?;
-    let size = plane.map(|side| length(mesh, &surface.nodes(), side));
+    let size = plane.map(|side| length(mesh, &nodes, side));
     let first = circles[0].centre;
     let are_round = circles.iter().all(|circle| {
         let [x, y] = circle.centre;

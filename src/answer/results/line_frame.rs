@@ -4,10 +4,9 @@ use super::load::{direction, upright};
 use crate::ground::geometry::{AXES, Vec3, add, cross, dot, norm, scale, sub, unit};
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
-use serde::Serialize;
 
 /// Three unit vectors, square to each other. Those that are axes are so exactly.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineFrame {
     /// Along the line.
     pub along: Vec3,

@@ -2,7 +2,7 @@
 
 use super::line_frame::unit_along;
 use crate::ground::geometry::{Vec3, cross, dot, range, scale, sub, tangents, unit};
-use crate::model::mesh::Mesh;
+use crate::model::mesh::{Mesh, Surface};
 use crate::model::scene::Scene;
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
@@ -58,6 +58,11 @@ pub(super) fn box_directions(scene: &Scene, nodes: &[u32], side: [u32; 2]) -> [V
         true => own,
         false => AXES,
     }
+}
+
+/// The first side of the first face of a surface.
+pub(super) fn first_side(surface: &Surface) -> [u32; 2] {
+    surface.faces.first().map_or([0; 2], |face| face.edge(0))
 }
 
 /// How far nodes are apart along a direction.

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::fillet;
 use super::super::hex::distance;
+use super::super::own_directions::first_side;
 use super::boundary::{boundary, longest_side};
 use super::reach::EdgeNodes;
 use super::wedges::off_segment;
@@ -56,10 +57,8 @@ impl LoadedEdges {
             let [_, other] = scene.contacts[pair].carrier_first();
             let other = other.surface(&scene.mesh);
             let extents = [Some(surface), other].into_iter().flatten();
-            let extents = extents.map(|surface| {
-                let side = surface.faces.first().map_or([0; 2], |face| face.edge(0));
-                longest_side(scene, &surface.nodes(), side)
-            });
+            let extents =
+                extents.map(|surface| longest_side(scene, &surface.nodes(), first_side(surface)));
             let whole = EDGE_REACH * extents.fold(f64::INFINITY, f64::min);
             let most = field.pressure.iter().copied().fold(0.0, f64::max);
             edges.add(scene, (pair, surface), (whole, most), |nodes| {

@@ -1,7 +1,7 @@
 //! The claims of a contact interface: those of its pressure and of its lines, and its area.
 
 use super::figure::{Errors, Figure, Quantity, figure_of};
-use super::notes::{COARSE, SHAPE};
+use super::notes::{COARSE, FILLET, SHAPE};
 use super::rim;
 use crate::answer::results::edges::LoadedEdges;
 use crate::answer::results::hertz::{Departure, HeaviestLine};
@@ -116,7 +116,7 @@ impl Contact<'_> {
         let is_strip = |line: &HeaviestLine| line.contact.is_some() && line.is_long();
         let of_area = |c: &Figure| c.what == Quantity::ContactArea && !c.is_resolved();
         !self.line.is_some_and(is_strip)
-            && claims.iter().any(|claim| claim.note == Some(SHAPE))
+            && (claims.iter()).any(|claim| matches!(claim.note, Some(SHAPE | FILLET)))
             && claims.iter().any(of_area)
     }
 

@@ -107,6 +107,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         contacts,
         (missed_travel, by_motion, before),
     );
+    let pushed = other::pushed_across(scene, state);
     let travel_off = evidence.travel.map_or(0.0, |travel| travel.off());
     let pokes = evidence.travel.is_some_and(|travel| {
         let most = NOTABLE_SHARE * travel.value().abs();
@@ -135,7 +136,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         unclear = unclear.or(contact.has_no_shape(&own).then_some(notes::SHAPE));
         let mut across = horizontal.get(pair).cloned().flatten();
         if let (Some(across), None) = (&mut across, line) {
-            other::add_rim(across, &own);
+            let sticks = interface.status_counts.stick > 0;
+            other::add_rim(across, &own, sticks, pushed);
         }
         if let Some(across) = across.as_mut().filter(|_| pokes) {
             across.leave_open(notes::POKES);

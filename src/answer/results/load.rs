@@ -209,10 +209,15 @@ pub fn upward(scene: &Scene) -> (usize, f64) {
     (up, -direction(scene)[up].signum())
 }
 
+/// Total of the prescribed forces that act on the whole in `state`.
+pub fn prescribed(scene: &Scene, state: &State) -> [f64; 3] {
+    driven(scene, |name| scene.factor(name, state.step, state.time))
+}
+
 /// The load that acts on the whole in `state`: the prescribed forces at that moment, and, along axes
 /// without any, the forces that moved planes exert.
 pub fn resultant(scene: &Scene, state: &State) -> [f64; 3] {
-    let prescribed = driven(scene, |name| scene.factor(name, state.step, state.time));
+    let prescribed = prescribed(scene, state);
     let moved = moved(scene, state).fold([0.0; 3], add);
     if moved == [0.0; 3] {
         return prescribed;

@@ -10,18 +10,22 @@ use crate::ground::geometry::{Vec3, add, dot, scale, sub, unit};
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Face, Mesh};
 use std::collections::{HashMap, HashSet};
+use std::f64::consts::FRAC_PI_2;
 
 /// Facets that turn by more, in radians (40 degrees), meet at an edge, as those of a round shape may
 /// ([`fit`](crate::model::mesh::shape::fit)).
 const MOST_TURN: f64 = 0.7;
 /// Angle by which rounded coordinates may turn a facet, in radians.
 const NO_TURN: f64 = 1e-3;
+/// Of the turn at one end of a facet, how far it may be off square to the face that the surface ends at beyond the other, and
+/// still be flat: a chord of a circle leans by half of that turn to the plane of a mirror.
+const SQUARE: f64 = 0.1;
 
 /// How a surface goes on across a side of a facet.
 #[derive(Clone, Copy)]
 enum Across {
-    /// It ends, or at an edge.
-    Edge,
+    /// It ends, or at an edge. The facet `leans` by an angle off square to the face beyond.
+    Edge { leans: f64 },
     /// In the same plane.
     Flat,
     /// It turns by an angle, convex positive, into another facet, seen from that one's side.
@@ -54,7 +58,7 @@ pub(super) fn bulges(mesh: &Mesh, flat: &HashSet<[u32; 4]>) -> HashMap<[u32; 2],
                 };
                 // Across an edge of the body each surface has its own say, along its normal; else they have the same.
                 let share = match skin.across(*face, *side) {
-                    Across::Edge => 1.0,
+                    Across::Edge { .. } => 1.0,
                     _ => 1.0 / sides.len() as f64,
                 };
                 let along = skin.normals[*face];
@@ -89,13 +93,17 @@ impl<'m> Skin<'m> {
     fn across(&self, face: usize, side: usize) -> Across {
         let beside = self.at[&self.faces[face].edge(side)].as_slice();
         let [a, b] = beside else {
-            return Across::Edge;
+            return Across::Edge {
+                leans: f64::INFINITY,
+            };
         };
         let into = if a.0 == face { *b } else { *a };
         let [own, other] = [face, into.0].map(|f| self.normals[f]);
         let by = dot(own, other).clamp(-1.0, 1.0).acos();
         if by > MOST_TURN {
-            return Across::Edge;
+            return Across::Edge {
+                leans: (by - FRAC_PI_2).abs(),
+            };
         }
         if by < NO_TURN {
             return Across::Flat;
@@ -113,10 +121,15 @@ impl<'m> Skin<'m> {
         [1, 3].map(|k| self.across(face, (side + k) % 4))
     }
 
-    /// Is the surface flat along a side, as it goes on in the same plane at one end?
+    /// Is the surface flat along a side, as it goes on in the same plane at one end, or would as its own image beyond a plane
+    /// of symmetry?
     fn is_straight(&self, face: usize, side: usize) -> bool {
-        let ends = self.ends(face, side);
-        ends.iter().any(|end| matches!(end, Across::Flat))
+        match self.ends(face, side) {
+            [Across::Flat, _] | [_, Across::Flat] => true,
+            [Across::Edge { leans }, Across::Turns { by, .. }]
+            | [Across::Turns { by, .. }, Across::Edge { leans }] => leans < SQUARE * by.abs(),
+            _ => false,
+        }
     }
 
     /// How high the arc over a side of a facet is; `None` where nothing is known of it.
@@ -153,7 +166,6 @@ impl<'m> Skin<'m> {
 mod tests {
     use super::*;
     use crate::model::mesh::block::{Block, graded, uniform};
-    use std::f64::consts::FRAC_PI_2;
 
     /// A straight bar of the length 1 that goes on as a quarter of a ring of the radii 1 and 2, without names; `around` are
     /// the angles of its nodes. Split twice.
@@ -197,6 +209,28 @@ mod tests {
     #[test]
     fn arcs_over_the_chords_of_a_fillet_lie_on_it_and_its_plane_stays_flat() {
         assert!(off(&bend(uniform(0.0, FRAC_PI_2, 6))) < 1e-9);
+    }
+
+    #[test]
+    fn a_flat_of_one_facet_that_ends_square_stays_flat() {
+        let bar = Block::new(
+            "bar",
+            vec![0.0, 0.5, 0.6, 0.7, 0.8],
+            uniform(-1.0, 0.0, 2),
+            uniform(0.0, 1.0, 1),
+        );
+        let top = |x: f64| -0.5 * (x - 0.5).max(0.0).powi(2);
+        let bar = bar.mapped(|[x, y, z]| [x, y + (1.0 + y) * top(x), z]);
+        let nameless = Mesh {
+            surfaces: Vec::new(),
+            ..bar.build().unwrap()
+        };
+        let split = nameless.split().unwrap();
+        let of_flat = split.points.iter().filter(|p| p[0] == 0.25 && p[1] > -0.2);
+        assert!(
+            of_flat.clone().count() == 3 && of_flat.clone().all(|p| p[1] == 0.0),
+            "{of_flat:?}"
+        );
     }
 
     #[test]

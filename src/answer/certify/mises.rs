@@ -258,6 +258,7 @@ fn mises(
         let may_hide = |most: f64| {
             let larger = |strip: &&StripBelow| strip.mises.is_some_and(|mises| mises > most);
             strips.iter().any(|strip| !strip.shows() && larger(strip))
+                || below.hide_more(index, most)
         };
         let (error, note) = match error {
             Some(error) if may_hide(value + error) => (None, Some(COARSE)),

@@ -77,6 +77,7 @@ fn a_line_beside_the_mirror_is_two_and_may_lift_off() {
         .try_into()
         .unwrap();
     assert_eq!((line.across, line.images), (0.5, 2));
+    assert!(!line.is_parted);
     // The node at the rim stands for 0.125 of the width.
     (line.load[..3].iter()).for_each(|load| close(*load, 0.125 * 32.5));
     assert_eq!(line.load[3], 0.0);
@@ -114,6 +115,7 @@ fn two_lines_with_open_nodes_between_are_told_apart() {
     let across: Vec<f64> = lines.iter().map(|l| l.across).collect();
     assert_eq!(across.len(), 2);
     assert!(across[0] == 0.0 && across[1] > 0.5);
+    assert!(lines.iter().all(|line| line.is_parted));
     assert_eq!(lines[0].peak().unwrap().1, 0.5);
     assert_eq!(LineFrame::of_axis(&scene, 2), None);
 }

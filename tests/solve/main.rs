@@ -15,6 +15,7 @@ mod left_out;
 mod local;
 mod misaligned;
 mod orientation;
+mod press_fit;
 mod reaction;
 mod receding;
 mod refined;

@@ -3,6 +3,7 @@
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::flow_shares::FlowShares;
 use super::line::turned_by_place;
+use super::notes::UNKNOWN_STIFFNESS;
 use super::{energy, held_ends};
 use crate::analytic::hertz::LineContact;
 use crate::answer::results::edges::SingularEdges;
@@ -187,11 +188,18 @@ impl Travel {
     }
 }
 
+const PRESCRIBED: &str = "prescribed";
+
 /// The claim of the travel.
 pub(super) fn claim(travel: Travel) -> Figure {
+    let error = travel.error();
+    let note = match travel.missing {
+        None => Some(PRESCRIBED),
+        Some(_) => error.is_none().then_some(UNKNOWN_STIFFNESS),
+    };
     Figure {
-        error: Errors::only_of_mesh(travel.error()),
-        note: travel.missing.is_none().then_some("prescribed"),
+        error: Errors::only_of_mesh(error),
+        note,
         ..figure_of(Quantity::Descent, "overall", travel.value())
     }
 }

@@ -11,6 +11,7 @@ use crate::answer::results::strip_row::StripRow;
 
 const MERGED: &str = "the strip is wider or narrower than its load makes it: lines that the mesh does not tell \
                       apart, or a shape that is no line";
+const PARTED: &str = "one open node parts it from another line of the pair: whether they are one belongs to the mesh";
 
 /// A load per length is this good at best: far field, and rows along the line. Half a per cent in the median
 /// of bearings drawn by a seed, two in one of ten.
@@ -75,6 +76,7 @@ impl Contact<'_> {
         let (error, why) = match line.departs {
             _ if line.is_half() => (None, HALF_STRIP),
             Some(Departure::Width) => (None, MERGED),
+            _ if line.contact.is_none() && line.line.is_parted => (None, PARTED),
             _ if self.hides_load(line) => (None, FILLET),
             _ => (Some(self.load_error(line) + beside), COARSE),
         };

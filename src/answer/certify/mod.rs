@@ -135,7 +135,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         let own = contact.claims();
         unclear = unclear.or(contact.has_no_shape(&own).then_some(notes::SHAPE));
         let mut across = horizontal.get(pair).cloned().flatten();
-        if let (Some(across), None) = (&mut across, line) {
+        let is_strip = line.is_some_and(|line| line.contact.is_some());
+        if let Some(across) = across.as_mut().filter(|_| !is_strip) {
             let sticks = interface.status_counts.stick > 0;
             other::add_rim(across, &own, sticks, pushed);
         }

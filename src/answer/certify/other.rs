@@ -3,7 +3,7 @@
 use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use super::line::turned_by_place;
-use super::notes::COARSE;
+use super::notes::{COARSE, UNKNOWN_STIFFNESS};
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
@@ -141,13 +141,14 @@ fn horizontal_force(
     let start = [[0.0; 3]];
     let changes = start.iter().chain(&course).zip(&course);
     let changes: f64 = changes.map(|(one, next)| norm(sub(*next, *one))).sum();
-    let coarseness = line.map_or(1.0, |line| {
+    let strip = line.filter(|line| line.contact.is_some());
+    let coarseness = strip.map_or(1.0, |line| {
         let strip = &line.line.heaviest;
         strip.spacing() / strip.half_width
     });
     // Pads are squeezed outwards all around: what is left of shears that all but cancel is known no better than they are. (Pads
     // on two meshes: 145.3 ± 1.0 and 159.0 ± 0.7 N without it, of a gross shear of 9.8 kN; ± 38 and ± 25 with it.)
-    let settles = match line.and_then(|line| line.contact) {
+    let settles = match strip {
         Some(_) => changes,
         None => changes.max(interface.shear_integral),
     };
@@ -221,8 +222,6 @@ pub(super) fn eccentricity(
         ..figure_of(Quantity::Eccentricity, &interface.name, value)
     })
 }
-
-const UNKNOWN_STIFFNESS: &str = "the mesh is too coarse to tell how far too stiff it is";
 
 const UNKNOWN_FLOW: &str = "the plastic strain that makes it is not resolved";
 

@@ -18,6 +18,8 @@ pub struct ContactLine {
     pub lifted_off: f64,
     /// How many such lines there are in the whole of its two bodies: mirror planes that cut these, but not it, double it.
     pub images: usize,
+    /// Does one open node part it from another line of the pair?
+    pub is_parted: bool,
     /// The row that carries most per length.
     pub heaviest: StripRow,
 }
@@ -164,6 +166,7 @@ mod tests {
 
     fn line(at: [f64; 3], load: [f64; 3]) -> ContactLine {
         ContactLine {
+            is_parted: false,
             across: 0.0,
             at: at.to_vec(),
             load: load.to_vec(),

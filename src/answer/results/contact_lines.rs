@@ -57,9 +57,19 @@ pub(super) fn contact_lines_by(
             None => lines.push(vec![run]),
         }
     }
-    (lines.iter())
-        .filter_map(|runs| rows.line(scene, state, pair, runs, counts))
-        .collect()
+    // One open node between them may be the mesh's.
+    let is_beside = |one: &PressingRun, other: &PressingRun| {
+        one.row == other.row
+            && (one.nodes.end + 1 == other.nodes.start || other.nodes.end + 1 == one.nodes.start)
+    };
+    let of_one = |index: usize| {
+        let mut line = rows.line(scene, state, pair, &lines[index], counts)?;
+        let others = (0..lines.len()).filter(|other| *other != index);
+        let mut others = others.flat_map(|other| &lines[other]);
+        line.is_parted = others.any(|run| lines[index].iter().any(|own| is_beside(own, run)));
+        Some(line)
+    };
+    (0..lines.len()).filter_map(of_one).collect()
 }
 
 /// Of a row, the nodes on the side of its middle by `height` that those `pressing` are on; `None` where they are on both.
@@ -112,10 +122,16 @@ impl Rows {
             });
             way > STEEPEST * forward
         };
+        // A quarter, or a half, of what presses all around.
+        let in_mirror = |i: &usize| scene.mirrors_through(&point(*i)).next().is_some();
+        let between_mirrors = |row: &[usize]| match row {
+            [first, .., last] => in_mirror(first) && in_mirror(last),
+            _ => false,
+        };
         for row in &mut members {
             let is_active = |i: &usize| field.is_active(*i);
             let pressing: Vec<usize> = row.iter().copied().filter(is_active).collect();
-            if goes_back(&pressing) {
+            if goes_back(&pressing) || between_mirrors(&pressing) {
                 return None;
             }
             // So does a pin's, and faces its hole all the way: what lies across from where it presses belongs to no row there.
@@ -266,6 +282,7 @@ impl Rows {
             lifted_off: (self.length.iter().sum::<f64>() - length)
                 * doubled(&self.frame.along) as f64,
             images: if cut { 1 } else { doubled(&self.frame.across) },
+            is_parted: false,
             heaviest,
         })
     }

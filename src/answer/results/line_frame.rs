@@ -24,8 +24,12 @@ impl LineFrame {
 
     /// That of lines along `along` between surfaces that face `up`; `None` where these are parallel.
     pub fn new(along: Vec3, up: Vec3) -> Option<Self> {
+        /// Sine of the angle between directions that rounding alone keeps apart.
+        const PARALLEL: f64 = 1e-6;
         let along = forwards(unit(along)?);
-        let up = forwards(unit(square_to(along, up))?);
+        let square = square_to(along, up);
+        let is_square = norm(square) > PARALLEL * norm(up);
+        let up = forwards(unit(square).filter(|_| is_square)?);
         Some(Self {
             along,
             across: forwards(cross(up, along)),

@@ -39,11 +39,20 @@ impl std::ops::Deref for Polygon {
 
 /// The part of `subject` inside `window`, both counter-clockwise and convex
 /// (Sutherland and Hodgman, Comm. ACM 17 (1974) 32). Empty where they do not overlap.
+///
+/// What lies on an edge of the window to rounding lies on it: two edges in one line cross nowhere.
 pub(super) fn intersect(subject: &[Point], window: &[Point]) -> Polygon {
+    /// Distance from an edge over its length.
+    const ROUNDING: f64 = 1e-10;
     let mut polygon = Polygon::of(subject);
     for (k, a) in window.iter().enumerate() {
         let b = window[(k + 1) % window.len()];
-        let side = |p: &Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+        let edge = [b[0] - a[0], b[1] - a[1]];
+        let least = ROUNDING * (edge[0] * edge[0] + edge[1] * edge[1]);
+        let side = |p: &Point| {
+            let side = edge[0] * (p[1] - a[1]) - edge[1] * (p[0] - a[0]);
+            if side.abs() > least { side } else { 0.0 }
+        };
         let mut next = Polygon::default();
         for (i, p) in polygon.iter().enumerate() {
             let q = polygon[(i + 1) % polygon.len()];
@@ -87,6 +96,19 @@ mod tests {
         assert_eq!(area(&intersect(&UNIT, &UNIT)), 1.0);
         let beside = UNIT.map(|p| [p[0] + 1.0, p[1]]);
         assert!(area(&intersect(&UNIT, &beside)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn edges_in_one_line_cross_nowhere_whatever_rounding_makes_of_them() {
+        let wavy = [
+            [0.0, 1e-16],
+            [1.0, -1e-16],
+            [1.0 + 1e-16, 1.0],
+            [-1e-16, 1.0],
+        ];
+        let polygon = intersect(&wavy, &UNIT);
+        assert_eq!(polygon.len(), 4);
+        assert!((area(&polygon) - 1.0).abs() < 1e-15);
     }
 
     #[test]

@@ -9,9 +9,10 @@
 //! It is what dual (biorthogonal) multipliers carry, and C is the carrier's own part of the contact
 //! rows. Sums of t_A w_A are sums of z_B w_B, so that no force is lost, and as C is not negative,
 //! |shear| ≤ μ p holds of the consistent values where it holds of the coefficients. A node beside
-//! those in contact has a share of their traction, though it is open itself.
+//! those in contact has a share of their traction, though it is open itself. On a curved carrier the pressures are averaged and
+//! not the vectors, which turn from node to node: an even pressure is read as it is, beside the shear that it allows.
 
-use crate::ground::geometry::{Vec3, add, dot, norm, scale};
+use crate::ground::geometry::{Vec3, add, scale};
 use crate::model::mesh::Hanging;
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
@@ -22,7 +23,7 @@ use crate::solver::solve::rows::contact_row::ContactRow;
 /// Normal and tangential traction of one contact node: coefficients of its hat function.
 #[derive(Clone, Copy, Default)]
 struct Coefficient {
-    normal: Vec3,
+    normal: f64,
     shear: Vec3,
 }
 
@@ -33,7 +34,7 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
     for (row, answer) in model.rows.iter().zip(&evaluation.contact) {
         let [pressure, s, t] = answer.traction;
         let coefficient = Coefficient {
-            normal: scale(row.row.normal, pressure),
+            normal: pressure,
             shear: row.global(&[0.0, s, t]),
         };
         for node in row.row.nodes() {
@@ -49,7 +50,7 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
     for (hanging, own) in hanging.iter().zip(&mut coefficients) {
         for (at, corners) in hanging {
             own[*at] = Coefficient {
-                normal: middle(corners, |c| own[c].normal),
+                normal: mean_of(corners, |c| own[c].normal),
                 shear: middle(corners, |c| own[c].shear),
             };
         }
@@ -62,9 +63,7 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
             let Ok(at) = field.nodes.binary_search(&node) else {
                 continue;
             };
-            // On a curved carrier the normals of the nodes around differ: the length of their mean is
-            // the pressure, so that forces add up.
-            field.pressure[at] = norm(normal).copysign(dot(normal, row.row.normal));
+            field.pressure[at] = normal;
             field.traction[at] = scale(shear, sign);
         }
     }
@@ -74,8 +73,7 @@ pub fn consistent_tractions(model: &Model, evaluation: &Evaluation, fields: &mut
     // A node that hangs has no area of its own: it shows what is between its corners.
     for (field, hanging) in fields.iter_mut().zip(hanging) {
         for (at, corners) in hanging {
-            let mean =
-                |of: &[f64]| corners.iter().map(|c| of[*c]).sum::<f64>() / corners.len() as f64;
+            let mean = |of: &[f64]| mean_of(&corners, |c| of[c]);
             field.pressure[at] = mean(&field.pressure);
             field.multiplier[at] = mean(&field.multiplier);
             field.gap[at] = mean(&field.gap);
@@ -110,6 +108,11 @@ fn hanging_on(field: &ContactField, hanging: &[Hanging]) -> Vec<(usize, Vec<usiz
 }
 
 /// The mean at some places.
+fn mean_of(places: &[usize], of: impl Fn(usize) -> f64) -> f64 {
+    places.iter().map(|at| of(*at)).sum::<f64>() / places.len().max(1) as f64
+}
+
+/// The mean at some places.
 fn middle(places: &[usize], of: impl Fn(usize) -> Vec3) -> Vec3 {
     let sum = places.iter().fold([0.0; 3], |sum, at| add(sum, of(*at)));
     scale(sum, 1.0 / places.len().max(1) as f64)
@@ -121,7 +124,7 @@ fn mean(row: &ContactRow, field: &ContactField, coefficients: &[Coefficient]) ->
     for (node, share) in &row.row.terms {
         // The other terms are of the opposite side.
         if let Ok(b) = field.nodes.binary_search(node) {
-            mean.normal = add(mean.normal, scale(coefficients[b].normal, share[0]));
+            mean.normal += coefficients[b].normal * share[0];
             mean.shear = add(mean.shear, scale(coefficients[b].shear, share[0]));
         }
     }

@@ -18,14 +18,27 @@ pub fn nearest_row(scene: &Scene, pair: &ContactPair) -> Option<Row> {
 ///
 /// Rows that hardly close say little: on the flank of a bore a millionth of gap is a long way. Those count that close half as
 /// fast as the fastest.
+///
+/// What overlaps goes back. A body that then overlaps on its other side is a press fit, and stays where it is.
 pub fn way_to_touch(scene: &Scene, pair: &ContactPair, rate: impl Fn(&Row) -> f64) -> Option<f64> {
     const SLOWEST: f64 = 0.1;
+    /// Of an overlap, how much is left on the other side of what is pressed in.
+    const LEFT: f64 = 0.1;
     let mut nearest = None;
     for (reach, rows) in within_reaches(scene, pair) {
         let fastest = rows.iter().map(&rate).fold(0.0, f64::max);
         let counts = |row: &&Row| rate(row) > SLOWEST.max(0.5 * fastest);
         let ways = rows.iter().filter(counts).map(|row| row.gap / rate(row));
         nearest = ways.reduce(f64::min).or(nearest);
+        if let Some(way) = nearest.filter(|way| *way < 0.0) {
+            let gap_after = |way: f64| {
+                let gaps = rows.iter().map(|row| row.gap - rate(row) * way);
+                gaps.fold(f64::INFINITY, f64::min)
+            };
+            if gap_after(way) < LEFT * gap_after(0.0) {
+                return Some(0.0);
+            }
+        }
         // What is beyond the reach may be nearer along the way than a slow row within it.
         if nearest.is_some_and(|way| way <= reach) {
             break;

@@ -122,11 +122,13 @@ impl Rows {
             });
             way > STEEPEST * forward
         };
-        // A quarter, or a half, of what presses all around.
-        let in_mirror = |i: &usize| scene.mirrors_through(&point(*i)).next().is_some();
-        let between_mirrors = |row: &[usize]| match row {
-            [first, .., last] => in_mirror(first) && in_mirror(last),
-            _ => false,
+        // A quarter, or a half, of what presses all around. A row may lie in a mirror, too.
+        let between_mirrors = |row: &[usize]| {
+            let mirrors = |i: usize| scene.mirrors_through(&point(i)).collect::<Vec<_>>();
+            let [first, .., last] = row else { return false };
+            let of_row = mirrors(row[row.len() / 2]);
+            let ends_in_one = |end: &usize| mirrors(*end).iter().any(|m| !of_row.contains(m));
+            ends_in_one(first) && ends_in_one(last)
         };
         for row in &mut members {
             let is_active = |i: &usize| field.is_active(*i);

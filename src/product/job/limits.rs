@@ -13,6 +13,7 @@ pub fn missed(case: &Case, answer: &Answer) -> Vec<String> {
         checks.max_penetration_relative,
         checks.coulomb_violation,
         checks.stabilisation_share,
+        checks.energy_imbalance,
     ];
     let limited = LIMITED.into_iter().zip(values).skip(first(case));
     let beyond = limited.filter_map(|(what, v)| Some((what, v.filter(|v| *v > NOTABLE_SHARE)?)));
@@ -58,11 +59,12 @@ pub fn all(case: &Case) -> Vec<String> {
 }
 
 /// What is limited to [`NOTABLE_SHARE`].
-const LIMITED: [&str; 4] = [
+const LIMITED: [&str; 5] = [
     "the force balance of an interface",
     PENETRATION,
     "the violation of Coulomb's law",
     "the load that stabilisation carries",
+    "the work that is neither stored nor spent",
 ];
 
 /// The first limit that counts: what passes from level to level of a general scene may be less than its load.

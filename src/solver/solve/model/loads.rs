@@ -11,17 +11,21 @@ use crate::solver::solve::model::settled::Settled;
 use crate::solver::solve::model::system::Model;
 
 impl Model<'_> {
-    /// Norm of the forces at the end of the step where it is largest.
-    pub fn largest_load(&self) -> f64 {
+    /// Norm of the forces of `loads` at the end of the step where it is largest.
+    pub fn largest(&self, loads: &[(String, Vec<f64>)]) -> f64 {
         let steps = 0..self.scene.steps.len();
-        let norms = steps.map(|s| norm(&self.forces(s, 1.0)));
+        let norms = steps.map(|s| norm(&self.sum(loads, s, 1.0)));
         norms.fold(0.0, f64::max)
     }
 
     /// Forces of the loads on all unknowns, inner ones eliminated.
     pub fn forces(&self, step: usize, time: f64) -> Vec<f64> {
+        self.sum(&self.loads, step, time)
+    }
+
+    fn sum(&self, loads: &[(String, Vec<f64>)], step: usize, time: f64) -> Vec<f64> {
         let mut out = vec![0.0; self.all.len()];
-        for (name, vector) in &self.loads {
+        for (name, vector) in loads {
             let factor = self.scene.factor(name, step, time);
             for (o, v) in out.iter_mut().zip(vector) {
                 *o += factor * v;
@@ -38,8 +42,8 @@ impl Model<'_> {
         self.bodies.restrict(&all)
     }
 
-    /// −K u for the prescribed displacements of each source that has any.
-    pub fn prescribed_forces(&self) -> Vec<(String, Vec<f64>)> {
+    /// −K u for the prescribed displacements of each source that has any, all other nodes at `rest`.
+    pub fn prescribed_forces(&self, rest: Rest) -> Vec<(String, Vec<f64>)> {
         let mesh = &self.scene.mesh;
         let mut sources: Vec<Source> = Vec::new();
         for p in self.all.prescribed.iter().filter(|p| p.value != 0.0) {
@@ -48,7 +52,10 @@ impl Model<'_> {
             }
         }
         let forces = sources.into_iter().map(|source| {
-            let mut u = vec![[0.0; 3]; mesh.points.len()];
+            let mut u = match rest {
+                Rest::Still => vec![[0.0; 3]; mesh.points.len()],
+                Rest::Carried => self.carried(source),
+            };
             for p in self.all.prescribed.iter().filter(|p| p.source == source) {
                 u[p.node as usize][p.axis] = p.value;
             }
@@ -65,6 +72,37 @@ impl Model<'_> {
         });
         forces.collect()
     }
+
+    /// Every node moved by the mean of what `source` prescribes on its body, along each axis.
+    fn carried(&self, source: Source) -> Vec<[f64; 3]> {
+        let mesh = &self.scene.mesh;
+        let mut u = vec![[0.0; 3]; mesh.points.len()];
+        let mut body_of = vec![0; mesh.points.len()];
+        for (element, nodes) in mesh.hexes.iter().enumerate() {
+            nodes
+                .iter()
+                .for_each(|n| body_of[*n as usize] = mesh.body_of(element));
+        }
+        let mut sums = vec![[(0.0, 0.0); 3]; mesh.bodies.len()];
+        for p in &self.all.prescribed {
+            let (sum, count) = &mut sums[body_of[p.node as usize]][p.axis];
+            *sum += if p.source == source { p.value } else { 0.0 };
+            *count += 1.0;
+        }
+        for (u, body) in u.iter_mut().zip(body_of) {
+            *u = sums[body].map(|(sum, count)| if count > 0.0 { sum / count } else { 0.0 });
+        }
+        u
+    }
+}
+
+/// Where the nodes are whose displacement is not prescribed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rest {
+    /// Where they were.
+    Still,
+    /// Moved with their body, by the mean of what is prescribed on it: forces are then of its strain only.
+    Carried,
 }
 
 /// Load vectors of tractions and driven planes at factor one.

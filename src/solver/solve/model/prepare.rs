@@ -10,7 +10,7 @@ use crate::solver::solve::checkpoint::expected::Expected;
 use crate::solver::solve::condensed::assembly::{Condensing, assemble_elastic};
 use crate::solver::solve::condensed::size::Size;
 use crate::solver::solve::error::SolveError;
-use crate::solver::solve::model::loads::load_vectors;
+use crate::solver::solve::model::loads::{Rest, load_vectors};
 use crate::solver::solve::model::places::places;
 use crate::solver::solve::model::structure::{Structure, needed};
 use crate::solver::solve::model::system::{Model, is_soft};
@@ -89,6 +89,7 @@ impl<'a> Model<'a> {
             loads: load_vectors(scene, &all),
             heated: Heated::all(scene),
             reference: 0.0,
+            moved: 0.0,
             yielding: expected.flow.clone(),
             scene,
             elastic,
@@ -103,11 +104,15 @@ impl<'a> Model<'a> {
             dofs,
             all,
         };
-        model.loads.extend(model.prescribed_forces());
         let thermal = thermal_forces(scene, &model.heated, &model.all);
+        let mut strained = model.loads.clone();
+        strained.extend(model.prescribed_forces(Rest::Carried));
+        strained.extend(thermal.iter().cloned());
+        model.loads.extend(model.prescribed_forces(Rest::Still));
         model.loads.extend(thermal);
-        model.reference = model.largest_load();
-        if !(model.reference * model.reference).is_finite() {
+        model.reference = model.largest(&strained);
+        model.moved = model.largest(&model.loads);
+        if !(model.moved * model.moved).is_finite() {
             return Err(SolveError::OutOfRange);
         }
         for (_, vector) in &mut model.loads {

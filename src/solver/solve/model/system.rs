@@ -36,8 +36,10 @@ pub struct Model<'a> {
     pub loads: Vec<(String, Vec<f64>)>,
     /// Bodies with thermal strain.
     pub heated: Vec<Heated>,
-    /// The largest force that the steps apply.
+    /// The largest force that the steps apply; prescribed displacements count by how they strain a body that goes with them.
     pub reference: f64,
+    /// The same if bodies did not go with what is prescribed on them.
+    pub moved: f64,
     /// Beyond this initial gap no contact was integrated.
     pub reach: f64,
     /// Bytes that it takes in all, estimated.

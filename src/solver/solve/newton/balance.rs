@@ -60,10 +60,7 @@ pub fn balance_increment(
     let enough = roughness * controls.residual;
     let mut looked = false;
     let external = model.external(point, &history.settled);
-    let least = model.reference.max(f64::MIN_POSITIVE);
-    // An interference fit presses whatever the load is: next to none is in balance to the digits of what presses.
-    let reference =
-        |evaluation: &Evaluation| least.max(PRESSED_DIGITS * pressing(model, evaluation));
+    let reference = |evaluation: &Evaluation| reference(model, evaluation);
     let limit = RUNAWAY_EXTENTS * extent(model.scene);
     let mut last = Iteration {
         step: point.step,
@@ -214,6 +211,22 @@ pub fn balance_increment(
         }
         evaluation = evaluate(point, (&point.x, flows), counters);
     }
+}
+
+/// What a residual is measured by: the forces of the loads. A body that is moved as a whole makes none but those with which
+/// contact presses then; as long as it presses nowhere, those with which it would resist where it was.
+fn reference(model: &Model, evaluation: &Evaluation) -> f64 {
+    /// Of the forces that strain bodies, what others make of a prescribed motion if that carries some along.
+    const CARRIED: f64 = 2.0;
+    let pressing = pressing(model, evaluation);
+    // An interference fit presses whatever the load is: next to none is in balance to the digits of what presses.
+    let loads = model.reference.max(PRESSED_DIGITS * pressing);
+    let forces = match model.moved > CARRIED * model.reference {
+        true => loads.max(pressing.min(model.moved)),
+        false => loads,
+    };
+    let least = if forces > 0.0 { forces } else { model.moved };
+    least.max(f64::MIN_POSITIVE)
 }
 
 /// Norm of the forces with which contact presses.

@@ -24,6 +24,7 @@ const UNCERTAIN_FLOW: &str =
 
 const NO_ELASTIC_PEAK: &str = "no elastic solution beside it says by how much the stress exceeds yield, and with it how well the strain is known";
 
+const AS_LARGE: &str = "the error may be as large as the stress itself";
 const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
 
 const STEEP: &str = "the stress falls by more than half within one element: the elements are too large for the hole, fillet \
@@ -262,6 +263,7 @@ fn mises(
         };
         let (error, note) = match error {
             Some(error) if may_hide(value + error) => (None, Some(COARSE)),
+            Some(error) if error > value => (None, Some(AS_LARGE)),
             error => (error, note),
         };
         Figure {

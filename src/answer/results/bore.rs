@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::circle::circle_centre;
+use super::first_layer::first_layer;
 use super::load::direction;
 use super::recovery::Recovered;
 use crate::ground::geometry::{cross, dot, norm, sub};
@@ -212,7 +213,7 @@ fn under_load(
     Some(SurfacePeak {
         value,
         node,
-        depth: depth(scene, surface, node)?,
+        depth: first_layer(scene, surface, node)?,
         circle,
     })
 }
@@ -227,18 +228,6 @@ fn direction_of(axis: usize, lean: f64) -> [f64; 3] {
         *one = 1.0;
     }
     along
-}
-
-/// Depth of the elements below a node of a surface.
-fn depth(scene: &Scene, surface: &Surface, node: u32) -> Option<f64> {
-    let at = |n: u32| scene.mesh.points[n as usize];
-    let faces = surface.faces.iter().filter(|f| f.nodes.contains(&node));
-    let below = faces.flat_map(|face| {
-        let nodes = scene.mesh.hexes[face.element as usize];
-        nodes.into_iter().filter(|n| !face.nodes.contains(n))
-    });
-    let depths = below.map(|n| norm(sub(at(n), at(node))));
-    depths.reduce(f64::min)
 }
 
 /// Angle about the roller's axis between each node and the nearer of the two load lines.

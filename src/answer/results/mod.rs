@@ -17,6 +17,7 @@ pub mod depth;
 pub mod edges;
 pub mod ending;
 pub mod fillet;
+pub mod first_layer;
 pub mod flow;
 pub mod hertz;
 pub mod hex;

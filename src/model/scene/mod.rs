@@ -127,14 +127,22 @@ impl Scene {
     /// # Errors
     /// [`DomainError`] where both sides are rigid, or a steel is none.
     pub fn compliance(&self, pair: &ContactPair) -> Result<f64, DomainError> {
-        let elastic = |partner: &Partner| {
-            let body = partner.body(&self.mesh);
-            match body.and_then(|body| self.materials.get(body)) {
-                Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
-                None => Ok(Elastic::RIGID),
-            }
-        };
-        contact_compliance(elastic(&pair.upper)?, elastic(&pair.lower)?)
+        contact_compliance(self.elastic_of(&pair.upper)?, self.elastic_of(&pair.lower)?)
+    }
+
+    /// What of it one side has.
+    pub fn compliance_of(&self, side: &Partner) -> Result<f64, DomainError> {
+        contact_compliance(self.elastic_of(side)?, Elastic::RIGID)
+    }
+
+    fn elastic_of(&self, side: &Partner) -> Result<Elastic, DomainError> {
+        match side
+            .body(&self.mesh)
+            .and_then(|body| self.materials.get(body))
+        {
+            Some(steel) => Elastic::new(steel.youngs_modulus, steel.poissons_ratio),
+            None => Ok(Elastic::RIGID),
+        }
     }
 
     /// The lesser yield stress of the bodies of `pair`; infinite where none of them may yield.

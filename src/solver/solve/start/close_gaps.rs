@@ -8,7 +8,7 @@
 //! cylinder on a flat with elements of size h then overlaps by about h²/12R at its lowest point,
 //! and the descent from there converges with a far smaller constant than from the touch of points.
 
-use crate::ground::geometry::{Vec3, add, dot, scale};
+use crate::ground::geometry::{Vec3, add, dot, norm, scale};
 use crate::model::scene::joined;
 use crate::model::scene::{Partner, Scene, Side};
 use crate::solver::contact::mortar::Row;
@@ -27,9 +27,16 @@ pub struct Closing {
     pub shift: Vec3,
 }
 
-/// Moves floating bodies into touch, as close as a solution asks for, and reports what was moved.
+/// Moves floating bodies into touch, as close as rounding lets it, for what is left counts as descent, and reports what was moved by more than
+/// next to nothing.
 pub fn touch(scene: &mut Scene) -> Vec<Closing> {
-    close_gaps(scene, 1e-10 * extent(scene))
+    /// Of the size of the scene.
+    const ROUNDING: f64 = 1e-13;
+    const NOTHING: f64 = 1e-10;
+    let size = extent(scene);
+    let mut closings = close_gaps(scene, ROUNDING * size);
+    closings.retain(|closing| norm(closing.shift) > NOTHING * size);
+    closings
 }
 
 /// Moves floating bodies into touch to `tolerance` and reports what was moved.

@@ -10,13 +10,13 @@ use crate::ground::file::write_atomically;
 use crate::ground::hash::Fnv;
 use crate::model::scene::{Controls, Scene};
 use crate::solver::solve::Restart;
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Its name in the folder of a run.
 pub const FILE: &str = "checkpoint.bin";
 
-const FORMAT: &[u8] = b"brinell checkpoint 3\n";
+const FORMAT: &[u8] = b"brinell checkpoint 4\n";
 
 /// The checkpoint file of one scene.
 #[derive(Debug, Clone)]
@@ -39,19 +39,32 @@ impl Checkpoint {
     /// # Errors
     /// [`FileError::Write`]; what was there is then still there.
     pub fn write(&self, restart: &Restart) -> Result<(), FileError> {
-        let failed = |error| FileError::Write {
+        // Twice through all of it, and never all of it in memory: the hash stands before what it is of.
+        let mut hash = Fnv::default();
+        let hashed = postcard::to_io(restart, &mut hash);
+        hashed.map_err(|error| FileError::Write {
             path: self.path.clone(),
             source: std::io::Error::other(error),
-        };
-        let content: Vec<u8> = postcard::to_stdvec(restart).map_err(failed)?;
-        let bytes = self.sealed(&content);
-        write_atomically(&self.path, |out| out.write_all(&bytes))
+        })?;
+        write_atomically(&self.path, |out| {
+            out.write_all(&self.head(&hash))?;
+            let written = postcard::to_io(restart, out);
+            written.map(|_| ()).map_err(std::io::Error::other)
+        })
     }
 
     /// The bytes of the file that holds `content`, a [`Restart`] as `postcard` writes it.
     pub fn sealed(&self, content: &[u8]) -> Vec<u8> {
-        let hash = Fnv::of(content).to_le_bytes();
-        [FORMAT, &self.scene.to_le_bytes(), &hash, content].concat()
+        let mut hash = Fnv::default();
+        // Writing to a hash cannot fail.
+        let _ = hash.write_all(content);
+        [self.head(&hash).as_slice(), content].concat()
+    }
+
+    /// What stands before content of this hash.
+    fn head(&self, hash: &Fnv) -> Vec<u8> {
+        let hash = hash.value().to_le_bytes();
+        [FORMAT, &self.scene.to_le_bytes(), &hash].concat()
     }
 
     /// What an earlier run left; `None` where there is nothing.

@@ -21,6 +21,7 @@ mod report;
 mod rollers;
 mod rules;
 mod run;
+mod saving;
 mod second;
 mod sizing;
 mod strips;

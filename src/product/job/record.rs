@@ -7,6 +7,7 @@ use super::error::JobError;
 use super::files::forget;
 use super::folder;
 use super::mesh::STRIPS;
+use super::saving::Saving;
 use crate::answer::results::load::upward;
 use crate::answer::results::recovery::recover;
 use crate::case::Case;
@@ -22,7 +23,7 @@ use std::path::{Path, PathBuf};
 struct Files {
     folder: PathBuf,
     series: VtkSeries,
-    checkpoint: Checkpoint,
+    saving: Saving,
     /// What an earlier run left is there as long as nothing of this one is.
     earlier: Option<Earlier>,
     title: String,
@@ -92,7 +93,7 @@ impl<'o> Recorder<'o> {
             Ok::<_, JobError>(Files {
                 folder: out.to_owned(),
                 series: series(out)?.in_units(UnitLabels::of(case.units)),
-                checkpoint,
+                saving: Saving::new(checkpoint),
                 earlier: Some(Earlier {
                     resumed: restart.is_some(),
                     strips,
@@ -111,6 +112,19 @@ impl<'o> Recorder<'o> {
             },
             history: Vec::new(),
         })
+    }
+
+    /// Writes the checkpoint of the last increment, where it is not there yet.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn save(&mut self) -> Result<(), JobError> {
+        let clock = Clock::start();
+        if let Some(files) = &mut self.files {
+            files.saving.write()?;
+        }
+        self.spent = self.spent.plus(clock.spent());
+        Ok(())
     }
 
     /// Spent on writing.
@@ -158,8 +172,8 @@ impl Observer for Recorder<'_> {
         make: &dyn Fn() -> Restart,
     ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         let clock = Clock::start();
-        if let Some(files) = &self.files {
-            files.checkpoint.write(&make())?;
+        if let Some(files) = &mut self.files {
+            files.saving.take(make())?;
         }
         self.spent = self.spent.plus(clock.spent());
         Ok(())

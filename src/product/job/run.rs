@@ -165,6 +165,7 @@ fn solve_on(
             None => return Err(unfinished.error.into()),
         },
     };
+    recorder.save()?;
     let writing = recorder.spent();
     let step = (solution.complete).then(|| reported(&scene, &solution).step);
     let history = recorder.finish(step)?;

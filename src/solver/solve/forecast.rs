@@ -11,6 +11,7 @@ use crate::solver::solve::model::structure::needed;
 use crate::solver::solve::params::{
     ITERATIONS_PER_INCREMENT, ITERATIONS_PER_PATH_FREE_STEP, SECONDS_PER_UNKNOWN_ITERATION,
 };
+use crate::solver::solve::recovery::memory::memory_of_states;
 use crate::solver::solve::rigid::free_motion::{FreeMotion, free_motions};
 use crate::solver::solve::rows::contact_row::ContactRow;
 use crate::solver::solve::rows::contact_rows::contact_rows;
@@ -112,7 +113,7 @@ pub fn forecast(scene: &mut Scene) -> Result<Forecast, SolveError> {
         half_turn: half_turn.is_some(),
         kept: size.kept as usize,
         divided: size.divided,
-        memory: size.memory,
+        memory: size.memory + memory_of_states(scene),
         iterations,
         processor_s: processor_seconds(unknowns, iterations),
         can_yield,

@@ -2,13 +2,16 @@
 
 use crate::model::scene::Scene;
 use crate::model::state::State;
+use crate::solver::solve::checkpoint::packed::Packed;
 use crate::solver::solve::checkpoint::plastic::Plastic;
 use serde::{Deserialize, Serialize};
 
-/// A state without its stresses and plastic strains, and what these follow from.
+/// A state without its stresses, plastic strains and contact fields, and what these follow from.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(in crate::solver::solve) struct Kept {
     pub state: State,
+    /// One field a contact pair, in the order of the scene.
+    pub contacts: Vec<Packed>,
     pub plastic: Plastic,
 }
 
@@ -21,11 +24,12 @@ impl Kept {
                 displacement: state.displacement.clone(),
                 stress: Vec::new(),
                 peeq: Vec::new(),
-                contacts: state.contacts.clone(),
+                contacts: Vec::new(),
                 ties: state.ties.clone(),
                 planes: state.planes.clone(),
                 energy: state.energy,
             },
+            contacts: state.contacts.iter().map(Packed::new).collect(),
             plastic,
         }
     }
@@ -40,7 +44,7 @@ impl Kept {
                 "a number of nodes",
             ),
             (
-                state.contacts.len() == scene.contacts.len(),
+                self.contacts.len() == scene.contacts.len(),
                 "a number of contact pairs",
             ),
             (

@@ -10,6 +10,7 @@ pub mod effort;
 pub mod expected;
 pub mod increment_plan;
 pub mod kept;
+pub mod packed;
 pub mod plastic;
 pub mod point;
 pub mod restart;

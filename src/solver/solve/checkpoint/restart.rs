@@ -10,14 +10,15 @@ use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
 use crate::solver::solve::checkpoint::kept::{Kept, Stranger};
 use crate::solver::solve::checkpoint::point::Point;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// An accepted increment with all that the next one depends on.
 ///
 /// Stresses are not kept: they follow from displacements and plastic strains.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Restart {
-    /// The ends of the finished steps.
-    pub(in crate::solver::solve) finished: Vec<Kept>,
+    /// The ends of the finished steps; shared, as every later increment has the same ones.
+    pub(in crate::solver::solve) finished: Vec<Arc<Kept>>,
     pub(in crate::solver::solve) last: Kept,
     pub(in crate::solver::solve) beside: Beside,
     pub(in crate::solver::solve) companion: Option<KeptCompanion>,
@@ -38,7 +39,7 @@ pub(in crate::solver::solve) struct Beside {
     pub elastic_doubled: Option<Kept>,
     pub plan: Option<IncrementPlan>,
     /// The ends of steps in increments twice as large.
-    pub doubled: Vec<Kept>,
+    pub doubled: Vec<Arc<Kept>>,
     /// The end of the step if no steel yielded, from which its last increment starts.
     pub end: Option<Point>,
 }
@@ -59,11 +60,12 @@ impl Restart {
     /// # Errors
     /// [`Stranger`] says what does not fit.
     pub fn check(&self, scene: &Scene) -> Result<(), Stranger> {
-        let beside = self.beside.doubled.iter();
+        let beside = self.beside.doubled.iter().map(AsRef::as_ref);
         let beside = beside
             .chain(&self.beside.elastic)
             .chain(&self.beside.elastic_doubled);
-        for kept in self.finished.iter().chain([&self.last]).chain(beside) {
+        let finished = self.finished.iter().map(AsRef::as_ref);
+        for kept in finished.chain([&self.last]).chain(beside) {
             kept.check(scene)?;
         }
         let exists = |e: u32| (e as usize) < scene.mesh.hexes.len();

@@ -10,6 +10,7 @@ use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::recovery::state::recovered_state;
+use std::sync::Arc;
 
 impl Run<'_, '_> {
     /// Goes on to `trial`, which is in balance and moves the nodes by `u`; is it the `last` of its step?
@@ -41,7 +42,7 @@ impl Run<'_, '_> {
             .map_err(SolveError::Observer)?;
         if last {
             let plastic = self.history.all_plastic(&self.model);
-            self.finished.push(Kept::new(&state, plastic));
+            self.finished.push(Arc::new(Kept::new(&state, plastic)));
             self.states.push(state.clone());
         }
         self.last = state;

@@ -8,6 +8,7 @@ use crate::solver::solve::newton::failure::{Failure, Stopped};
 use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::recovery::state::recovered_state;
 use std::mem::take;
+use std::sync::Arc;
 
 impl Run<'_, '_> {
     /// Takes note of an accepted increment.
@@ -74,7 +75,8 @@ impl Run<'_, '_> {
             let u = model.displacement(&companion.point, &history.settled);
             let state = recovered_state(model, history, (&companion.point, u), with);
             let plastic = history.all_plastic(model);
-            self.beside.doubled.push(Kept::new(&state, plastic));
+            let kept = Arc::new(Kept::new(&state, plastic));
+            self.beside.doubled.push(kept);
         }
         self.companion = Some(companion);
         true

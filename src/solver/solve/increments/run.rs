@@ -13,6 +13,7 @@ use crate::solver::solve::increments::companion::Companion;
 use crate::solver::solve::linear_system::linear_solver::LinearSolver;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::observer::Observer;
+use std::sync::Arc;
 
 /// All that a solution carries from increment to increment.
 pub struct Run<'a, 'o> {
@@ -50,7 +51,7 @@ pub struct Run<'a, 'o> {
     /// The last accepted state; empty before the first.
     pub last: State,
     /// What the states of the finished steps and the last one can be restored from.
-    pub finished: Vec<Kept>,
+    pub finished: Vec<Arc<Kept>>,
 }
 
 impl<'a, 'o> Run<'a, 'o> {

@@ -10,6 +10,7 @@ use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::model::system::Model;
+use std::sync::Arc;
 
 impl Run<'_, '_> {
     pub(super) fn checkpoint(&mut self) -> Result<(), SolveError> {
@@ -45,7 +46,7 @@ impl Restart {
         model: &Model,
         history: &History,
         point: &Point,
-        (finished, last): (&[Kept], Kept),
+        (finished, last): (&[Arc<Kept>], Kept),
         (beside, companion): (Beside, Option<KeptCompanion>),
         (expected, size): (Expected, f64),
         counters: Counters,

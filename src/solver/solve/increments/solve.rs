@@ -11,6 +11,7 @@ use crate::solver::solve::increments::solution::{Solution, Unfinished};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::observer::Observer;
 use crate::solver::solve::params::ROUNDED_GAP;
+use crate::solver::solve::recovery::memory::memory_of_states;
 use crate::solver::solve::rows::contact_rows::{contact_rows, sights};
 use crate::solver::solve::rows::least_gaps::LeastGaps;
 use crate::solver::solve::start::close_gaps::{Closing, touch};
@@ -98,7 +99,7 @@ fn solve_touching(
     run.observer.message(&format!(
         "{} unknowns, about {:.2} GB of memory",
         run.counters.equations,
-        1e-9 * run.model.memory
+        1e-9 * (run.model.memory + memory_of_states(scene))
     ));
     for name in run.untouched() {
         run.observer

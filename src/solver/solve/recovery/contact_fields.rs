@@ -1,5 +1,6 @@
 //! Pressure, gap, slip and force of each contact node.
 
+use crate::model::scene::{ContactPair, Scene};
 use crate::model::state::ContactField;
 use crate::solver::contact::facing::Sight;
 use crate::solver::contact::mortar::Row;
@@ -19,11 +20,7 @@ pub fn contact_fields(
     let mut fields: Vec<ContactField> = scene
         .contacts
         .iter()
-        .map(|pair| {
-            let [carrier, _] = pair.carrier_first();
-            let nodes = carrier.surface(&scene.mesh).map(|s| s.nodes());
-            ContactField::open(nodes.unwrap_or_default())
-        })
+        .map(|pair| ContactField::open(carrier_nodes(scene, pair)))
         .collect();
     for (index, row) in model.rows.iter().enumerate() {
         let field = &mut fields[row.pair];
@@ -55,6 +52,13 @@ pub fn contact_fields(
         see_gaps(field, sights, (&scene.mesh.points, u));
     }
     fields
+}
+
+/// The nodes that the field of a pair stands on.
+pub fn carrier_nodes(scene: &Scene, pair: &ContactPair) -> Vec<u32> {
+    let [carrier, _] = pair.carrier_first();
+    let nodes = carrier.surface(&scene.mesh).map(|s| s.nodes());
+    nodes.unwrap_or_default()
 }
 
 /// Where the force of a row acts: the mean of the positions that its closure is the difference of,

@@ -5,6 +5,7 @@ pub mod contact_fields;
 pub mod energy;
 pub mod gaps;
 pub mod left_over;
+pub mod memory;
 pub mod plane_fields;
 pub mod reaction;
 pub mod state;

@@ -5,6 +5,7 @@ use crate::model::state::State;
 use crate::solver::solve::checkpoint::kept::Kept;
 use crate::solver::solve::checkpoint::plastic::{Plastic, points};
 use crate::solver::solve::model::system::Model;
+use crate::solver::solve::recovery::contact_fields::carrier_nodes;
 use rayon::prelude::*;
 
 /// Stresses and equivalent plastic strains at all integration points, of displacements `u` at a `moment`: a step and the
@@ -45,9 +46,12 @@ impl Kept {
         let displacement = &self.state.displacement;
         let moment = (self.state.step, self.state.time);
         let (stress, peeq) = stresses(model, &self.plastic, (displacement, moment));
+        let fields = model.scene.contacts.iter().zip(&self.contacts);
+        let contacts = fields.map(|(pair, field)| field.unpack(carrier_nodes(model.scene, pair)));
         State {
             stress,
             peeq,
+            contacts: contacts.collect(),
             ..self.state.clone()
         }
     }

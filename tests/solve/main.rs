@@ -23,6 +23,7 @@ mod resume;
 mod slides;
 mod stacked;
 mod statics;
+mod stiff_on_soft;
 mod symmetry;
 mod thermal;
 mod ties;

@@ -253,7 +253,7 @@ pub const CONTROLS: Keys = Keys {
             "residual",
             "share, at most 1",
             "1e-8",
-            "forces that are left over, of the applied force",
+            "forces that are left over, of the applied force; where rounding leaves more, that, up to 1e-5",
         ),
         key(
             "penetration",

@@ -84,12 +84,13 @@ pub enum SolveError {
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
          iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
-         largest contact violation {penetration:.1e} of the displacement: {contact}{}",
-        in_flow(flowing.as_deref())
+         largest contact violation {penetration:.1e} of the displacement: {contact}{}{}",
+        in_flow(flowing.as_deref()),
+        in_rounding(*rounding)
     )]
     #[diagnostic(
         code(brinell::solve::not_converged),
-        help("the states up to there are kept; {}", towards_balance(flowing.as_deref()))
+        help("the states up to there are kept; {}", towards_balance(flowing.as_deref(), *rounding))
     )]
     NotConverged {
         /// Name of the step.
@@ -102,6 +103,8 @@ pub enum SolveError {
         residual: f64,
         /// Contact violation over the largest displacement.
         penetration: f64,
+        /// The residual that rounding may leave, where no more is left.
+        rounding: Option<f64>,
         /// Where the residual and the violation are largest, in words.
         place: String,
         /// The contact that is furthest from settled, in words.
@@ -249,13 +252,26 @@ fn in_flow(flowing: Option<&Flowing>) -> String {
     })
 }
 
+fn in_rounding(rounding: Option<f64>) -> String {
+    rounding.map_or_else(String::new, |share| {
+        format!(
+            "; rounding alone leaves up to {share:.0e} of the load, as stiff bodies move along with what is far softer"
+        )
+    })
+}
+
 /// What may help where no balance was found.
-fn towards_balance(flowing: Option<&Flowing>) -> String {
-    match flowing {
-        Some(Flowing { body, .. }) => format!(
+fn towards_balance(flowing: Option<&Flowing>, rounding: Option<f64>) -> String {
+    match (flowing, rounding) {
+        (_, Some(share)) => format!(
+            "bodies whose stiffness differs less, or a `residual` under `[controls]` of {:.0e}, which forces in the \
+             result are then known to",
+            2.0 * share
+        ),
+        (Some(Flowing { body, .. }), None) => format!(
             "most likely the load is near the plastic limit of `{body}` or beyond it: less load, a thicker \
              section or a harder steel; else a finer mesh at the contact"
         ),
-        None => "try a smaller first increment, or a finer mesh at the contact".to_owned(),
+        (None, None) => "try a smaller first increment, or a finer mesh at the contact".to_owned(),
     }
 }

@@ -113,6 +113,13 @@ pub const LINGERING_VIOLATION: f64 = 0.25;
 pub const UNCHANGED_FORCE: f64 = 5e-9;
 /// The same, of the applied force: rounding leaves a tenth of it in the balance, however little is left to carry.
 pub const UNCHANGED_SHARE_OF_LOAD: f64 = 1e-10;
+/// Decrease of the residual in an iteration from which on it still falls: near balance Newton's iterations leave a
+/// hundredth and less of it, or all that rounding leaves.
+pub const STALLED_DECREASE: f64 = 0.5;
+/// The most, of the load, that rounding may leave in the balance of an answer. Of columns and layers with moduli up to a
+/// million times apart it leaves 1e-8 to 2e-6, a fifth to a tenth of what the sizes of the sums say. With penalties lowered a
+/// hundredfold then, some came down to 3e-9, in up to thirty more iterations, and those with 2e-6 hardly.
+pub const MOST_ROUNDING: f64 = 1e-5;
 /// Iterations for which shears taken as multipliers may raise the residual again before it falls: one wave.
 pub const WAVE_ITERATIONS: usize = 8;
 /// Residual below which balance is never given up as lost.

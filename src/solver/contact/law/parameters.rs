@@ -40,6 +40,11 @@ impl Law {
         self.friction * traction[0].max(0.0)
     }
 
+    /// What a traction of a node is known to, with d known to `closure`.
+    pub fn rounding(&self, node: &Node, closure: f64) -> f64 {
+        self.penalty(node) * closure
+    }
+
     /// How far the shear of a cautious node still is from λ, as a length, whether it sticks or slips.
     pub(super) fn shear_missed(&self, node: &Node, answer: &NodeResponse) -> f64 {
         let miss = |i: usize| answer.traction[i] - node.multiplier[i];

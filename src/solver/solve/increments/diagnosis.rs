@@ -46,6 +46,7 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
             Failure::Slow {
                 residual,
                 penetration,
+                rounding,
                 changed,
                 equation,
                 row,
@@ -57,6 +58,7 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
             iterations: at.iterations,
             residual,
             penetration,
+            rounding,
             place: place_in_words(model, equation),
             contact: contact_in_words(model, row, changed),
             flowing: most

@@ -10,6 +10,7 @@ use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::progress::Progress;
+use crate::solver::solve::newton::rounding::closures;
 use crate::solver::solve::params::{
     FREE_SWITCHES, FREE_SWITCHING_ITERATIONS, UNCHANGED_FORCE, UNCHANGED_SHARE_OF_LOAD,
 };
@@ -18,12 +19,13 @@ use crate::solver::solve::params::{
 ///
 /// A node has changed where it switched between open, stick and slip, where its friction bound moved, or where its shear
 /// did not become its multiplier. Changes by next to nothing of the largest contact force, or of the load, do not
-/// count; next to nothing is larger by the factor `roughness` than for an answer. Late in an
+/// count; next to nothing is larger by the factor `roughness` than for an answer. Nor do changes that
+/// rounding makes: of a traction by what is left of its digits, of a force by less than what it is `known` to. Late in an
 /// increment, nodes that have switched between stick and slip a few times become cautious.
 pub fn update_active_set(
     model: &Model,
     point: &mut Point,
-    evaluation: &Evaluation,
+    (evaluation, known): (&Evaluation, f64),
     (iteration, roughness, progress): (usize, f64, &mut Progress),
 ) -> usize {
     // What is next to nothing is measured by the largest normal force, and where that is small itself by the load.
@@ -41,6 +43,7 @@ pub fn update_active_set(
         .settled
         .saturating_sub(1)
         .min(usize::from(MOST_RAISED)) as u8;
+    let closures = closures(model, point);
     for (index, (row, node)) in model.rows.iter().zip(&mut point.nodes).enumerate() {
         let law = &row.law;
         if !node.cautious {
@@ -49,8 +52,9 @@ pub fn update_active_set(
         let traction = &evaluation.contact[index].traction;
         let relative = &evaluation.relative[index];
         let next = law.decide(node, traction, relative, bounds[index]);
-        let least = least / row.row.area;
-        let same = law.friction * least;
+        let rounding = (law.rounding(node, closures[index])).max(known / row.row.area);
+        let least = (least / row.row.area).max(rounding);
+        let same = (law.friction * least).max(rounding);
         let turned =
             !node.cautious && (1..3).any(|i| (next.multiplier[i] - traction[i]).abs() > same);
         let moved = next.closed && (law.bound(traction) - node.bound).abs() > same;

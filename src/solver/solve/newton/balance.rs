@@ -24,6 +24,7 @@ use crate::solver::solve::newton::failure::{Failure, Stopped};
 use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::newton::line_search::search_line;
 use crate::solver::solve::newton::progress::Progress;
+use crate::solver::solve::newton::rounding::{has_stalled, rounding_forces};
 use crate::solver::solve::newton::violation::{count_statuses, violation, violations};
 use crate::solver::solve::observer::{Iteration, Observer};
 use crate::solver::solve::params::{
@@ -61,6 +62,9 @@ pub fn balance_increment(
     let mut looked = false;
     let external = model.external(point, &history.settled);
     let reference = |evaluation: &Evaluation| reference(model, evaluation);
+    let rounding = |point: &Point, evaluation: &Evaluation| {
+        rounding_forces(model, point, &external, evaluation) / reference(evaluation)
+    };
     let limit = RUNAWAY_EXTENTS * extent(model.scene);
     let mut last = Iteration {
         step: point.step,
@@ -149,15 +153,20 @@ pub fn balance_increment(
         last.residual = norm(&evaluation.residual) / reference;
         // Corrections of it would be no numbers either, and not for want of precision.
         if !last.residual.is_finite() {
-            return Err(stop(gave_up(model, point, &evaluation, &last)));
+            return Err(stop(gave_up(model, point, &evaluation, (&last, None))));
         }
         // 3. Multipliers, active set and friction bounds.
         let before = std::mem::replace(&mut last.penetration, violation(model, point, &evaluation));
         let lingers = last.penetration > LINGERING_VIOLATION * before;
+        // What rounding leaves, where the residual is no more than that.
+        let rounded = has_stalled(last.residual, &progress)
+            .then(|| rounding(point, &evaluation))
+            .filter(|most| last.residual <= *most);
+        let known = rounded.map_or(0.0, |share| share * reference);
         last.changed = update_active_set(
             model,
             point,
-            &evaluation,
+            (&evaluation, known),
             (last.iteration, roughness, &mut progress),
         );
         count_statuses(&mut last, &evaluation);
@@ -167,7 +176,7 @@ pub fn balance_increment(
         if springs.is_some() && (settled || last.iteration >= PROXIMAL_ITERATIONS) {
             return Ok(evaluation);
         }
-        let balanced = last.changed == 0 && last.residual <= enough;
+        let balanced = last.changed == 0 && (last.residual <= enough || rounded.is_some());
         if balanced && flows && last.penetration <= roughness * controls.penetration {
             solver.balanced(point);
             return Ok(evaluation);
@@ -201,7 +210,9 @@ pub fn balance_increment(
         let lost = (unloads || much_flows(model, &flowing)) && progress.is_lost();
         if lost || !patient || last.iteration >= CONVERGING_ITERATIONS_FACTOR * controls.iterations
         {
-            return Err(stop(gave_up(model, point, &evaluation, &last)));
+            let rounded = Some(rounding(point, &evaluation))
+                .filter(|most| (enough..=*most).contains(&last.residual));
+            return Err(stop(gave_up(model, point, &evaluation, (&last, rounded))));
         }
         let grows = || closed_nodes(point) as f64 > CONTACT_OUTGROWN * closed as f64;
         if last.iteration == 1 && last.flowing > 0 && goes_on && grows() {
@@ -242,7 +253,12 @@ fn closed_nodes(point: &Point) -> usize {
 
 /// What to tell of an increment that has taken as many iterations as it may: the largest residual and the worst contact
 /// row.
-fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iteration) -> Failure {
+fn gave_up(
+    model: &Model,
+    point: &Point,
+    evaluation: &Evaluation,
+    (last, rounding): (&Iteration, Option<f64>),
+) -> Failure {
     let largest = |values: &mut dyn Iterator<Item = f64>| {
         let most = values.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         most.map(|(index, _)| index)
@@ -250,6 +266,7 @@ fn gave_up(model: &Model, point: &Point, evaluation: &Evaluation, last: &Iterati
     Failure::Slow {
         residual: last.residual,
         penetration: last.penetration,
+        rounding,
         changed: last.changed,
         equation: largest(&mut evaluation.residual.iter().map(|r| r.abs())).unwrap_or(0),
         row: largest(&mut violations(model, point, evaluation)),

@@ -9,6 +9,8 @@ pub enum Failure {
     Slow {
         residual: f64,
         penetration: f64,
+        /// The residual that rounding may leave, where that is what is left.
+        rounding: Option<f64>,
         /// Contact nodes that changed in the last iteration.
         changed: usize,
         /// Where the residual and the violation of contact are largest.

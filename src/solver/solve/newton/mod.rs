@@ -10,4 +10,5 @@ pub mod goal;
 pub mod line_search;
 pub mod progress;
 pub mod proximal_point;
+pub mod rounding;
 pub mod violation;

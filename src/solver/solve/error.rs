@@ -106,9 +106,9 @@ pub enum SolveError {
         /// The residual that rounding may leave, where no more is left.
         rounding: Option<f64>,
         /// Where the residual and the violation are largest, in words.
-        place: String,
+        place: Box<str>,
         /// The contact that is furthest from settled, in words.
-        contact: String,
+        contact: Box<str>,
         /// What flows, where that is so much that the load may be beyond the plastic limit.
         flowing: Option<Box<Flowing>>,
     },

@@ -59,8 +59,8 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
             residual,
             penetration,
             rounding,
-            place: place_in_words(model, equation),
-            contact: contact_in_words(model, row, changed),
+            place: place_in_words(model, equation).into(),
+            contact: contact_in_words(model, row, changed).into(),
             flowing: most
                 .filter(|_| much_flows(model, &stopped.flowing))
                 .map(Box::new),

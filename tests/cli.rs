@@ -445,8 +445,8 @@ fn a_load_beyond_the_plastic_limit_does_not_converge() {
 
 #[test]
 fn a_step_that_does_not_converge_says_how_far_it_came() {
-    // Rounding is more than that.
-    let controls = "[controls]\nresidual = 1e-19\nsmallest_increment = 0.1\n";
+    // What a penalty leaves of contact is more than that.
+    let controls = "[controls]\npenetration = 1e-30\nsmallest_increment = 0.1\n";
     let folder = folder(&format!("{SCENE}\n{controls}"), &blocks(0.0, 0.0));
     let run = brinell(folder.path(), "run scene.toml --out out").code(3);
     let parts = [
@@ -720,7 +720,7 @@ fn results_of_an_earlier_case_stay_until_there_are_new_ones() {
     brinell(folder.path(), "run other.toml --out out").code(2);
     std::fs::write(at("loose.toml"), SCENE).unwrap();
     let text = std::fs::read_to_string(at("loose.toml")).unwrap();
-    let loose = format!("{text}\n[controls]\nresidual = 1e-19\nsmallest_increment = 0.1\n");
+    let loose = format!("{text}\n[controls]\npenetration = 1e-30\nsmallest_increment = 0.1\n");
     std::fs::write(at("loose.toml"), loose).unwrap();
     brinell(folder.path(), "run loose.toml --out out").code(3);
     assert_eq!(names(&at("out")), before);

@@ -94,8 +94,8 @@ pub const ROUNDED_GAP: f64 = 1e-9;
 /// Of the forces with which contact presses, what counts as load where the load is less: with a residual of 1e-8 balance is then
 /// asked for to eleven digits of these forces, as many as soft and hard bodies together leave of sixteen.
 pub const PRESSED_DIGITS: f64 = 1e-3;
-/// Of the forces with which bodies that are moved as a whole would resist where they were, what counts as load where that is less: a residual of 1e-8
-/// of it is fifteen digits of them, all that there are.
+/// Of the forces with which bodies that are moved as a whole would resist where they were, what counts as load where prescribed forces are less: a
+/// residual of 1e-8 of it is fifteen digits of them, all that there are.
 pub const MOVED_DIGITS: f64 = 1e-7;
 
 /// Iterations after which stick and slip that have not settled are solved with caution.

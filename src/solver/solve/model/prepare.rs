@@ -15,6 +15,7 @@ use crate::solver::solve::model::places::places;
 use crate::solver::solve::model::structure::{Structure, needed};
 use crate::solver::solve::model::system::{Model, is_soft};
 use crate::solver::solve::model::thermal::{Heated, thermal_forces};
+use crate::solver::solve::params::MOVED_DIGITS;
 use crate::solver::solve::rows::contact_row::{ContactRow, law};
 use crate::solver::solve::ties::unknowns::equations;
 use std::sync::Arc;
@@ -89,7 +90,6 @@ impl<'a> Model<'a> {
             loads: load_vectors(scene, &all),
             heated: Heated::all(scene),
             reference: 0.0,
-            moved: 0.0,
             yielding: expected.flow.clone(),
             scene,
             elastic,
@@ -105,16 +105,20 @@ impl<'a> Model<'a> {
             all,
         };
         let thermal = thermal_forces(scene, &model.heated, &model.all);
+        let forces = model.largest(&model.loads);
         let mut strained = model.loads.clone();
         strained.extend(model.prescribed_forces(Rest::Carried));
         strained.extend(thermal.iter().cloned());
         model.loads.extend(model.prescribed_forces(Rest::Still));
         model.loads.extend(thermal);
-        model.reference = model.largest(&strained);
-        model.moved = model.largest(&model.loads);
-        if !(model.moved * model.moved).is_finite() {
+        let moved = model.largest(&model.loads);
+        if !(moved * moved).is_finite() {
             return Err(SolveError::OutOfRange);
         }
+        model.reference = match forces > 0.0 {
+            true => model.largest(&strained).max(MOVED_DIGITS * moved),
+            false => moved,
+        };
         for (_, vector) in &mut model.loads {
             model.bodies.reduce(vector);
         }

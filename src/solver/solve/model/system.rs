@@ -36,10 +36,9 @@ pub struct Model<'a> {
     pub loads: Vec<(String, Vec<f64>)>,
     /// Bodies with thermal strain.
     pub heated: Vec<Heated>,
-    /// The largest force that the steps apply; prescribed displacements count by how they strain a body that goes with them.
+    /// The largest force that the steps apply. Beside prescribed forces prescribed displacements count by how they strain a body that
+    /// goes with them, else by how it resists where it was.
     pub reference: f64,
-    /// The same if bodies did not go with what is prescribed on them.
-    pub moved: f64,
     /// Beyond this initial gap no contact was integrated.
     pub reach: f64,
     /// Bytes that it takes in all, estimated.

@@ -31,8 +31,8 @@ use crate::solver::solve::params::{
     CAUTIOUS_SHEAR_RESIDUAL, CONTACT_HAS_GROWN, CONTACT_HAS_OPENED, CONTACT_OUTGROWN,
     CONVERGING_ITERATIONS_FACTOR, CORRECTION_TOLERANCE, EARLY_LOOK_RESIDUAL, FLOWING_CORRECTION,
     ITERATIONS_BEFORE_CAUTION, LINGERING_VIOLATION, LOOSEST_CORRECTION, LOOSEST_DIVIDED_CORRECTION,
-    MOVED_DIGITS, PRESSED_DIGITS, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, ROUGH_BALANCE,
-    RUNAWAY_EXTENTS, TIGHTEST_CORRECTION,
+    PRESSED_DIGITS, PROXIMAL_ITERATIONS, PROXIMAL_RESIDUAL, ROUGH_BALANCE, RUNAWAY_EXTENTS,
+    TIGHTEST_CORRECTION,
 };
 use crate::solver::solve::start::extent::extent;
 use crate::solver::solve::working_set::flow::{Ahead, unexpected_flow};
@@ -224,19 +224,11 @@ pub fn balance_increment(
     }
 }
 
-/// What a residual is measured by: the forces of the loads. A body that is moved as a whole makes none but those with which
-/// contact presses then, and those that rounding leaves of the ones with which it would resist where it was.
+/// What a residual is measured by: the forces of the loads. An interference fit presses whatever the load is: next to none is in
+/// balance to the digits of what presses.
 fn reference(model: &Model, evaluation: &Evaluation) -> f64 {
-    /// Of the forces that strain bodies, what others make of a prescribed motion if that carries some along.
-    const CARRIED: f64 = 2.0;
-    let pressing = pressing(model, evaluation);
-    // An interference fit presses whatever the load is: next to none is in balance to the digits of what presses.
-    let loads = model.reference.max(PRESSED_DIGITS * pressing);
-    let carried = match model.moved > CARRIED * model.reference {
-        true => pressing.min(model.moved).max(MOVED_DIGITS * model.moved),
-        false => 0.0,
-    };
-    loads.max(carried).max(f64::MIN_POSITIVE)
+    let pressing = PRESSED_DIGITS * pressing(model, evaluation);
+    model.reference.max(pressing).max(f64::MIN_POSITIVE)
 }
 
 /// Norm of the forces with which contact presses.

@@ -2,7 +2,7 @@
 
 use brinell::answer::results::interface::interfaces;
 use brinell::prelude::{Axis, Block, Contact, Load, SceneBuilder, Steel, uniform};
-use brinell::solver::solve::{Silent, SolveError, solve};
+use brinell::solver::solve::{Obstacle, Silent, SolveError, solve};
 
 /// mm, MPa.
 const SIDE: f64 = 10.0;
@@ -71,10 +71,13 @@ fn stiff_blocks_on_a_soft_one_are_solved_as_far_as_rounding_lets_them() {
 #[test]
 fn what_rounding_takes_is_told() {
     let error = column(STIFF / 1e10).expect_err("is lost to rounding");
-    let SolveError::NotConverged { rounding, .. } = &error else {
+    let SolveError::NotConverged { obstacle, .. } = &error else {
         panic!("{error}")
     };
-    assert!(rounding.is_some_and(|share| share > 1e-5));
+    let Some(Obstacle::Rounding(share)) = obstacle.as_deref() else {
+        panic!("{error}")
+    };
+    assert!(*share > 1e-5, "{share}");
     assert!(error.to_string().contains("rounding alone"), "{error}");
     let help = miette::Diagnostic::help(&error).expect("help").to_string();
     assert!(help.contains("`residual`"), "{help}");

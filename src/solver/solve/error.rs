@@ -84,13 +84,12 @@ pub enum SolveError {
     #[error(
         "step `{step}` did not converge beyond {percent:.3} % of its load: after {iterations} \
          iterations the residual was {residual:.1e} of the load, most of it in {place}, and the \
-         largest contact violation {penetration:.1e} of the displacement: {contact}{}{}",
-        in_flow(flowing.as_deref()),
-        in_rounding(*rounding)
+         largest contact violation {penetration:.1e} of the displacement: {contact}{}",
+        in_addition(obstacle.as_deref())
     )]
     #[diagnostic(
         code(brinell::solve::not_converged),
-        help("the states up to there are kept; {}", towards_balance(flowing.as_deref(), *rounding))
+        help("the states up to there are kept; {}", towards_balance(obstacle.as_deref()))
     )]
     NotConverged {
         /// Name of the step.
@@ -103,14 +102,12 @@ pub enum SolveError {
         residual: f64,
         /// Contact violation over the largest displacement.
         penetration: f64,
-        /// The residual that rounding may leave, where no more is left.
-        rounding: Option<f64>,
         /// Where the residual and the violation are largest, in words.
-        place: Box<str>,
+        place: String,
         /// The contact that is furthest from settled, in words.
-        contact: Box<str>,
-        /// What flows, where that is so much that the load may be beyond the plastic limit.
-        flowing: Option<Box<Flowing>>,
+        contact: String,
+        /// What stands in the way, where that can be told.
+        obstacle: Option<Box<Obstacle>>,
     },
     /// So much of a body flows that it carries no more.
     #[error(
@@ -245,33 +242,40 @@ pub struct Flowing {
     pub percent: f64,
 }
 
-/// For the end of a message.
-fn in_flow(flowing: Option<&Flowing>) -> String {
-    flowing.map_or_else(String::new, |Flowing { body, percent }| {
-        format!("; {percent:.1} % of the elements of `{body}` flow")
-    })
+/// What most likely keeps an increment from balance.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Obstacle {
+    /// So much flows that the load may be beyond the plastic limit.
+    Flow(Flowing),
+    /// Rounding leaves up to this residual, and no more is left.
+    Rounding(f64),
 }
 
-fn in_rounding(rounding: Option<f64>) -> String {
-    rounding.map_or_else(String::new, |share| {
-        format!(
+/// For the end of a message.
+fn in_addition(obstacle: Option<&Obstacle>) -> String {
+    match obstacle {
+        Some(Obstacle::Flow(Flowing { body, percent })) => {
+            format!("; {percent:.1} % of the elements of `{body}` flow")
+        }
+        Some(Obstacle::Rounding(share)) => format!(
             "; rounding alone leaves up to {share:.0e} of the load, as stiff bodies move along with what is far softer"
-        )
-    })
+        ),
+        None => String::new(),
+    }
 }
 
 /// What may help where no balance was found.
-fn towards_balance(flowing: Option<&Flowing>, rounding: Option<f64>) -> String {
-    match (flowing, rounding) {
-        (_, Some(share)) => format!(
+fn towards_balance(obstacle: Option<&Obstacle>) -> String {
+    match obstacle {
+        Some(Obstacle::Flow(Flowing { body, .. })) => format!(
+            "most likely the load is near the plastic limit of `{body}` or beyond it: less load, a thicker \
+             section or a harder steel; else a finer mesh at the contact"
+        ),
+        Some(Obstacle::Rounding(share)) => format!(
             "bodies whose stiffness differs less, or a `residual` under `[controls]` of {:.0e}, which forces in the \
              result are then known to",
             2.0 * share
         ),
-        (Some(Flowing { body, .. }), None) => format!(
-            "most likely the load is near the plastic limit of `{body}` or beyond it: less load, a thicker \
-             section or a harder steel; else a finer mesh at the contact"
-        ),
-        (None, None) => "try a smaller first increment, or a finer mesh at the contact".to_owned(),
+        None => "try a smaller first increment, or a finer mesh at the contact".to_owned(),
     }
 }

@@ -52,7 +52,7 @@ pub use checkpoint::counters::Counters;
 pub use checkpoint::kept::Stranger;
 pub use checkpoint::restart::Restart;
 pub use checkpoint::timers::{Phase, Timers};
-pub use error::{Flowing, SolveError};
+pub use error::{Flowing, Obstacle, SolveError};
 pub use forecast::{Forecast, PairForecast, forecast};
 pub use increments::solution::{Solution, Unfinished};
 pub use increments::solve::{resume, solve};

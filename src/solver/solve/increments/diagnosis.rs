@@ -2,7 +2,7 @@
 
 use crate::solver::linear::cholesky::FactorError;
 use crate::solver::solve::equilibrium::evaluation::much_flows;
-use crate::solver::solve::error::{Flowing, SolveError};
+use crate::solver::solve::error::{Flowing, Obstacle, SolveError};
 use crate::solver::solve::increments::place::{body_of, contact_in_words, place, place_in_words};
 use crate::solver::solve::model::system::Model;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
@@ -58,11 +58,13 @@ pub fn diagnose(model: &Model, stopped: &Stopped, at: &At) -> SolveError {
             iterations: at.iterations,
             residual,
             penetration,
-            rounding,
-            place: place_in_words(model, equation).into(),
-            contact: contact_in_words(model, row, changed).into(),
-            flowing: most
-                .filter(|_| much_flows(model, &stopped.flowing))
+            place: place_in_words(model, equation),
+            contact: contact_in_words(model, row, changed),
+            obstacle: (rounding.map(Obstacle::Rounding))
+                .or_else(|| {
+                    let much = most.filter(|_| much_flows(model, &stopped.flowing));
+                    much.map(Obstacle::Flow)
+                })
                 .map(Box::new),
         },
         (Failure::Cancelled | Failure::UnforeseenFlow, _) => SolveError::NothingFree,

@@ -71,11 +71,11 @@ impl BelowPatches {
                 let what = [Quantity::PeakPressure, Quantity::PressureAway];
                 (claims.iter()).filter(move |c| what.contains(&c.what) && c.place == interface.name)
             };
-            let is_unknown = |claim: Figure| match claim.note {
+            let is_unknown = |claim: &Figure| match claim.note {
                 Some(notes::FILLET) => *touch != Touch::Line,
                 note => note == Some(notes::COARSE),
             };
-            let is_coarse = own().cloned().any(is_unknown);
+            let is_coarse = own().any(is_unknown);
             let is_point = *touch == Touch::Point;
             let error = (own().filter(|_| !is_coarse)).find_map(Figure::relative_bar);
             if is_coarse || is_point && error.is_some() {

@@ -41,9 +41,9 @@ impl StripSides {
 
     /// Hertz's contact under a load per length; `None` where a curvature is not known, or the two do not curve apart.
     pub fn under(&self, scene: &Scene, pair: &ContactPair, load: f64) -> Option<LineContact> {
-        let [upper, lower] = self.sides.each_ref().map(|side| side.curvature);
         /// Of the curvature of a side, below which a difference is rounding: a shaft fills its hub.
         const ROUNDING: f64 = 1e-9;
+        let [upper, lower] = self.sides.each_ref().map(|side| side.curvature);
         let (upper, lower) = (upper?, lower?);
         let sum = upper + lower;
         let apart = sum > ROUNDING * upper.abs().max(lower.abs());

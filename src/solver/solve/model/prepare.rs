@@ -105,20 +105,21 @@ impl<'a> Model<'a> {
             all,
         };
         let thermal = thermal_forces(scene, &model.heated, &model.all);
-        let forces = model.largest(&model.loads);
-        let mut strained = model.loads.clone();
-        strained.extend(model.prescribed_forces(Rest::Carried));
-        strained.extend(thermal.iter().cloned());
-        model.loads.extend(model.prescribed_forces(Rest::Still));
+        let still = model.prescribed_forces(Rest::Still);
+        // Beside prescribed forces it matters whether a body goes along with what moves it.
+        let goes_along = !still.is_empty() && model.largest(&model.loads) > 0.0;
+        let strained = goes_along.then(|| {
+            let carried = model.prescribed_forces(Rest::Carried);
+            let loads = [model.loads.as_slice(), &carried, &thermal].concat();
+            model.largest(&loads)
+        });
+        model.loads.extend(still);
         model.loads.extend(thermal);
         let moved = model.largest(&model.loads);
         if !(moved * moved).is_finite() {
             return Err(SolveError::OutOfRange);
         }
-        model.reference = match forces > 0.0 {
-            true => model.largest(&strained).max(MOVED_DIGITS * moved),
-            false => moved,
-        };
+        model.reference = strained.map_or(moved, |strained| strained.max(MOVED_DIGITS * moved));
         for (_, vector) in &mut model.loads {
             model.bodies.reduce(vector);
         }

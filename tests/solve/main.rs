@@ -12,6 +12,7 @@ mod half_turn;
 mod invariance;
 mod kit;
 mod left_out;
+mod lining;
 mod local;
 mod misaligned;
 mod orientation;

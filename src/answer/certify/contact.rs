@@ -40,6 +40,8 @@ pub(super) struct Contact<'a> {
     /// By which share the mesh makes the load too large, where a prescribed motion makes it; infinite where that is not
     /// known.
     pub too_stiff: f64,
+    /// By which share the pressure may be off as [`linings`](super::linings) of its bodies are too stiff.
+    pub linings_off: f64,
     /// By which share the travel of the load may be off: bodies that bend more or less than they should spread it otherwise.
     pub travel_off: f64,
     /// By which share it may carry more or less of the load than it does on the mesh.

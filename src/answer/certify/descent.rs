@@ -13,6 +13,7 @@ use crate::answer::results::line_frame::LineFrame;
 use crate::answer::results::load::{
     applied, copies, cutting_pair, descent, direction, forced_share, times,
 };
+use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strip_row::StripRow;
 use crate::ground::geometry::{cross, dot, norm, sub};
@@ -104,7 +105,8 @@ impl Travel {
         // What is moved by a given travel misses nothing of it.
         let forced = forced_share(scene, state);
         let missing = by_force.then(|| {
-            let by_mesh = energy::missing_work(scene, state, recovered, edges);
+            let outer = OuterFaces::of(scene);
+            let by_mesh = energy::missing_work(scene, state, recovered, (&outer, edges));
             let seen = missing(
                 by_mesh.work * copies(scene) / applied(scene, state),
                 of_mesh,
@@ -112,7 +114,7 @@ impl Travel {
             let errors = by_mesh.errors.iter().enumerate();
             let unlike_strips = errors.filter(|(body, _)| !contacts.is_below_strip(scene, *body));
             let unlike_strips = unlike_strips.map(|(_, error)| error).sum::<f64>() * copies(scene);
-            let at_ends = held_ends::unseen_energy(scene, state, recovered) * copies(scene);
+            let at_ends = held_ends::unseen_energy(scene, state, recovered, &outer) * copies(scene);
             let beside_edges = AT_EDGES * by_mesh.beside_edges * copies(scene);
             let at_touch = |part: usize| {
                 contacts.work_below_strips(scene, |line, hertz, _| {
@@ -210,11 +212,11 @@ pub(super) fn too_stiff(
     scene: &Scene,
     state: &State,
     recovered: &Recovered,
-    (contacts, edges): (Contacts, &SingularEdges),
+    (contacts, outer, edges): (Contacts, &OuterFaces, &SingularEdges),
 ) -> Option<f64> {
     let of_whole = |energy: f64| energy * copies(scene);
     let energy = of_whole(energy::of_solution(scene, state, recovered));
-    let work = of_whole(energy::missing_work(scene, state, recovered, edges).work);
+    let work = of_whole(energy::missing_work(scene, state, recovered, (outer, edges)).work);
     let unseen = contacts.work_below_strips(scene, unseen_approach).abs();
     let share = (LIKELY + SPREAD) * (missing(work, energy).abs() + unseen) / energy;
     Some(share).filter(|share| share.is_finite() && *share <= MOST_MISSING)

@@ -1,9 +1,11 @@
 //! The energy of the error, from a smoother stress.
 
+use super::linings;
 use super::strip_below::StripBelow;
 use super::thin_walls::smooth_stress;
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hex::{GaussRule, centre};
+use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strain::strain;
 use crate::model::material::Steel;
@@ -26,7 +28,7 @@ pub struct Missing {
 /// ∫ (σ* − σ) : C⁻¹ : (σ* − σ) dV + 2 ∫ (σ* − σ) : ε̃ dV.
 ///
 /// σ* is interpolated from the nodal averages of the stress σ at the integration points and stands for the true
-/// stress (Zienkiewicz and Zhu 1987), but for the faces of thin walls (`thin_walls.rs`); the first term is the energy of the
+/// stress (Zienkiewicz and Zhu 1987), but for the faces of thin walls (`thin_walls.rs`) and of linings (`linings.rs`); the first term is the energy of the
 /// error, which is returned of the averages everywhere. ε̃ is the strain that an element
 /// assumes beyond that of its displacements: B-bar's mean dilatation, the modes of the enhanced hexahedron. They make
 /// it softer; of the plain hexahedron there are none. Where steel has flowed only its volume says how much is assumed,
@@ -35,13 +37,13 @@ pub fn missing_work(
     scene: &Scene,
     state: &State,
     recovered: &Recovered,
-    edges: &SingularEdges,
+    (outer, edges): (&OuterFaces, &SingularEdges),
 ) -> Missing {
     let rule = GaussRule::new();
     let points = scene.mesh.points.par_iter();
     let is_near: Vec<bool> = points.map(|at| edges.are_near(at)).collect();
     let warmed = !scene.temperatures.is_empty();
-    let smooth = smooth_stress(scene, state, recovered);
+    let smooth = smooth_stress(scene, state, recovered, outer);
     let of_bodies = integrals(scene, recovered, |steel, element| {
         let at_nodes = |of: &[[f64; 6]]| recovered.points.cells[element].map(|p| of[p as usize]);
         let (smooth, averages) = (at_nodes(&smooth), at_nodes(&recovered.nodal_stress));
@@ -83,7 +85,8 @@ pub fn missing_work(
         })
     });
     Missing {
-        work: of_bodies.iter().map(|[work, ..]| work).sum(),
+        work: of_bodies.iter().map(|[work, ..]| work).sum::<f64>()
+            + linings::work_at_sides(scene, state, outer),
         errors: of_bodies.iter().map(|[_, error, _]| *error).collect(),
         beside_edges: of_bodies.iter().map(|[.., error]| error).sum(),
     }

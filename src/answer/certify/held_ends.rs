@@ -33,9 +33,13 @@ struct Column {
 }
 
 /// Of the stresses along held ends, twice the strain energy of what they differ by from those in the elements next to them.
-pub(super) fn unseen_energy(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
+pub(super) fn unseen_energy(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    outer: &OuterFaces,
+) -> f64 {
     let mesh = &scene.mesh;
-    let outer = OuterFaces::of(scene);
     let columns = |element: usize, face: [u32; 4]| {
         let (stress, volumes) = (&state.stress[element], &recovered.volumes[element]);
         Column::behind(&mesh.hexes[element], face, (stress, volumes))

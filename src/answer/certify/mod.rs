@@ -15,6 +15,7 @@ mod flow_shares;
 mod held_ends;
 mod increments;
 mod line;
+mod linings;
 mod mises;
 mod notes;
 mod other;
@@ -29,6 +30,7 @@ use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
+use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
@@ -89,8 +91,12 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         interfaces,
         lines: evidence.lines,
     };
-    let too_stiff =
-        || descent::too_stiff(scene, state, evidence.recovered, (contacts, evidence.edges));
+    let outer = OuterFaces::of(scene);
+    let too_stiff = || {
+        let seen = (contacts, &outer, evidence.edges);
+        descent::too_stiff(scene, state, evidence.recovered, seen)
+    };
+    let of_linings = linings::too_stiff(scene, state, evidence.recovered, &outer);
     let moved = scene.is_moved();
     let too_stiff = (tilted || moved).then(too_stiff).flatten();
     let by_motion = if moved {
@@ -129,6 +135,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             touch,
             edges: &evidence.edges.loaded,
             too_stiff: by_motion,
+            linings_off: linings::off(scene, pair, &of_linings),
             travel_off,
             shared_off: contacts.shared_off((scene, state), pair, evidence.travel),
         };

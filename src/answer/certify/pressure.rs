@@ -234,7 +234,8 @@ impl Contact<'_> {
         let error = error.hypot(SCATTER * scatter)
             + self.rise_to_edge(field, top)
             + alternates
-            + self.shared_otherwise();
+            + self.shared_otherwise()
+            + self.linings_off;
         let rise = self.rise_in_long_faces(field, top);
         let why = if rise > error { LONG_FACES } else { COARSE };
         self.claim(what, value, Some(error.max(rise)), why)

@@ -6,6 +6,7 @@
 //! across the face the stress is that of the wall on the whole: nothing where both faces are free, the pressure
 //! where it is squeezed.
 
+use super::linings;
 use crate::answer::results::hex::GaussRule;
 use crate::answer::results::outer_faces::{Bound, OuterFaces};
 use crate::answer::results::recovery::{Recovered, symmetric};
@@ -35,17 +36,19 @@ struct WallPoint {
 }
 
 /// The stress at [`points`](Recovered::points) that stands for the true one: the nodal average, and at the faces of thin walls
-/// what their strains tell. Where a body is warmed strains tell nothing.
+/// what their strains tell, and of linings [what balance does](linings::missing_shear). Where a body is warmed strains tell nothing.
 pub(super) fn smooth_stress<'r>(
     scene: &Scene,
     state: &State,
     recovered: &'r Recovered,
+    outer: &OuterFaces,
 ) -> Cow<'r, [[f64; 6]]> {
     let mut points = match scene.temperatures.is_empty() {
-        true => wall_points(scene, state, recovered),
+        true => wall_points(scene, state, recovered, outer),
         false => BTreeMap::new(),
     };
-    if points.is_empty() {
+    let of_linings = linings::missing_shear(scene, recovered, outer);
+    if points.is_empty() && of_linings.is_empty() {
         return Cow::Borrowed(&recovered.nodal_stress);
     }
     add_own(scene, state, recovered, &mut points);
@@ -59,13 +62,23 @@ pub(super) fn smooth_stress<'r>(
         let normals: Vec<Vec3> = point.faces.into_iter().filter_map(unit).collect();
         smooth[index] = at_faces(&own, &wall, &normals, &scene.materials[body]);
     }
+    for (index, shear) in of_linings {
+        smooth[index]
+            .iter_mut()
+            .zip(shear)
+            .for_each(|(s, more)| *s += more);
+    }
     Cow::Owned(smooth)
 }
 
 /// The points on free faces that one or two elements are between, with these and the stress through the wall.
-fn wall_points(scene: &Scene, state: &State, recovered: &Recovered) -> BTreeMap<usize, WallPoint> {
+fn wall_points(
+    scene: &Scene,
+    state: &State,
+    recovered: &Recovered,
+    outer: &OuterFaces,
+) -> BTreeMap<usize, WallPoint> {
     let mesh = &scene.mesh;
-    let outer = OuterFaces::of(scene);
     let mut points: BTreeMap<usize, WallPoint> = BTreeMap::new();
     for faces in &outer.by_body {
         let free = || faces.iter().filter(|face| outer.bound(face) == Bound::Free);

@@ -4,6 +4,7 @@ use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use super::line::turned_by_place;
 use super::notes::{COARSE, UNKNOWN_STIFFNESS};
+use super::scatter;
 use crate::answer::results::bore::BoreStress;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
@@ -84,11 +85,24 @@ pub(super) fn horizontal_forces(
         let line = contacts.lines.get(pair).and_then(Option::as_ref);
         let earlier = before.iter().filter_map(|forces| forces.get(pair));
         let course = earlier.chain([&interface.force]).map(across);
-        horizontal_force(
+        let figure = horizontal_force(
             interface,
             line,
             (missed_travel, too_stiff, course.collect()),
-        )
+        );
+        let is_strip = line.is_some_and(|line| line.contact.is_some());
+        let field = state.contacts.get(pair).filter(|_| !is_strip);
+        let off = field.map_or(0.0, |field| scatter::of_tractions(scene, field, pair));
+        figure.map(|mut figure| {
+            let f: f64 = std::env::var("TURN")
+                .ok()
+                .and_then(|v| v.parse().ok())
+                .unwrap_or(0.5);
+            if let Some(error) = &mut figure.error.discretisation {
+                *error += f * off;
+            }
+            figure
+        })
     };
     let alone: Vec<_> = (contacts.interfaces.iter().enumerate())
         .map(of_pair)

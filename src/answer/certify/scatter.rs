@@ -6,6 +6,7 @@ use crate::ground::geometry::{Vec3, add, bounds, dot, norm, scale, sub, tangents
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
 use nalgebra::{DMatrix, DVector};
+use std::array::from_fn;
 use std::collections::BTreeSet;
 
 /// Nodes as far as this from a peak, in faces, say how smooth pressures are there,
@@ -98,28 +99,52 @@ fn around(scene: &Scene, field: &ContactField, pair: usize, top: usize) -> Vec<u
 
 /// By how much pressures differ from the mean of those beside them, in the mean over the area that presses.
 pub(super) fn mean(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let off = off_beside(scene, field, pair, |i| [field.pressure[i]]);
+    let pressing = (0..field.nodes.len()).filter(|i| field.pressure[*i] > 0.0);
+    let [sum, area] = pressing.fold([0.0; 2], |[sum, area], i| {
+        [sum + field.area[i] * off[i][0].abs(), area + field.area[i]]
+    });
+    if area > 0.0 { sum / area } else { 0.0 }
+}
+
+/// The force that by how much tractions differ from the mean of those beside them makes, whatever its directions.
+pub(super) fn of_tractions(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
+    let off = off_beside(scene, field, pair, |i| field.traction[i]);
+    let nodes = off.into_iter().zip(&field.area);
+    nodes.map(|(off, area)| norm(off) * area).sum()
+}
+
+/// What a value of every node of the carrier differs by from the mean of those at the other ends of its edges.
+fn off_beside<const N: usize>(
+    scene: &Scene,
+    field: &ContactField,
+    pair: usize,
+    value: impl Fn(usize) -> [f64; N],
+) -> Vec<[f64; N]> {
     let faces = scene.carrier(pair).into_iter().flat_map(|s| &s.faces);
     let edges: BTreeSet<[u32; 2]> = faces
         .flat_map(|f| [0, 1, 2, 3].map(|side| f.edge(side)))
         .collect();
-    let mut beside = vec![(0.0, 0.0); field.nodes.len()];
+    let mut beside = vec![([0.0; N], 0.0); field.nodes.len()];
     for ends in edges {
         if let [Ok(a), Ok(b)] = ends.map(|node| field.nodes.binary_search(&node)) {
             for (own, other) in [(a, b), (b, a)] {
-                let (sum, number) = beside[own];
-                beside[own] = (sum + field.pressure[other], number + 1.0);
+                let (sum, number) = &mut beside[own];
+                sum.iter_mut()
+                    .zip(value(other))
+                    .for_each(|(sum, v)| *sum += v);
+                *number += 1.0;
             }
         }
     }
-    let off = |i: usize| match beside[i] {
-        (sum, number) if number > 0.0 => (field.pressure[i] - sum / number).abs(),
-        _ => 0.0,
+    let off = |(i, (sum, number)): (usize, ([f64; N], f64))| {
+        let own = value(i);
+        from_fn(|k| match number > 0.0 {
+            true => own[k] - sum[k] / number,
+            false => 0.0,
+        })
     };
-    let pressing = (0..field.nodes.len()).filter(|i| field.pressure[*i] > 0.0);
-    let [sum, area] = pressing.fold([0.0; 2], |[sum, area], i| {
-        [sum + field.area[i] * off(i), area + field.area[i]]
-    });
-    if area > 0.0 { sum / area } else { 0.0 }
+    beside.into_iter().enumerate().map(off).collect()
 }
 
 #[cfg(test)]

@@ -4,11 +4,11 @@ use super::linings;
 use super::strip_below::StripBelow;
 use super::thin_walls::smooth_stress;
 use crate::answer::results::edges::SingularEdges;
-use crate::answer::results::hex::{GaussRule, centre};
+use crate::answer::results::hex::{GaussRule, centre, interpolate};
 use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::results::strain::strain;
-use crate::model::material::Steel;
+use crate::model::material::{Steel, mises};
 use crate::model::mesh::Body;
 use crate::model::scene::Scene;
 use crate::model::state::State;
@@ -54,14 +54,9 @@ pub fn missing_work(
         let beside = f64::from(u8::from(nodes.iter().any(|node| is_near[*node as usize])));
         std::array::from_fn(|point| {
             let stress = &state.stress[element][point];
-            let beyond = |nodal: &[[f64; 6]; 8]| {
-                let mut missing = stress.map(|s| -s);
-                for (weight, nodal) in rule.shape[point].iter().zip(nodal) {
-                    for (m, s) in missing.iter_mut().zip(nodal) {
-                        *m += weight * s;
-                    }
-                }
-                missing
+            let beyond = |nodal: &[[f64; 6]; 8]| -> [f64; 6] {
+                let smooth = interpolate(&rule.shape[point], nodal);
+                std::array::from_fn(|k| smooth[k] - stress[k])
             };
             let missing = beyond(&smooth);
             let error = density(&beyond(&averages), steel);
@@ -100,29 +95,53 @@ pub fn of_solution(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
     of_bodies.iter().map(|[energy]| energy).sum()
 }
 
-/// Share of the work of flow that no strip is above; zero where nothing has flowed.
-pub(super) fn flow_away(
+/// What steel does where it flows and no strip is above.
+#[derive(Debug, Clone, Default)]
+pub(super) struct FreeFlow {
+    /// Share of the work of all flow.
+    pub share: f64,
+    /// Work of what the smoother Mises stress is beyond the flow stress on the strain that steel hardens by meanwhile, body by body:
+    /// ∫ (σ* − σ_y)²/H dV over the modelled part, where it flows or would.
+    pub work_beyond: Vec<f64>,
+}
+
+/// Of a state.
+pub(super) fn free_flow(
     scene: &Scene,
     state: &State,
     recovered: &Recovered,
     strips: &[StripBelow<'_>],
-) -> f64 {
+) -> FreeFlow {
+    let rule = GaussRule::new();
     let of_bodies = integrals(scene, recovered, |steel, element| {
-        let at = centre(&scene.mesh.corners(element));
+        let corners = scene.mesh.corners(element);
+        let at = centre(&corners);
         let is_away = !strips.iter().any(|strip| strip.is_above(&at));
         let away = f64::from(u8::from(is_away));
-        state.peeq_of(element).map(|peeq| {
+        let smooth = recovered.points.cells[element].map(|p| recovered.nodal_stress[p as usize]);
+        let peeq = state.peeq_of(element);
+        std::array::from_fn(|point| {
+            let flow_stress = steel.flow_stress(peeq[point]);
             // Of what cannot flow the yield stress has no bound.
-            let work = match peeq > 0.0 {
-                true => 0.5 * peeq * (steel.yield_stress + steel.flow_stress(peeq)),
+            let work = match peeq[point] > 0.0 {
+                true => 0.5 * peeq[point] * (steel.yield_stress + flow_stress),
                 false => 0.0,
             };
-            [work, away * work]
+            let beyond = mises(&interpolate(&rule.shape[point], &smooth)) - flow_stress;
+            let hardens = steel.hardening_modulus > 0.0 && (peeq[point] > 0.0 || beyond > 0.0);
+            let work_beyond = match hardens {
+                true => away * beyond.powi(2) / steel.hardening_modulus,
+                false => 0.0,
+            };
+            [work, away * work, work_beyond]
         })
     });
     let sum = |part: usize| of_bodies.iter().map(|works| works[part]).sum::<f64>();
     let all = sum(0);
-    if all > 0.0 { sum(1) / all } else { 0.0 }
+    FreeFlow {
+        share: if all > 0.0 { sum(1) / all } else { 0.0 },
+        work_beyond: of_bodies.iter().map(|[.., work]| *work).collect(),
+    }
 }
 
 /// The integrals of densities that the points of an element have, by its steel and its number, over each body.

@@ -4,11 +4,11 @@ pub use crate::model::mesh::hexahedron::{
     CORNERS, GAUSS, shape, shape_derivatives as natural_gradients,
 };
 
-/// Sums nodal vectors weighted by nodal values, such as a position from shape functions.
-pub fn interpolate(weights: &[f64; 8], nodal: &[[f64; 3]; 8]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
+/// Sums nodal vectors, or tensors, weighted by nodal values, such as a position from shape functions.
+pub fn interpolate<const N: usize>(weights: &[f64; 8], nodal: &[[f64; N]; 8]) -> [f64; N] {
+    let mut sum = [0.0; N];
     for (w, v) in weights.iter().zip(nodal) {
-        for i in 0..3 {
+        for i in 0..N {
             sum[i] += w * v[i];
         }
     }
@@ -47,15 +47,7 @@ impl GaussRule {
 
     /// Values at the corners of the trilinear field through the integration points.
     pub fn extrapolate(&self, values: &[[f64; 6]; 8]) -> [[f64; 6]; 8] {
-        self.to_corners.map(|weights| {
-            let mut sum = [0.0; 6];
-            for (w, value) in weights.iter().zip(values) {
-                for (s, v) in sum.iter_mut().zip(value) {
-                    *s += w * v;
-                }
-            }
-            sum
-        })
+        self.to_corners.map(|weights| interpolate(&weights, values))
     }
 }
 

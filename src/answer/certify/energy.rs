@@ -95,6 +95,9 @@ pub fn of_solution(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
     of_bodies.iter().map(|[energy]| energy).sum()
 }
 
+/// Mises stress over the flow stress from which on steel flows.
+const FLOWS: f64 = 1.0 - 1e-6;
+
 /// What steel does where it flows and no strip is above.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FreeFlow {
@@ -128,7 +131,8 @@ pub(super) fn free_flow(
                 false => 0.0,
             };
             let beyond = mises(&interpolate(&rule.shape[point], &smooth)) - flow_stress;
-            let hardens = steel.hardening_modulus > 0.0 && (peeq[point] > 0.0 || beyond > 0.0);
+            let flows = mises(&state.stress[element][point]) > FLOWS * flow_stress;
+            let hardens = steel.hardening_modulus > 0.0 && (flows || beyond > 0.0);
             let work_beyond = match hardens {
                 true => away * beyond.powi(2) / steel.hardening_modulus,
                 false => 0.0,

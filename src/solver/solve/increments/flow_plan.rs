@@ -48,7 +48,11 @@ impl Growth {
 /// all where nothing flows.
 pub fn flow_ends(growth: &[Growth], largest: f64) -> Vec<f64> {
     let flowing: Vec<_> = growth.iter().filter(|g| g.share > 1.0).collect();
-    let excess = |time: f64| flowing.iter().map(|g| g.excess(time)).sum::<f64>();
+    equal_shares(|time| flowing.iter().map(|g| g.excess(time)).sum(), largest)
+}
+
+/// The same by what exceeds yield at a time from 0 to 1, where it has begun never less than before.
+pub fn equal_shares(excess: impl Fn(f64) -> f64, largest: f64) -> Vec<f64> {
     let all = excess(1.0);
     let when = |share: f64| {
         let (mut before, mut after) = (0.0, 1.0);

@@ -22,4 +22,5 @@ pub mod size;
 pub mod solution;
 pub mod solve;
 pub mod steps;
+pub mod turning_flow;
 pub mod unloading;

@@ -97,6 +97,11 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
+                    if self.divide_turning_flow((&trial, &u), &evaluation) {
+                        self.counters.effort.unforeseen += iterations;
+                        self.size = target - time;
+                        continue;
+                    }
                     self.accept((trial, u), &evaluation, target >= 1.0)?;
                     (self.asked, self.held_back) = (false, false);
                     time = target;

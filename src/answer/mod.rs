@@ -30,13 +30,14 @@ pub use named::{Named, Three};
 pub use patch::PatchFigures;
 pub use plane::PlaneFigures;
 pub use solved::Solved;
+use steps::StepEnd;
 pub use steps::{StepFigures, StepInterface};
 pub use tie::TieFigures;
 pub use unloaded::{DentFigures, Unloaded};
 
 use crate::ground::geometry::{add, sub};
-use crate::model::state::{Energy, Misfit};
-use certify::{Contacts, Evidence, Figure, Quantity, Travel, certify, figure, unresolved};
+use crate::model::state::{Energy, Misfit, State};
+use certify::{Contacts, Earlier, Evidence, Figure, Quantity, Travel, certify, figure, unresolved};
 use results::bore::{BoreStress, bore_stress};
 use results::edges::SingularEdges;
 use results::hertz::HeaviestLine;
@@ -136,18 +137,17 @@ impl Answer {
             lines: &lines,
         };
         let travel = Travel::of(scene, state, solved.recovered, (contacts, &edges));
-        let steps = steps::steps(solved, &peaks, travel);
-        let earlier = solved.steps.iter().zip(&steps);
-        let earlier = earlier.filter(|(other, _)| other.step < state.step);
-        let forces_before: Vec<Vec<[f64; 3]>> = earlier
-            .map(|(_, step)| step.interfaces.0.iter().map(|(_, i)| i.force).collect())
-            .collect();
+        let ends = steps::steps(solved, &peaks, travel);
+        let is_earlier = |(other, _): &(&State, &StepEnd)| other.step < state.step;
+        let earlier = solved.steps.iter().zip(&ends).filter(is_earlier);
+        let earlier: Vec<Earlier> = earlier.map(|(_, end)| end.as_earlier()).collect();
+        let travel = travel.map(|travel| travel.after(&earlier));
         let doubled = doubled(solved);
         let certificate = certify(&Evidence {
             scene,
             state,
             recovered: solved.recovered,
-            forces_before: &forces_before,
+            earlier: &earlier,
             travel,
             peaks: &peaks,
             interfaces: &measured,
@@ -162,6 +162,7 @@ impl Answer {
         let load = load::applied(scene, state);
         let descent = travel.map(|travel| travel.value());
         let step = scene.steps.get(state.step);
+        let steps: Vec<StepFigures> = ends.into_iter().map(|end| end.figures).collect();
         let rollers = bores
             .iter()
             .map(|(body, stress)| (body.clone(), stress.into()));

@@ -3,7 +3,7 @@
 use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
 use super::plane::{PlaneFigures, planes};
-use crate::answer::certify::{Contacts, Travel};
+use crate::answer::certify::{Contacts, Earlier, Travel};
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{StatusCounts, interfaces};
@@ -64,12 +64,27 @@ impl StepFigures {
     }
 }
 
+/// The end of a step, and what the bars of later ones need of it.
+pub struct StepEnd {
+    pub figures: StepFigures,
+    pub travel: Option<Travel>,
+    pub peaks: Vec<BodyPeaks>,
+}
+
+impl StepEnd {
+    /// For what comes after it.
+    pub fn as_earlier(&self) -> Earlier<'_> {
+        let interfaces = self.figures.interfaces.0.iter();
+        Earlier {
+            forces: interfaces.map(|(_, i)| i.force).collect(),
+            travel: self.travel,
+            peaks: &self.peaks,
+        }
+    }
+}
+
 /// One entry for the end of each step that is done, in their order.
-pub fn steps(
-    solved: &AnswerInputs,
-    peaks: &[BodyPeaks],
-    travel: Option<Travel>,
-) -> Vec<StepFigures> {
+pub fn steps(solved: &AnswerInputs, peaks: &[BodyPeaks], travel: Option<Travel>) -> Vec<StepEnd> {
     let one = |state: &State| {
         let reported = state.step == solved.state.step && state.time == solved.state.time;
         step(solved, state, reported.then_some((peaks, travel)))
@@ -82,7 +97,7 @@ fn step(
     solved: &AnswerInputs,
     state: &State,
     reported: Option<(&[BodyPeaks], Option<Travel>)>,
-) -> StepFigures {
+) -> StepEnd {
     let scene = solved.scene;
     let measured = interfaces(scene, state);
     let (bodies, travel) = match reported {
@@ -121,7 +136,7 @@ fn step(
         (i.name, summary)
     });
     let name = scene.steps.get(state.step).map(|step| step.name.clone());
-    StepFigures {
+    let figures = StepFigures {
         name: name.unwrap_or_default(),
         factors: Named(names.map(factor).collect()),
         force: load::resultant(scene, state),
@@ -136,5 +151,10 @@ fn step(
         interfaces: Named(interfaces.collect()),
         planes: planes(scene, state),
         reported: reported.is_some(),
+    };
+    StepEnd {
+        figures,
+        travel,
+        peaks: bodies.into_owned(),
     }
 }

@@ -1,5 +1,6 @@
 //! The travel of what is loaded, and how much of it the mesh misses.
 
+use super::Earlier;
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::flow_shares::FlowShares;
 use super::line::turned_by_place;
@@ -89,6 +90,8 @@ struct MissedByMesh {
     /// Is it known to be missing, and not too much? A load on its way up, on bodies that are not warmed, moves too little.
     is_less: bool,
     flow: FlowShares,
+    /// What is wrong with flow of earlier steps, and stays.
+    stays: f64,
 }
 
 impl Travel {
@@ -137,10 +140,34 @@ impl Travel {
                         .abs(),
                 at_ends: (forced * at_ends / applied(scene, state)).abs(),
                 flow: FlowShares::of(scene, state, recovered, contacts),
+                stays: 0.0,
                 is_less: scene.temperatures.is_empty() && !scene.unloads(state.step),
             }
         });
         Some(Self { of_mesh, missing })
+    }
+
+    /// After others, at the ends of earlier steps: of the error of what has flowed by then nothing goes back as loads do.
+    pub fn after(mut self, earlier: &[Earlier]) -> Self {
+        if let Some(missing) = &mut self.missing {
+            let of_flow = |end: &Earlier| {
+                let travel = end.travel?;
+                let flow = travel.missing?.flow;
+                Some((flow.below_strips + flow.away) * travel.error()?)
+            };
+            missing.stays = earlier.iter().filter_map(of_flow).fold(0.0, f64::max);
+        }
+        self
+    }
+
+    /// By which share stresses are off, in the mean: the root of the energy of the error. All of them where nothing is known, none where the
+    /// travel is prescribed.
+    pub(super) fn stress_off(&self) -> f64 {
+        if self.missing.is_none() {
+            return 0.0;
+        }
+        let share = |missing: MissedByMesh| (missing.estimate / self.of_mesh).abs().sqrt();
+        self.known().map_or(1.0, share)
     }
 
     /// With what the mesh is likely to miss, where that is known.
@@ -171,6 +198,7 @@ impl Travel {
                 + begins.hypot(SPREAD * estimate)
                 + ends
                 + beyond
+                + missing.stays
                 + missing.perhaps.abs()
         })
     }
@@ -435,6 +463,7 @@ mod tests {
                 perhaps: 0.01,
                 is_less,
                 flow: FlowShares::default(),
+                stays: 0.0,
             }),
         };
         let loaded = travel(0.1, true);

@@ -33,6 +33,7 @@ use crate::answer::results::interface::Interface;
 use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
+use crate::ground::geometry::Vec3;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
 use below_patches::BelowPatches;
@@ -44,6 +45,17 @@ pub use descent::{Contacts, Travel};
 pub use figure::{Errors, Figure, Quantity, figure, is_replaced, unresolved};
 pub use increments::{DOUBLING, WITHOUT_INCREMENTS};
 
+/// The end of a step before the one that is certified.
+#[derive(Debug, Clone)]
+pub struct Earlier<'a> {
+    /// Forces of every contact pair, in their order.
+    pub forces: Vec<Vec3>,
+    /// Of what is loaded.
+    pub travel: Option<Travel>,
+    /// Peaks of every body, in their order.
+    pub peaks: &'a [BodyPeaks],
+}
+
 /// What is certified.
 #[derive(Debug, Clone, Copy)]
 pub struct Evidence<'a> {
@@ -53,8 +65,8 @@ pub struct Evidence<'a> {
     pub state: &'a State,
     /// Stresses at nodes and in elements of that state.
     pub recovered: &'a Recovered,
-    /// Forces of every contact pair, in their order, at the ends of the steps before.
-    pub forces_before: &'a [Vec<[f64; 3]>],
+    /// The ends of the steps before.
+    pub earlier: &'a [Earlier<'a>],
     /// Of what is loaded, in that state.
     pub travel: Option<Travel>,
     /// Peaks of every body and scalars of every contact pair, in their orders.
@@ -107,7 +119,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let mut claims: Vec<Figure> = evidence.travel.map(descent::claim).into_iter().collect();
     claims.extend(other::bores(evidence.bores));
     let missed_travel = evidence.travel.and_then(|travel| travel.error());
-    let before = if moved { evidence.forces_before } else { &[] };
+    let before = if moved { evidence.earlier } else { &[] };
     let horizontal = other::horizontal_forces(
         (scene, evidence.state),
         contacts,
@@ -164,7 +176,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let patches = BelowPatches::new((scene, state), interfaces, &touches, &claims);
     let elastic = (evidence.elastic, evidence.elastic_claims);
     let below = (strips.as_slice(), &patches, travel_off);
-    let flowing = mises::claims(peaks, elastic, below);
+    let flowing = mises::claims((peaks, evidence.earlier), elastic, below);
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
     let memory = Memory {

@@ -1,5 +1,6 @@
 //! Bores, horizontal forces, eccentricities and dents.
 
+use super::Earlier;
 use super::descent::Contacts;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use super::line::turned_by_place;
@@ -80,7 +81,7 @@ const OF_TURNS: f64 = 0.5;
 pub(super) fn horizontal_forces(
     (scene, state): (&Scene, &State),
     contacts: Contacts,
-    (missed_travel, too_stiff, before): (Option<f64>, f64, &[Vec<Vec3>]),
+    (missed_travel, too_stiff, before): (Option<f64>, f64, &[Earlier]),
 ) -> Vec<Option<Figure>> {
     /// Of the force along the load, how far forces differ that are the same.
     const SAME: f64 = 1e-6;
@@ -88,7 +89,7 @@ pub(super) fn horizontal_forces(
     let across = |force: &Vec3| part_across(along, *force);
     let of_pair = |(pair, interface): (usize, &Interface)| {
         let line = contacts.lines.get(pair).and_then(Option::as_ref);
-        let earlier = before.iter().filter_map(|forces| forces.get(pair));
+        let earlier = before.iter().filter_map(|end| end.forces.get(pair));
         let course = earlier.chain([&interface.force]).map(across);
         let is_strip = line.is_some_and(|line| line.contact.is_some());
         let field = state.contacts.get(pair).filter(|_| !is_strip);

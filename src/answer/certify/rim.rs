@@ -4,13 +4,58 @@ use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub};
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Area of the nodes in contact next to one that is not, and of those, modelled part.
+/// Share of the largest pressure beside it below which the pressure of a node at the border of its surface is that of a rim within
+/// its row: where contact goes on to the border pressures rise there, or stay.
+const WITHIN: f64 = 0.5;
+
+/// Area of the nodes in contact next to one that is not, and of those, and of nodes in contact at the border of the surface that
+/// the rim lies [within](WITHIN), modelled part.
 pub(super) fn area(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
-    let rim: BTreeSet<u32> = sides(scene, field, pair).into_iter().flatten().collect();
+    let mut rim: BTreeSet<u32> = sides(scene, field, pair).into_iter().flatten().collect();
+    rim.extend(within_last_row(scene, field, pair));
     let index = |node: &u32| field.nodes.binary_search(node).ok();
     (rim.iter().filter_map(index)).map(|i| field.area[i]).sum()
+}
+
+/// The nodes in contact at the border of the carrier that press less than those beside them.
+fn within_last_row(scene: &Scene, field: &ContactField, pair: usize) -> Vec<u32> {
+    let faces = scene.carrier(pair).into_iter().flat_map(|s| &s.faces);
+    let mut sides: BTreeMap<[u32; 2], usize> = BTreeMap::new();
+    for side in faces.flat_map(|face| [0, 1, 2, 3].map(|side| face.edge(side))) {
+        *sides.entry(side).or_default() += 1;
+    }
+    let at = |node: u32| &scene.mesh.points[node as usize];
+    // On a mirror plane the surface goes on.
+    let is_cut = |[a, b]: [u32; 2]| {
+        let mut mirrors = scene.mirrors_through(at(a));
+        mirrors.any(|axis| scene.mirrors_through(at(b)).any(|other| other == axis))
+    };
+    let ends = sides
+        .iter()
+        .filter(|(side, times)| **times == 1 && !is_cut(**side));
+    let border: BTreeSet<u32> = ends.flat_map(|(side, _)| *side).collect();
+    let pressure = |node: u32| {
+        let index = field.nodes.binary_search(&node).ok()?;
+        field.is_active(index).then(|| field.pressure[index])
+    };
+    let mut beside: BTreeMap<u32, f64> = BTreeMap::new();
+    for [a, b] in sides.keys() {
+        for (own, other) in [(*a, *b), (*b, *a)] {
+            if let Some(other) = pressure(other).filter(|_| border.contains(&own)) {
+                let most = beside.entry(own).or_default();
+                *most = most.max(other);
+            }
+        }
+    }
+    let is_low =
+        |(node, beside): &(u32, f64)| pressure(*node).is_some_and(|own| own < WITHIN * beside);
+    beside
+        .into_iter()
+        .filter(is_low)
+        .map(|(node, _)| node)
+        .collect()
 }
 
 /// The rim of a patch as its largest pressure sees it.

@@ -28,9 +28,8 @@ struct Flowing {
     after: [[f64; 6]; 8],
     /// What they flow at.
     flow_stress: [f64; 8],
-    /// Plastic strain that they gain, and what they have by then.
+    /// Plastic strain that they gain.
     gains: [f64; 8],
-    strains: [f64; 8],
 }
 
 impl Flowing {
@@ -39,11 +38,6 @@ impl Flowing {
         let shares =
             (0..8).map(|k| mises(&between(&self.before[k], &end[k], share)) / self.flow_stress[k]);
         self.volume * (shares.fold(0.0, f64::max) - 1.0).max(0.0)
-    }
-
-    /// Plastic strain by the end, times the volume.
-    fn strain(&self) -> f64 {
-        self.volume / 8.0 * self.strains.iter().sum::<f64>()
     }
 
     /// Plastic strain in a direction that the increment does not have from where it begins to flow, but at its end, times the volume: half of what it
@@ -100,8 +94,7 @@ impl Run<'_, '_> {
         }
         let flowing = self.flowing((trial, u), evaluation);
         let turned: f64 = flowing.iter().map(Flowing::turned).sum();
-        let all: f64 = flowing.iter().map(Flowing::strain).sum();
-        if turned <= TURNED_FLOW * all {
+        if turned <= TURNED_FLOW * self.plastic_strain(evaluation) {
             return false;
         }
         let mut ends = self.shares_of_flow(&flowing, [from, trial.time]);
@@ -121,6 +114,19 @@ impl Run<'_, '_> {
             ends,
         });
         true
+    }
+
+    /// All plastic strain, times the volume.
+    fn plastic_strain(&self, evaluation: &Evaluation) -> f64 {
+        let watched = evaluation.plastic.iter();
+        let watched = watched.map(|answer| (self.model.yielding[answer.index], &*answer.points));
+        let settled = self.history.settled.elements.iter();
+        let all = watched.chain(settled.map(|(element, points)| (*element, points)));
+        let strain = |(element, points): (u32, &[PlasticPoint; 8])| {
+            let volume = volume(&self.model.scene.mesh.corners(element as usize));
+            volume / 8.0 * points.iter().map(|point| point.peeq).sum::<f64>()
+        };
+        all.map(strain).sum()
     }
 
     /// Times within an increment at which it has done equal shares of its flow: as if strain grew evenly, and as if stress did. The truth is
@@ -169,7 +175,6 @@ impl Run<'_, '_> {
                 after: stress(u, *answer.points, moments[1]),
                 flow_stress: points.map(|point| steel.flow_stress(point.peeq)),
                 gains: from_fn(|k| answer.points[k].peeq - points[k].peeq),
-                strains: from_fn(|k| answer.points[k].peeq),
             }
         };
         flows.map(of_element).collect()

@@ -1,6 +1,7 @@
 //! The travel of what is loaded, and how much of it the mesh misses.
 
 use super::Earlier;
+use super::facets;
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::flow_shares::FlowShares;
 use super::line::turned_by_place;
@@ -123,6 +124,10 @@ impl Travel {
             let unlike_strips = errors.filter(|(body, _)| !contacts.is_below_strip(scene, *body));
             let unlike_strips = unlike_strips.map(|(_, error)| error).sum::<f64>() * copies(scene);
             let at_ends = held_ends::unseen_energy(scene, state, recovered, &outer) * copies(scene);
+            let facets = facets::off(scene, contacts);
+            let of_facets = energy::of_bodies(scene, state, recovered).into_iter();
+            let of_facets = of_facets.zip(&facets).map(|(energy, off)| energy * off);
+            let of_facets = of_facets.sum::<f64>() * copies(scene);
             let beside_edges = AT_EDGES * by_mesh.beside_edges * copies(scene);
             let at_touch = |part: usize| {
                 contacts.work_below_strips(scene, |line, hertz, _| {
@@ -136,8 +141,9 @@ impl Travel {
                 estimate: forced * seen + of_load * (below_strips + elsewhere),
                 perhaps: contacts.rolls(scene)
                     + of_load * at_touch(1).abs()
-                    + (forced * (OF_ERROR * unlike_strips + beside_edges) / applied(scene, state))
-                        .abs(),
+                    + (forced * (OF_ERROR * unlike_strips + beside_edges + of_facets)
+                        / applied(scene, state))
+                    .abs(),
                 at_ends: (forced * at_ends / applied(scene, state)).abs(),
                 flow: FlowShares::of(scene, state, recovered, contacts),
                 stays: 0.0,

@@ -89,10 +89,15 @@ pub fn missing_work(
 
 /// The same of the stress itself, ∫ σ : C⁻¹ : σ dV. Twice a strain energy, as ∫ σ : ε is.
 pub fn of_solution(scene: &Scene, state: &State, recovered: &Recovered) -> f64 {
+    of_bodies(scene, state, recovered).iter().sum()
+}
+
+/// That of each body.
+pub(super) fn of_bodies(scene: &Scene, state: &State, recovered: &Recovered) -> Vec<f64> {
     let of_bodies = integrals(scene, recovered, |steel, element| {
         state.stress[element].map(|stress| [density(&stress, steel)])
     });
-    of_bodies.iter().map(|[energy]| energy).sum()
+    of_bodies.into_iter().map(|[energy]| energy).collect()
 }
 
 /// Mises stress over the flow stress from which on steel flows.

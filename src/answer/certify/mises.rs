@@ -97,7 +97,7 @@ const BESIDE: f64 = 0.5;
 pub(super) fn claims(
     (own, earlier): (&[BodyPeaks], &[Earlier]),
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
-    (strips, below, travel_off): (&[StripBelow<'_>], &BelowPatches, f64),
+    (strips, below, facets, travel_off): (&[StripBelow<'_>], &BelowPatches, &[f64], f64),
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
@@ -105,7 +105,11 @@ pub(super) fn claims(
         let mises = |peaks: &BodyPeaks, names| {
             let strips = strips.iter().filter(|strip| strip.body == index);
             let strips = strips.collect::<Vec<_>>();
-            mises((index, peaks), names, (&strips, below, travel_off))
+            mises(
+                (index, peaks),
+                names,
+                (&strips, below, facets[index], travel_off),
+            )
         };
         let names = [Quantity::PeakMises, Quantity::MisesAway];
         if !yielded {
@@ -113,7 +117,8 @@ pub(super) fn claims(
             continue;
         }
         // The half space is elastic.
-        let mut peaks = self::mises((index, body), names, (&[], &BelowPatches::default(), 0.0));
+        let nothing = (&[][..], &BelowPatches::default(), facets[index], 0.0);
+        let mut peaks = self::mises((index, body), names, nothing);
         let left = earlier.iter().map(|end| left_of(end, (index, body)));
         let left = left.fold(0.0, f64::max);
         for claim in &mut peaks {
@@ -196,7 +201,7 @@ fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
 fn mises(
     (index, body): (usize, &BodyPeaks),
     [peak, away]: [Quantity; 2],
-    (strips, below, travel_off): (&[&StripBelow<'_>], &BelowPatches, f64),
+    (strips, below, facets, travel_off): (&[&StripBelow<'_>], &BelowPatches, f64, f64),
 ) -> Vec<Figure> {
     let Some((nodal, centroid)) = body.nodal.zip(body.centroid) else {
         return Vec::new();
@@ -273,6 +278,7 @@ fn mises(
                 (Some(by_mesh.max(of_pressure * nodal.value)), None)
             }
         };
+        let error = error.map(|error| error + facets * value);
         // A peak elsewhere, as on a bore, is the largest only if it is above what the mesh does not show.
         let may_hide = |most: f64| {
             let larger = |strip: &&StripBelow| strip.mises.is_some_and(|mises| mises > most);

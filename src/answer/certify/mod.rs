@@ -9,6 +9,7 @@ mod below_patches;
 mod contact;
 mod descent;
 pub mod energy;
+mod facets;
 mod fall;
 mod figure;
 mod flow_shares;
@@ -175,7 +176,8 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let strips = StripBelow::all(scene, evidence.lines);
     let patches = BelowPatches::new((scene, state), interfaces, &touches, &claims);
     let elastic = (evidence.elastic, evidence.elastic_claims);
-    let below = (strips.as_slice(), &patches, travel_off);
+    let facets = facets::off(scene, contacts);
+    let below = (strips.as_slice(), &patches, &facets[..], travel_off);
     let flowing = mises::claims((peaks, evidence.earlier), elastic, below);
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);

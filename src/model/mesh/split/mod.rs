@@ -10,6 +10,7 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 pub use nodes::Directions;
+pub use smooth::volume_beyond_facets;
 pub use some::Refined;
 
 /// Why a mesh cannot be split.

@@ -6,7 +6,8 @@
 //! the turns there say: each takes the share of the turn that its length is of both, all of it beside a plane. On a circle
 //! the middle of that arc lies on the circle.
 
-use crate::ground::geometry::{Vec3, add, dot, scale, sub, unit};
+use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub, unit};
+use crate::model::mesh::hexahedron::volume;
 use crate::model::mesh::surface::sorted;
 use crate::model::mesh::{Face, Mesh};
 use std::collections::{HashMap, HashSet};
@@ -70,6 +71,20 @@ pub(super) fn bulges(mesh: &Mesh, flat: &HashSet<[u32; 4]>) -> HashMap<[u32; 2],
         }
     }
     bulges
+}
+
+/// Volume between the smooth surface of a body and its facets over that of the body: positive where facets cut off more than
+/// they add.
+pub fn volume_beyond_facets(mesh: &Mesh, body: usize) -> f64 {
+    let skin = Skin::new(mesh, body);
+    // Over a facet the surface is the sum of a parabola each way.
+    let over = |(index, face): (usize, &Face)| {
+        let bulges = (0..4).filter_map(|side| skin.bulge(index, side));
+        norm(face.area_vector(mesh)) / 3.0 * bulges.sum::<f64>()
+    };
+    let elements = mesh.bodies[body].elements.clone();
+    let whole: f64 = elements.map(|element| volume(&mesh.corners(element))).sum();
+    skin.faces.iter().enumerate().map(over).sum::<f64>() / whole
 }
 
 impl<'m> Skin<'m> {
@@ -204,6 +219,19 @@ mod tests {
                 .fold(f64::INFINITY, f64::min)
         });
         off.fold(0.0, f64::max)
+    }
+
+    /// A ring of chords of the angle a has sin(a)/a of the section of the round one.
+    #[test]
+    fn the_volume_beyond_facets_is_that_of_the_round_body() {
+        let parts = 12;
+        let ring = |[a, r, z]: [f64; 3]| [r * a.cos(), r * a.sin(), z];
+        let angles = uniform(0.0, FRAC_PI_2, parts);
+        let block = Block::new("ring", angles, uniform(1.0, 2.0, 2), uniform(0.0, 1.0, 1));
+        let mesh = block.mapped(ring).build().unwrap();
+        let angle = FRAC_PI_2 / parts as f64;
+        let (found, wanted) = (volume_beyond_facets(&mesh, 0), angle / angle.sin() - 1.0);
+        assert!((found / wanted - 1.0).abs() < 0.02, "{found} {wanted}");
     }
 
     #[test]

@@ -41,6 +41,9 @@ DefineConstant[
   EndRadius = {0, Name "Mesh/Radius of rounded ends"}
   // A line of nodes at that distance from sharp ends that carry, and from where a fillet begins; 0: none.
   EdgeReach = {0, Name "Mesh/Reach of the stress of loaded ends"}
+  // Half of the length of plates that end on the straight part of a roller, and of longer ones on the other roller; 0: none.
+  PlateEdge = {0, Name "Mesh/Edge of short plates"}
+  PlateEdgeFar = {0, Name "Mesh/Edge of short plates, the longer ones"}
   // Largest ratio of neighbouring elements: across the lines, into the depth, along the rollers.
   Growth = {2, Name "Mesh/Growth across"}
   DepthGrowth = {2, Name "Mesh/Growth into the depth"}
@@ -238,8 +241,25 @@ sp_at[] = {};
 sp_size[] = {};
 sp_fine[] = {};
 sp_least[] = {};
+// Where plates end on a roller their edges press, and not its ends.
+Ends = (PlateEdge == 0);
+If (!Ends)
+  en_radius = 0;
+EndIf
 If (Whole)
-  en_at = -RollerLength / 2;
+  If (!Ends)
+    sp_at[] += -RollerLength / 2;
+    sp_size[] += sp_any;
+    sp_fine[] += 1;
+    sp_least[] += 1;
+    If (PlateEdgeFar > 0)
+      sp_at[] += -PlateEdgeFar;
+      sp_size[] += EndSize;
+      sp_fine[] += 1;
+      sp_least[] += 1;
+    EndIf
+  EndIf
+  en_at = Ends ? -RollerLength / 2 : -PlateEdge;
   Call End;
   sp_least[] += Least;
 EndIf
@@ -247,8 +267,20 @@ sp_at[] += Uniform ? 0 : Offset;
 sp_size[] += CrossingSize;
 sp_fine[] += 1;
 sp_least[] += Least;
-en_at = RollerLength / 2;
+en_at = Ends ? RollerLength / 2 : PlateEdge;
 Call End;
+If (!Ends)
+  If (PlateEdgeFar > 0)
+    sp_at[] += PlateEdgeFar;
+    sp_size[] += EndSize;
+    sp_fine[] += 1;
+    sp_least[] += 1;
+  EndIf
+  sp_at[] += RollerLength / 2;
+  sp_size[] += sp_any;
+  sp_fine[] += 1;
+  sp_least[] += 1;
+EndIf
 Call Spacing;
 ro_c[] = sp_node[];
 

@@ -79,6 +79,9 @@ fn mises(summary: &Summary) -> Vec<Utilisation> {
     all
 }
 
+/// Of the radius, what a place is off the middle by rounding.
+const ROUNDING: f64 = 1e-9;
+
 fn lines(summary: &Summary) -> Vec<Utilisation> {
     let Some(sizing) = &summary.sizing else {
         return Vec::new();
@@ -86,7 +89,9 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
     let mut all = Vec::new();
     for line in &sizing.lines {
         let Some(limit) = line.limit else { continue };
-        let (at, unit) = (significant(line.across, 3), &summary.units.length);
+        // In the middle but for rounding.
+        let across = if line.across.abs() > ROUNDING * line.relative_radius { line.across } else { 0.0 };
+        let (at, unit) = (significant(across, 3), &summary.units.length);
         all.push(Utilisation {
             what: "Hertz p0 under the largest line load".to_string(),
             place: format!("{}, line at {at} {unit}", line.interface),

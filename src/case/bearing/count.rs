@@ -74,7 +74,11 @@ impl Count<'_> {
 
         let least = if centred { sizes.along_least } else { 1.0 };
         let grading = self.grading(sizes.along_growth, sizes.along_cap, least);
-        let along = self.along_roller(&grading, 0.5 * geometry.roller.length, None);
+        let half = 0.5 * geometry.roller.length;
+        let along = match geometry.plate_edges().first() {
+            Some(edge) => self.along_roller(&grading, *edge, Some(half)),
+            None => self.along_roller(&grading, half, None),
+        };
 
         // Each side of the core of a solid roller has a quarter of the elements of a turn.
         let core = match (geometry.roller.wall, self.whole) {

@@ -49,6 +49,8 @@ impl BearingGeometry {
             },
             sharing: 1,
             determinate: self.is_centred(),
+            bears: self.roller.straight().min(self.plan[axis]),
+            ends_at: self.roller.ends_on(self.plan[axis]),
             overhang: (0.5 * (self.plan[axis] - self.roller.length)).max(0.0),
             plate_thickness: match plate {
                 "upper_plate" => self.upper_thickness,
@@ -58,14 +60,28 @@ impl BearingGeometry {
         }
     }
 
-    /// The ends of displaced rollers carry. `uniform` meshes have no planes there.
+    /// Where plates end on the straight part of a roller, from its middle, ascending.
+    pub(super) fn plate_edges(&self) -> Vec<f64> {
+        let [near, far] = [f64::min, f64::max].map(|of| 0.5 * of(self.plan[0], self.plan[1]));
+        let is_apart = far > near * (1.0 + 1e-9);
+        let edges = [Some(near), Some(far).filter(|_| is_apart)].into_iter().flatten();
+        let straight = 0.5 * self.roller.straight() * (1.0 - 1e-9);
+        edges.filter(|edge| *edge < straight).collect()
+    }
+
+    /// The ends of displaced rollers carry, and the edges of plates that are shorter. `uniform` meshes have no planes there.
     pub(super) fn end_zone(&self, uniform: bool) -> EndZone {
         if uniform {
             return EndZone::default();
         }
-        let room = 0.5 * self.roller.length - self.v_line();
         let faces = [self.plan[0].max(self.plan[1])];
-        EndZone::new(&self.roller, faces, (!self.is_centred(), room))
+        let zone = |end: f64, carry: bool| {
+            EndZone::new(&self.roller, faces, (carry, end - self.v_line()))
+        };
+        match self.plate_edges().first() {
+            Some(edge) => zone(*edge, true).sharp(),
+            None => zone(0.5 * self.roller.length, !self.is_centred()),
+        }
     }
 }
 
@@ -161,6 +177,8 @@ impl Layout for BearingGeometry {
             Parameter::number("Uniform", flag(uniform)),
         ];
         parameters.extend(self.end_zone(uniform).parameters());
+        let edges = ["PlateEdge", "PlateEdgeFar"].into_iter().zip(self.plate_edges());
+        parameters.extend(edges.map(|(name, edge)| Parameter::length(name, edge)));
         parameters
     }
 

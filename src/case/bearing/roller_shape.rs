@@ -28,6 +28,21 @@ impl RollerShape {
         self.wall.map_or(0.0, |wall| self.radius() - wall)
     }
 
+    /// Length of its straight part, which bears: without rounded ends.
+    pub fn straight(&self) -> f64 {
+        self.length - 2.0 * self.end.radius().unwrap_or(0.0)
+    }
+
+    /// Where it ceases to face a plate of the length `plate`, from the middle: at its end, or at that of a plate that is shorter than its straight
+    /// part.
+    pub fn ends_on(&self, plate: f64) -> f64 {
+        0.5 * if plate < self.straight() {
+            plate
+        } else {
+            self.length
+        }
+    }
+
     /// Area of its cross-section.
     pub fn cross_section(&self) -> f64 {
         PI * (self.radius().powi(2) - self.bore_radius().powi(2))

@@ -30,6 +30,10 @@ pub struct Seat {
     pub sharing: usize,
     /// Do statics say what share of the load a line has?
     pub determinate: bool,
+    /// Length over which the straight part of the roller and the plate face each other.
+    pub bears: f64,
+    /// Where they cease to, from the middle: at an end of the roller, or of a plate that is shorter than its straight part.
+    pub ends_at: f64,
     /// By how much the plate stands out beyond each end of the roller; 0 where it does not.
     pub overhang: f64,
     /// Thickness of the plate below the line.

@@ -100,7 +100,7 @@ impl ByHand<'_> {
             return None;
         }
         let load = self.answer.applied_load;
-        let length = bearing_length(geometry);
+        let length = bearing_length(seat, geometry.offset());
         let bears = match geometry.offset() {
             0.0 => "L'",
             _ => "(L' - 2 D_r)",

@@ -6,7 +6,7 @@
 use crate::analytic::rules::{RuleInput, RuleSteel};
 use crate::analytic::sizing::effective_length;
 use crate::answer::{InterfaceFigures, LineFigures};
-use crate::case::bearing::{Dimensions, Seat};
+use crate::case::bearing::Seat;
 use crate::case::{BearingCase, Case, CaseError, Kind, Steels};
 use crate::ground::geometry::{dot, range};
 use crate::ground::units::UnitSystem;
@@ -79,13 +79,14 @@ fn of_bearing(
             mating_diameter: (seat.curvature != 0.0).then(|| -2.0 / seat.curvature),
             ..RuleInput::new(units, g.diameter(), g.length(), sides)
         },
-        effective: bearing_length(g),
+        effective: bearing_length(seat, g.offset()),
     })
 }
 
-/// The length over which a displaced roller bears, (2-51); all of it where, displaced by more than half, that leaves none.
-pub fn bearing_length(geometry: &Dimensions) -> f64 {
-    effective_length(geometry.length(), geometry.offset()).unwrap_or(geometry.length())
+/// The length over which a roller displaced by `offset` bears on its seat, (2-51); all of what faces the plate where, displaced by more than half of
+/// that, none is left.
+pub fn bearing_length(seat: &Seat, offset: f64) -> f64 {
+    effective_length(seat.bears, offset).unwrap_or(seat.bears)
 }
 
 fn steel(steels: &Steels, body: &str) -> Result<RuleSteel, CaseError> {

@@ -52,9 +52,9 @@ fn sized(case: &Case, scene: &Scene, answer: &Answer) -> Result<Sizing, DomainEr
                     let Some(seat) = bearing.seat(name) else {
                         continue;
                     };
-                    let g = &bearing.geometry;
-                    let from_end = (0.5 * g.length() - line.peak_at.abs()).max(0.0);
-                    (seat.radius, [bearing_length(g), from_end])
+                    let from_end = (seat.ends_at - line.peak_at.abs()).max(0.0);
+                    let bears = bearing_length(&seat, bearing.geometry.offset());
+                    (seat.radius, [bears, from_end])
                 }
                 (Kind::General(_), Some(radius)) => {
                     (radius, [span.length(), span.distance_to_end(line.peak_at)])
@@ -208,8 +208,10 @@ impl SizedPair {
         let g = &bearing.geometry;
         let modulus = equivalent_modulus(self.compliance)?;
         // On a curved plate as on a flat one of the same effective radius.
-        let (diameter, length, offset) = (2.0 * seat.radius, g.length(), g.offset());
-        let effective = effective_length(length, offset)?;
+        let (diameter, offset) = (2.0 * seat.radius, g.offset());
+        // A roller that is displaced by more than half of what faces the plate stands on its edge.
+        let effective = effective_length(seat.bears, offset).unwrap_or(0.0);
+        let rounded_ends = g.length() - g.roller().straight();
         let demand = |constants: Constants| -> Result<Demand, DomainError> {
             let required = constants.required_diameter_times_length(load, modulus, yield_stress)?;
             let provided = diameter * effective;
@@ -217,7 +219,7 @@ impl SizedPair {
                 constant: constants.sizing,
                 required_diameter_times_length: required,
                 provided,
-                required_length: final_length(required / diameter, offset)?,
+                required_length: final_length(required / diameter, offset)? + rounded_ends,
                 met: provided >= required,
             })
         };
@@ -225,7 +227,7 @@ impl SizedPair {
             interface: seat.interface.clone(),
             load,
             diameter,
-            length,
+            length: g.length(),
             displacement: offset,
             effective_length: effective,
             printed: demand(PRINTED)?,
@@ -238,6 +240,7 @@ impl SizedPair {
 mod tests {
     use super::*;
     use crate::analytic::{Elastic, contact_compliance};
+    use crate::case::bearing::{Dimensions, RollerEnd};
     use std::f64::consts::PI;
     use std::path::Path;
 
@@ -337,6 +340,25 @@ mod tests {
             assert_eq!((rule.printed.provided, rule.printed.met), (provided, met));
             let asked = rule.printed.required_diameter_times_length / 3.0 + 2.0 * rule.displacement;
             assert!((rule.printed.required_length - asked).abs() < 1e-12);
+        }
+    }
+
+    /// Rollers of 8 in: 6 in are straight between fillets of 1 in, and plates of 5 in have no more to press.
+    #[test]
+    fn only_the_straight_part_of_a_roller_on_its_plate_bears() {
+        let pair = of_steels([Some(&STEEL); 2]);
+        for (radius, plan, bears) in [(1.0, 8.0, 6.0), (1.0, 5.0, 5.0)] {
+            let mut bearing = shipped("initial-centre.toml");
+            let Dimensions::Crossed(geometry) = &mut bearing.geometry else {
+                panic!("rollers that cross")
+            };
+            geometry.roller.end = RollerEnd::Radius(radius);
+            geometry.plan = [plan; 2];
+            let seat = &bearing.seats()[0];
+            let rule = pair.rule(seat, &bearing, bearing.load).unwrap().unwrap();
+            assert_eq!(rule.exact.provided, 3.0 * bears);
+            assert_eq!(bearing_length(seat, 0.0), bears);
+            assert_eq!(seat.ends_at, if plan < 6.0 { 2.5 } else { 4.0 });
         }
     }
 }

@@ -130,16 +130,19 @@ impl Candidate {
         let eccentricity = eccentricity(&geometry);
         let load = request.load * request.margin.value;
         let eccentric_length = DisplacedRoller::length_for(load, eccentricity, contact.largest)?;
-        let required_length = match request.rule.value {
+        let bears = match request.rule.value {
             LengthRule::Printed => printed.final_length,
             LengthRule::Exact => exact.final_length,
             LengthRule::Eccentric => eccentric_length.max(exact.final_length),
         };
+        let rounded_ends = geometry.roller.length - geometry.roller.straight();
+        let required_length = bears + rounded_ends;
         let rounded = || rounded_up(units, required_length);
         let length = request.length.unwrap_or_else(rounded);
         geometry.roller.length = length;
         geometry.plan = [length; 2];
         check(&geometry, request)?;
+        let straight = geometry.roller.straight();
         let friction = rolling_friction(request.rolling_lever.value, 0.5 * diameter)?;
         Ok(Self {
             diameter,
@@ -152,8 +155,8 @@ impl Candidate {
             required_length,
             length,
             slenderness: length / diameter,
-            even: contact.pressed(request.load / (length - request.capacity))?,
-            linear: match DisplacedRoller::new(request.load, length, eccentricity) {
+            even: contact.pressed(request.load / (straight - request.capacity))?,
+            linear: match DisplacedRoller::new(request.load, straight, eccentricity) {
                 Ok(roller) => Some(contact.pressed(roller.linear().largest)?),
                 Err(_) => None,
             },

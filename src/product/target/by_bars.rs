@@ -148,7 +148,7 @@ impl Way<'_> {
             let why = if met {
                 return Ok((TargetVerdict::Met, outcome));
             } else if nothing {
-                format!("the certificate has no {}", self.target.goal.name())
+                no_claim(self.target.goal)
             } else if let Some(why) = singular(self.levels) {
                 why
             } else if scales == Scales::default() {

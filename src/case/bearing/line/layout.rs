@@ -86,6 +86,8 @@ impl LineGeometry {
             lines: vec![self.place(number)],
             sharing: self.rollers,
             determinate: self.rollers == 1 || (self.rollers == 2 && self.alike),
+            bears: self.roller.straight().min(own.plan[1]),
+            ends_at: self.roller.ends_on(own.plan[1]),
             overhang: (0.5 * (own.plan[1] - self.roller.length)).max(0.0),
             plate_thickness: own.thickness,
         }

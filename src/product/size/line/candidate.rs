@@ -54,7 +54,9 @@ impl LineCandidate {
         let limit = request.limit.value * request.yield_stress;
         let compliance = compliance(request.modulus.value, request.poissons_ratio.value)?;
         let most = LineContact::at_peak_pressure(limit, 0.5 * diameter, compliance)?.line_load;
-        let required_length = request.load * request.margin.value / (lines * most);
+        let bears = request.load * request.margin.value / (lines * most);
+        let rounded_ends = 2.0 * request.end.value.radius().unwrap_or(0.0);
+        let required_length = bears + rounded_ends;
         let length = (request.length).unwrap_or_else(|| rounded_up(units, required_length));
         let spacing = match rollers {
             1 => 0.0,
@@ -86,7 +88,7 @@ impl LineCandidate {
             diameter: units.show(diameter, Dimension::LENGTH),
             error,
         })?;
-        let line_load = request.load / (lines * length);
+        let line_load = request.load / (lines * geometry.roller.straight());
         let pressed = LineContact::new(line_load, 0.5 * diameter, compliance)?;
         let ring = geometry.roller.cross_section();
         Ok(Self {

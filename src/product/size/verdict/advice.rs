@@ -67,14 +67,23 @@ impl Advice {
             // What is fixed and carries too little must give way.
             diameter: None,
             length: None,
+            plate: None,
             ..request.clone()
         };
         let proposal = Proposal::new(&next)?;
         let choice = proposal.choice();
         let show = |value| request.units.show(value, Dimension::LENGTH);
         let mut options = format!("--rule eccentric --margin {}", next.margin.value);
-        if request.diameter.is_some() || request.length.is_some() {
-            options += ", with --diameter and --length left open";
+        let fixed = [
+            ("--diameter", request.diameter),
+            ("--length", request.length),
+            ("--plate", request.plate),
+        ];
+        let fixed: Vec<&str> = (fixed.into_iter())
+            .filter_map(|(option, value)| value.map(|_| option))
+            .collect();
+        if !fixed.is_empty() {
+            options += &format!(", with {} left open", fixed.join(" and "));
         }
         let within = checks().any(|c| c.standing == SizeStanding::MissedWithinError);
         let solution = checks().any(|c| c.kind == LimitKind::Solution && c.standing.is_missed());

@@ -141,7 +141,7 @@ impl Answer {
         let is_earlier = |(other, _): &(&State, &StepEnd)| other.step < state.step;
         let earlier = solved.steps.iter().zip(&ends).filter(is_earlier);
         let earlier: Vec<Earlier> = earlier.map(|(_, end)| end.as_earlier()).collect();
-        let travel = travel.map(|travel| travel.after(&earlier));
+        let travel = travel.map(|travel| travel.after(earlier.iter().filter_map(|end| end.travel)));
         let doubled = doubled(solved);
         let certificate = certify(&Evidence {
             scene,

@@ -90,7 +90,11 @@ fn lines(summary: &Summary) -> Vec<Utilisation> {
     for line in &sizing.lines {
         let Some(limit) = line.limit else { continue };
         // In the middle but for rounding.
-        let across = if line.across.abs() > ROUNDING * line.relative_radius { line.across } else { 0.0 };
+        let across = if line.across.abs() > ROUNDING * line.relative_radius {
+            line.across
+        } else {
+            0.0
+        };
         let (at, unit) = (significant(across, 3), &summary.units.length);
         all.push(Utilisation {
             what: "Hertz p0 under the largest line load".to_string(),

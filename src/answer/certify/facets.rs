@@ -1,6 +1,6 @@
 //! Sections that facets make smaller, or larger, than those of the round bodies that they stand for.
 
-use super::descent::Contacts;
+use super::contacts::Contacts;
 use crate::model::mesh::split::volume_beyond_facets;
 use crate::model::scene::Scene;
 

@@ -1,6 +1,6 @@
 //! What plastic flow has spent of the energy of a solution, below strips and elsewhere.
 
-use super::descent::Contacts;
+use super::contacts::Contacts;
 use super::energy;
 use super::strip_below::StripBelow;
 use crate::answer::results::recovery::Recovered;

@@ -4,7 +4,7 @@
 //! element that is longer carries it to its other side, and nodal averages have nothing to set against it: beyond the end there is no
 //! element.
 
-use super::energy::density;
+use super::strain_energy::density;
 use crate::answer::results::outer_faces::{Bound, OuterFaces};
 use crate::answer::results::recovery::Recovered;
 use crate::ground::geometry::{Vec3, dot, scale, sub, unit};

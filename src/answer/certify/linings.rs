@@ -4,7 +4,7 @@
 //! that grow from one face to the other as the stress along it changes. One element between both faces has the same shear
 //! all through, so that averages at nodes know nothing of it: balance does.
 
-use super::energy::density;
+use super::strain_energy::density;
 use crate::answer::results::hex::GaussRule;
 use crate::answer::results::outer_faces::{Bound, OuterFaces};
 use crate::answer::results::recovery::Recovered;

@@ -1,7 +1,7 @@
 //! Peak stress and strain of bodies.
 
-use super::Earlier;
 use super::below_patches::BelowPatches;
+use super::earlier::Earlier;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use super::notes::LONG_FACES;
 use super::strip_below::StripBelow;

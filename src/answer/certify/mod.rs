@@ -7,7 +7,9 @@
 
 mod below_patches;
 mod contact;
+mod contacts;
 mod descent;
+mod earlier;
 pub mod energy;
 mod facets;
 mod fall;
@@ -23,6 +25,7 @@ mod other;
 mod pressure;
 mod rim;
 mod scatter;
+mod strain_energy;
 mod strip_below;
 mod thin_walls;
 
@@ -34,7 +37,6 @@ use crate::answer::results::interface::Interface;
 use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
-use crate::ground::geometry::Vec3;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
 use below_patches::BelowPatches;
@@ -42,20 +44,11 @@ use contact::{Contact, Touch};
 use increments::Memory;
 use strip_below::StripBelow;
 
-pub use descent::{Contacts, Travel};
+pub use contacts::Contacts;
+pub use descent::Travel;
+pub use earlier::Earlier;
 pub use figure::{Errors, Figure, Quantity, figure, is_replaced, unresolved};
 pub use increments::{DOUBLING, WITHOUT_INCREMENTS};
-
-/// The end of a step before the one that is certified.
-#[derive(Debug, Clone)]
-pub struct Earlier<'a> {
-    /// Forces of every contact pair, in their order.
-    pub forces: Vec<Vec3>,
-    /// Of what is loaded.
-    pub travel: Option<Travel>,
-    /// Peaks of every body, in their order.
-    pub peaks: &'a [BodyPeaks],
-}
 
 /// What is certified.
 #[derive(Debug, Clone, Copy)]
@@ -127,6 +120,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         (missed_travel, by_motion, before),
     );
     let pushed = other::pushed_across(scene, state);
+    let off_mesh = evidence.travel.map_or(0.0, |travel| travel.off_mesh());
     let travel_off = evidence.travel.map_or(0.0, |travel| travel.off());
     let pokes = evidence.travel.is_some_and(|travel| {
         let most = NOTABLE_SHARE * travel.value().abs();
@@ -150,7 +144,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
             too_stiff: by_motion,
             linings_off: linings::off(scene, pair, &of_linings),
             travel_off,
-            shared_off: contacts.shared_off((scene, state), pair, evidence.travel),
+            shared_off: contacts.shared_off((scene, state), pair, off_mesh),
         };
         let own = contact.claims();
         unclear = unclear.or(contact.has_no_shape(&own).then_some(notes::SHAPE));

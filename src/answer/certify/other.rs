@@ -1,7 +1,7 @@
 //! Bores, horizontal forces, eccentricities and dents.
 
-use super::Earlier;
-use super::descent::Contacts;
+use super::contacts::Contacts;
+use super::earlier::Earlier;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
 use super::line::turned_by_place;
 use super::notes::{COARSE, UNKNOWN_STIFFNESS};

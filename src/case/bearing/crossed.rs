@@ -64,7 +64,9 @@ impl BearingGeometry {
     pub(super) fn plate_edges(&self) -> Vec<f64> {
         let [near, far] = [f64::min, f64::max].map(|of| 0.5 * of(self.plan[0], self.plan[1]));
         let is_apart = far > near * (1.0 + 1e-9);
-        let edges = [Some(near), Some(far).filter(|_| is_apart)].into_iter().flatten();
+        let edges = [Some(near), Some(far).filter(|_| is_apart)]
+            .into_iter()
+            .flatten();
         let straight = 0.5 * self.roller.straight() * (1.0 - 1e-9);
         edges.filter(|edge| *edge < straight).collect()
     }
@@ -75,9 +77,8 @@ impl BearingGeometry {
             return EndZone::default();
         }
         let faces = [self.plan[0].max(self.plan[1])];
-        let zone = |end: f64, carry: bool| {
-            EndZone::new(&self.roller, faces, (carry, end - self.v_line()))
-        };
+        let zone =
+            |end: f64, carry: bool| EndZone::new(&self.roller, faces, (carry, end - self.v_line()));
         match self.plate_edges().first() {
             Some(edge) => zone(*edge, true).sharp(),
             None => zone(0.5 * self.roller.length, !self.is_centred()),
@@ -177,7 +178,9 @@ impl Layout for BearingGeometry {
             Parameter::number("Uniform", flag(uniform)),
         ];
         parameters.extend(self.end_zone(uniform).parameters());
-        let edges = ["PlateEdge", "PlateEdgeFar"].into_iter().zip(self.plate_edges());
+        let edges = ["PlateEdge", "PlateEdgeFar"]
+            .into_iter()
+            .zip(self.plate_edges());
         parameters.extend(edges.map(|(name, edge)| Parameter::length(name, edge)));
         parameters
     }

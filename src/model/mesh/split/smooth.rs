@@ -180,7 +180,7 @@ impl<'m> Skin<'m> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::mesh::block::{Block, graded, uniform};
+    use crate::model::mesh::block::{Block, cylindrical, graded, uniform};
 
     /// A straight bar of the length 1 that goes on as a quarter of a ring of the radii 1 and 2, without names; `around` are
     /// the angles of its nodes. Split twice.
@@ -225,10 +225,9 @@ mod tests {
     #[test]
     fn the_volume_beyond_facets_is_that_of_the_round_body() {
         let parts = 12;
-        let ring = |[a, r, z]: [f64; 3]| [r * a.cos(), r * a.sin(), z];
         let angles = uniform(0.0, FRAC_PI_2, parts);
-        let block = Block::new("ring", angles, uniform(1.0, 2.0, 2), uniform(0.0, 1.0, 1));
-        let mesh = block.mapped(ring).build().unwrap();
+        let block = Block::new("ring", uniform(1.0, 2.0, 2), angles, uniform(0.0, 1.0, 1));
+        let mesh = block.mapped(cylindrical).build().unwrap();
         let angle = FRAC_PI_2 / parts as f64;
         let (found, wanted) = (volume_beyond_facets(&mesh, 0), angle / angle.sin() - 1.0);
         assert!((found / wanted - 1.0).abs() < 0.02, "{found} {wanted}");

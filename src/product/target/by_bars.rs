@@ -148,7 +148,7 @@ impl Way<'_> {
             let why = if met {
                 return Ok((TargetVerdict::Met, outcome));
             } else if nothing {
-                no_claim(self.target.goal)
+                self.target.goal.has_no_claim()
             } else if let Some(why) = singular(self.levels) {
                 why
             } else if scales == Scales::default() {

@@ -47,6 +47,15 @@ pub struct TargetError {
 }
 
 impl Goal {
+    /// That no figure of the certificate is one of it.
+    pub fn has_no_claim(self) -> String {
+        format!(
+            "the certificate has no {}, as where nothing yields, or where a fillet or an edge decides it: the last summary has what is \
+             not resolved, and why",
+            self.name()
+        )
+    }
+
     /// What a bearing is judged by.
     pub const CERTIFIED: [Self; 6] = [
         Self::Pressure,

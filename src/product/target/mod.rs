@@ -124,19 +124,11 @@ fn finer(
     })
 }
 
-/// Of a goal that no figure of the certificate is one of.
-fn no_claim(goal: Goal) -> String {
-    format!(
-        "the certificate has no {}, as where nothing yields, or where a fillet or an edge decides it: the last summary has what is not resolved, and why",
-        goal.name()
-    )
-}
-
 /// The verdict after these levels; `None` while there is more to do.
 fn judge(levels: &[Level], target: &Target, limits: &TargetLimits) -> Option<TargetVerdict> {
     let last = levels.last()?;
     if last.figures.is_empty() {
-        return Some(TargetVerdict::NotMet(no_claim(target.goal)));
+        return Some(TargetVerdict::NotMet(target.goal.has_no_claim()));
     }
     if last.meets(target) {
         return Some(TargetVerdict::Met);

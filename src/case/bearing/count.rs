@@ -75,9 +75,13 @@ impl Count<'_> {
         let least = if centred { sizes.along_least } else { 1.0 };
         let grading = self.grading(sizes.along_growth, sizes.along_cap, least);
         let half = 0.5 * geometry.roller.length;
-        let along = match geometry.plate_edges().first() {
-            Some(edge) => self.along_roller(&grading, *edge, Some(half)),
-            None => self.along_roller(&grading, half, None),
+        let along = match *geometry.plate_edges() {
+            [edge] => self.along_roller(&grading, edge, &[(half, None)]),
+            [edge, far] => {
+                let beyond = [(far, Some(sizes.end_size)), (half, None)];
+                self.along_roller(&grading, edge, &beyond)
+            }
+            _ => self.along_roller(&grading, half, &[]),
         };
 
         // Each side of the core of a solid roller has a quarter of the elements of a turn.
@@ -89,8 +93,13 @@ impl Count<'_> {
         (around * through + core) * along
     }
 
-    /// From where the rollers cross to both ends, and on to the edges of a plate that stands out `beyond` them.
-    fn along_roller(&self, inside: &GradedInterval, half: f64, beyond: Option<f64>) -> f64 {
+    /// From where the rollers cross to both ends of what is pressed, and on to places `beyond` them, with the element sizes wanted there.
+    fn along_roller(
+        &self,
+        inside: &GradedInterval,
+        half: f64,
+        beyond: &[(f64, Option<f64>)],
+    ) -> f64 {
         let (geometry, sizes) = (self.geometry, self.sizes);
         let crossing = if sizes.uniform { 0.0 } else { geometry.offset };
         let crossing = (crossing, Some(sizes.crossing_size), 1.0);
@@ -101,7 +110,7 @@ impl Count<'_> {
         };
         let towards = |side: &f64| {
             let mut stops = zone.stops(sizes.end_size, side * half);
-            stops.extend(beyond.map(|edge| (side * edge, None, 1.0)));
+            stops.extend(beyond.iter().map(|(edge, size)| (side * edge, *size, 1.0)));
             inside.elements(&[crossing, stops[0]]) + outside.elements(&stops)
         };
         let sides: &[f64] = if self.whole { &[-1.0, 1.0] } else { &[1.0] };
@@ -147,7 +156,9 @@ impl Count<'_> {
             sizes.along_cap
         };
         let grading = self.grading(sizes.along_growth, cap, 1.0);
-        let along = self.along_roller(&grading, 0.5 * far, outside.then_some(0.5 * along));
+        let edge = [(0.5 * along, None)];
+        let beyond = if outside { &edge[..] } else { &[] };
+        let along = self.along_roller(&grading, 0.5 * far, beyond);
 
         let face = (0.0, Some(sizes.plate_size), sizes.fine_layers);
         let depth = self.grading(sizes.depth_growth, sizes.depth_cap, sizes.depth_least);

@@ -133,3 +133,39 @@ fn a_proposal_is_verified() {
     let bad = [&common[..], &bad, &["--rollers", "1", "--out", "bad"]].concat();
     brinell(folder.path(), &with(&bad)).code(1);
 }
+
+/// What rounded ends take off does not bear; and where they begin no mesh of these sizes resolves what presses, so that p0 is judged away from there.
+#[test]
+fn rounded_ends_bear_nothing_and_p0_is_judged_away_from_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let rounded = [
+        "--verify",
+        "--quiet",
+        "--diameter",
+        "200 mm",
+        "--length",
+        "430 mm",
+    ];
+    let rounded = [&rounded[..], &["--end", "radius 15 mm", "--out", "rounded"]].concat();
+    brinell(folder.path(), &with(&rounded));
+    let verdict = json(&folder.path().join("rounded/verdict.json"));
+    let even = &verdict["design"]["even"];
+    let load = verdict["design"]["rollers"].as_f64().unwrap()
+        * even["line_load"].as_f64().unwrap()
+        * 400.0;
+    assert!((load / 450e3 - 1.0).abs() < 1e-9, "{load}");
+    let checks = verdict["found"]["checks"].as_array().unwrap();
+    let pressed = checks
+        .iter()
+        .find(|c| c["kind"] == "contact_pressure")
+        .unwrap();
+    assert!(pressed["error"].is_number(), "{pressed}");
+    assert!(
+        pressed["remark"]
+            .as_str()
+            .unwrap()
+            .contains("away from rounded ends")
+    );
+    let over = pressed["value"].as_f64().unwrap() / even["pressure"].as_f64().unwrap();
+    assert!((0.98..1.1).contains(&over), "{over}");
+}

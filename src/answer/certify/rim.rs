@@ -1,13 +1,14 @@
 //! Where a patch of contact ends on a mesh: between nodes that press and nodes beside them that do not.
 
+use crate::answer::results::edges::boundary;
 use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub};
 use crate::model::mesh::Surface;
 use crate::model::scene::Scene;
 use crate::model::state::ContactField;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-/// Share of the largest pressure beside it below which the pressure of a node at the border of its surface is that of a rim within
-/// its row: where contact goes on to the border pressures rise there, or stay.
+/// Share of the pressure further in below which the pressure of a node at the border of its surface is that of a rim within its row: of
+/// one that falls evenly to nothing at the border a third is left.
 const WITHIN: f64 = 0.5;
 
 /// Area of the nodes in contact next to one that is not, and of those, and of nodes in contact at the border of the surface that
@@ -19,43 +20,26 @@ pub(super) fn area(scene: &Scene, field: &ContactField, pair: usize) -> f64 {
     (rim.iter().filter_map(index)).map(|i| field.area[i]).sum()
 }
 
-/// The nodes in contact at the border of the carrier that press less than those beside them.
+/// The nodes in contact at the border of the carrier that press less than one beside them further in.
 fn within_last_row(scene: &Scene, field: &ContactField, pair: usize) -> Vec<u32> {
-    let faces = scene.carrier(pair).into_iter().flat_map(|s| &s.faces);
-    let mut sides: BTreeMap<[u32; 2], usize> = BTreeMap::new();
-    for side in faces.flat_map(|face| [0, 1, 2, 3].map(|side| face.edge(side))) {
-        *sides.entry(side).or_default() += 1;
-    }
-    let at = |node: u32| &scene.mesh.points[node as usize];
-    // On a mirror plane the surface goes on.
-    let is_cut = |[a, b]: [u32; 2]| {
-        let mut mirrors = scene.mirrors_through(at(a));
-        mirrors.any(|axis| scene.mirrors_through(at(b)).any(|other| other == axis))
+    let Some(surface) = scene.carrier(pair) else {
+        return Vec::new();
     };
-    let ends = sides
-        .iter()
-        .filter(|(side, times)| **times == 1 && !is_cut(**side));
-    let border: BTreeSet<u32> = ends.flat_map(|(side, _)| *side).collect();
     let pressure = |node: u32| {
         let index = field.nodes.binary_search(&node).ok()?;
         field.is_active(index).then(|| field.pressure[index])
     };
-    let mut beside: BTreeMap<u32, f64> = BTreeMap::new();
-    for [a, b] in sides.keys() {
-        for (own, other) in [(*a, *b), (*b, *a)] {
-            if let Some(other) = pressure(other).filter(|_| border.contains(&own)) {
-                let most = beside.entry(own).or_default();
-                *most = most.max(other);
-            }
-        }
-    }
-    let is_low =
-        |(node, beside): &(u32, f64)| pressure(*node).is_some_and(|own| own < WITHIN * beside);
-    beside
-        .into_iter()
-        .filter(is_low)
-        .map(|(node, _)| node)
-        .collect()
+    let border: BTreeSet<u32> = boundary(scene, surface).into_iter().flatten().collect();
+    // Along the border pressures vary for other reasons.
+    let is_low = |(own, other): &(u32, u32)| {
+        let inwards = border.contains(own) && !border.contains(other);
+        let both = pressure(*own).zip(pressure(*other)).filter(|_| inwards);
+        both.is_some_and(|(own, other)| own < WITHIN * other)
+    };
+    let sides = surface.faces.iter();
+    let sides = sides.flat_map(|face| [0, 1, 2, 3].map(|side| face.edge(side)));
+    let both_ways = sides.flat_map(|[a, b]| [(a, b), (b, a)]);
+    both_ways.filter(is_low).map(|(own, _)| own).collect()
 }
 
 /// The rim of a patch as its largest pressure sees it.

@@ -7,6 +7,7 @@ mod loaded;
 mod reach;
 mod wedges;
 
+pub use boundary::boundary;
 pub use loaded::{EVEN, LoadedEdges};
 
 use crate::ground::geometry::Vec3;

@@ -37,7 +37,9 @@ pub use unloaded::{DentFigures, Unloaded};
 
 use crate::ground::geometry::{add, sub};
 use crate::model::state::{Energy, Misfit, State};
-use certify::{Contacts, Earlier, Evidence, Figure, Quantity, Travel, certify, figure, unresolved};
+use certify::{
+    Contacts, Earlier, Evidence, Figure, Outside, Quantity, Travel, certify, figure, unresolved,
+};
 use results::bore::{BoreStress, bore_stress};
 use results::edges::SingularEdges;
 use results::hertz::HeaviestLine;
@@ -136,8 +138,10 @@ impl Answer {
             interfaces: &measured,
             lines: &lines,
         };
-        let travel = Travel::of(scene, state, solved.recovered, (contacts, &edges));
-        let ends = steps::steps(solved, &peaks, travel);
+        let outside = Outside::of(scene);
+        let seen = (contacts, &outside, &edges);
+        let travel = Travel::of(scene, state, solved.recovered, seen);
+        let ends = steps::steps(solved, &outside, (&peaks, travel));
         let is_earlier = |(other, _): &(&State, &StepEnd)| other.step < state.step;
         let earlier = solved.steps.iter().zip(&ends).filter(is_earlier);
         let earlier: Vec<Earlier> = earlier.map(|(_, end)| end.as_earlier()).collect();
@@ -146,6 +150,7 @@ impl Answer {
         let certificate = certify(&Evidence {
             scene,
             state,
+            outside: &outside,
             recovered: solved.recovered,
             earlier: &earlier,
             travel,

@@ -3,7 +3,7 @@
 use super::inputs::AnswerInputs;
 use super::named::{Named, Three};
 use super::plane::{PlaneFigures, planes};
-use crate::answer::certify::{Contacts, Earlier, Travel};
+use crate::answer::certify::{Contacts, Earlier, Outside, Travel};
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::{StatusCounts, interfaces};
@@ -83,11 +83,18 @@ impl StepEnd {
     }
 }
 
+/// Peaks of the bodies, and the travel.
+type Known<'a> = (&'a [BodyPeaks], Option<Travel>);
+
 /// One entry for the end of each step that is done, in their order.
-pub fn steps(solved: &AnswerInputs, peaks: &[BodyPeaks], travel: Option<Travel>) -> Vec<StepEnd> {
+pub fn steps(solved: &AnswerInputs, outside: &Outside, (peaks, travel): Known) -> Vec<StepEnd> {
     let one = |state: &State| {
         let reported = state.step == solved.state.step && state.time == solved.state.time;
-        step(solved, state, reported.then_some((peaks, travel)))
+        step(
+            solved,
+            outside,
+            (state, reported.then_some((peaks, travel))),
+        )
     };
     solved.steps.iter().map(one).collect()
 }
@@ -95,8 +102,8 @@ pub fn steps(solved: &AnswerInputs, peaks: &[BodyPeaks], travel: Option<Travel>)
 /// The figures of a step; `reported` are the peaks of the bodies and the travel where they are known.
 fn step(
     solved: &AnswerInputs,
-    state: &State,
-    reported: Option<(&[BodyPeaks], Option<Travel>)>,
+    outside: &Outside,
+    (state, reported): (&State, Option<Known>),
 ) -> StepEnd {
     let scene = solved.scene;
     let measured = interfaces(scene, state);
@@ -111,7 +118,7 @@ fn step(
                 interfaces: &measured,
                 lines: &lines,
             };
-            let travel = Travel::of(scene, state, &recovered, (contacts, &edges));
+            let travel = Travel::of(scene, state, &recovered, (contacts, outside, &edges));
             (Cow::from(peaks), travel)
         }
     };

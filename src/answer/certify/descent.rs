@@ -5,10 +5,10 @@ use super::facets;
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::flow_shares::FlowShares;
 use super::notes::UNKNOWN_STIFFNESS;
+use super::outside::Outside;
 use super::{energy, held_ends};
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::load::{applied, copies, descent, forced_share};
-use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{PlaneMotion, Scene};
 use crate::model::state::State;
@@ -90,7 +90,7 @@ impl Travel {
         scene: &Scene,
         state: &State,
         recovered: &Recovered,
-        (contacts, edges): (Contacts, &SingularEdges),
+        (contacts, outside, edges): (Contacts, &Outside, &SingularEdges),
     ) -> Option<Self> {
         let of_mesh = descent(scene, state)?;
         let driven = |m: &PlaneMotion| matches!(m, PlaneMotion::Driven(_));
@@ -100,8 +100,8 @@ impl Travel {
         // What is moved by a given travel misses nothing of it.
         let forced = forced_share(scene, state);
         let missing = by_force.then(|| {
-            let outer = OuterFaces::of(scene);
-            let by_mesh = energy::missing_work(scene, state, recovered, (&outer, edges));
+            let outer = &outside.faces;
+            let by_mesh = energy::missing_work(scene, state, recovered, (outer, edges));
             let seen = missing(
                 by_mesh.work * copies(scene) / applied(scene, state),
                 of_mesh,
@@ -109,11 +109,16 @@ impl Travel {
             let errors = by_mesh.errors.iter().enumerate();
             let unlike_strips = errors.filter(|(body, _)| !contacts.is_below_strip(scene, *body));
             let unlike_strips = unlike_strips.map(|(_, error)| error).sum::<f64>() * copies(scene);
-            let at_ends = held_ends::unseen_energy(scene, state, recovered, &outer) * copies(scene);
-            let facets = facets::off(scene, contacts);
-            let of_facets = energy::of_bodies(scene, state, recovered).into_iter();
-            let of_facets = of_facets.zip(&facets).map(|(energy, off)| energy * off);
-            let of_facets = of_facets.sum::<f64>() * copies(scene);
+            let at_ends = held_ends::unseen_energy(scene, state, recovered, outer) * copies(scene);
+            let facets = facets::off(scene, contacts, outside);
+            let of_facets = facets.iter().any(|off| *off > 0.0).then(|| {
+                let energies = energy::of_bodies(scene, state, recovered).into_iter();
+                energies
+                    .zip(facets)
+                    .map(|(energy, off)| energy * off)
+                    .sum::<f64>()
+            });
+            let of_facets = of_facets.unwrap_or(0.0) * copies(scene);
             let beside_edges = AT_EDGES * by_mesh.beside_edges * copies(scene);
             let at_touch = |part: usize| {
                 contacts.work_below_strips(scene, |line, hertz, _| {
@@ -241,11 +246,12 @@ pub(super) fn too_stiff(
     scene: &Scene,
     state: &State,
     recovered: &Recovered,
-    (contacts, outer, edges): (Contacts, &OuterFaces, &SingularEdges),
+    (contacts, outside, edges): (Contacts, &Outside, &SingularEdges),
 ) -> Option<f64> {
     let of_whole = |energy: f64| energy * copies(scene);
     let energy = of_whole(energy::of_solution(scene, state, recovered));
-    let work = of_whole(energy::missing_work(scene, state, recovered, (outer, edges)).work);
+    let work =
+        of_whole(energy::missing_work(scene, state, recovered, (&outside.faces, edges)).work);
     let unseen = contacts.work_below_strips(scene, unseen_approach).abs();
     let share = (LIKELY + SPREAD) * (missing(work, energy).abs() + unseen) / energy;
     Some(share).filter(|share| share.is_finite() && *share <= MOST_MISSING)

@@ -8,7 +8,7 @@ use super::strain_energy::density;
 use crate::answer::results::hex::GaussRule;
 use crate::answer::results::outer_faces::{Bound, OuterFaces};
 use crate::answer::results::recovery::Recovered;
-use crate::answer::results::tensor::{mean, traction};
+use crate::answer::results::tensor::{mean, tensor_of, traction};
 use crate::ground::geometry::{Vec3, add, dot, norm, scale, sub, unit};
 use crate::model::material::{Steel, matrix};
 use crate::model::mesh::hexahedron::{faces_of, jacobian_matrix, shape_derivatives};
@@ -200,6 +200,5 @@ fn out_of_balance(scene: &Scene, recovered: &Recovered, element: usize) -> Vec3 
 
 /// A shear with this traction on the planes with this normal: xx yy zz xy yz zx.
 fn shear(traction: Vec3, n: Vec3) -> [f64; 6] {
-    [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)]
-        .map(|(i, j)| traction[i] * n[j] + n[i] * traction[j])
+    tensor_of(|i, j| traction[i] * n[j] + n[i] * traction[j])
 }

@@ -22,6 +22,7 @@ mod linings;
 mod mises;
 mod notes;
 mod other;
+mod outside;
 mod pressure;
 mod rim;
 mod scatter;
@@ -34,7 +35,6 @@ use crate::answer::results::bore::BoreStress;
 use crate::answer::results::edges::SingularEdges;
 use crate::answer::results::hertz::HeaviestLine;
 use crate::answer::results::interface::Interface;
-use crate::answer::results::outer_faces::OuterFaces;
 use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
@@ -49,14 +49,17 @@ pub use descent::Travel;
 pub use earlier::Earlier;
 pub use figure::{Errors, Figure, Quantity, figure, is_replaced, unresolved};
 pub use increments::{DOUBLING, WITHOUT_INCREMENTS};
+pub use outside::Outside;
 
 /// What is certified.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Evidence<'a> {
     /// The solved scene.
     pub scene: &'a Scene,
     /// The state that is certified.
     pub state: &'a State,
+    /// The outsides of its bodies.
+    pub outside: &'a Outside<'a>,
     /// Stresses at nodes and in elements of that state.
     pub recovered: &'a Recovered,
     /// The ends of the steps before.
@@ -97,12 +100,11 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
         interfaces,
         lines: evidence.lines,
     };
-    let outer = OuterFaces::of(scene);
     let too_stiff = || {
-        let seen = (contacts, &outer, evidence.edges);
+        let seen = (contacts, evidence.outside, evidence.edges);
         descent::too_stiff(scene, state, evidence.recovered, seen)
     };
-    let of_linings = linings::too_stiff(scene, state, evidence.recovered, &outer);
+    let of_linings = linings::too_stiff(scene, state, evidence.recovered, &evidence.outside.faces);
     let moved = scene.is_moved();
     let too_stiff = (tilted || moved).then(too_stiff).flatten();
     let by_motion = if moved {
@@ -170,7 +172,7 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let strips = StripBelow::all(scene, evidence.lines);
     let patches = BelowPatches::new((scene, state), interfaces, &touches, &claims);
     let elastic = (evidence.elastic, evidence.elastic_claims);
-    let facets = facets::off(scene, contacts);
+    let facets = facets::off(scene, contacts, evidence.outside);
     let below = (strips.as_slice(), &patches, &facets[..], travel_off);
     let flowing = mises::claims((peaks, evidence.earlier), elastic, below);
     claims.extend(other::dents(evidence.dents, &flowing));

@@ -11,7 +11,7 @@ use crate::answer::results::hex::GaussRule;
 use crate::answer::results::outer_faces::{Bound, OuterFaces};
 use crate::answer::results::recovery::{Recovered, symmetric};
 use crate::answer::results::strain::strain;
-use crate::answer::results::tensor::{mean, traction};
+use crate::answer::results::tensor::{mean, tensor_of, traction};
 use crate::ground::geometry::{Vec3, add, cross, dot, unit};
 use crate::model::material::{Steel, matrix};
 use crate::model::mesh::Face;
@@ -176,11 +176,6 @@ fn at_faces(own: &[f64; 6], wall: &[f64; 6], normals: &[Vec3], steel: &Steel) ->
         }
     };
     std::array::from_fn(|k| wall[k] + along[k])
-}
-
-/// The components xx yy zz xy yz zx of a symmetric tensor.
-fn tensor_of(component: impl Fn(usize, usize) -> f64) -> [f64; 6] {
-    [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)].map(|(i, j)| component(i, j))
 }
 
 impl WallPoint {

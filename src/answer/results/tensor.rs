@@ -20,6 +20,11 @@ pub fn traction(stress: &[f64; 6], n: Vec3) -> Vec3 {
     matrix(*stress).map(|row| dot(row, n))
 }
 
+/// The components xx yy zz xy yz zx of a symmetric tensor.
+pub fn tensor_of(component: impl Fn(usize, usize) -> f64) -> [f64; 6] {
+    [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)].map(|(i, j)| component(i, j))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

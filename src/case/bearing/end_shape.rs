@@ -27,6 +27,11 @@ impl RollerEnd {
         }
     }
 
+    /// What both ends take off the straight part of a roller where they are rounded.
+    pub fn rounded(self) -> f64 {
+        2.0 * self.radius().unwrap_or(0.0)
+    }
+
     /// Does the profile drop all along the roller?
     pub fn is_crowned(self) -> bool {
         matches!(self, Self::Crown(_) | Self::CrownedRadius { .. })

@@ -30,7 +30,7 @@ impl RollerShape {
 
     /// Length of its straight part, which bears: without rounded ends.
     pub fn straight(&self) -> f64 {
-        self.length - 2.0 * self.end.radius().unwrap_or(0.0)
+        self.length - self.end.rounded()
     }
 
     /// Where it ceases to face a plate of the length `plate`, from the middle: at its end, or at that of a plate that is shorter than its straight

@@ -211,7 +211,6 @@ impl SizedPair {
         let (diameter, offset) = (2.0 * seat.radius, g.offset());
         // A roller that is displaced by more than half of what faces the plate stands on its edge.
         let effective = effective_length(seat.bears, offset).unwrap_or(0.0);
-        let rounded_ends = g.length() - g.roller().straight();
         let demand = |constants: Constants| -> Result<Demand, DomainError> {
             let required = constants.required_diameter_times_length(load, modulus, yield_stress)?;
             let provided = diameter * effective;
@@ -219,7 +218,7 @@ impl SizedPair {
                 constant: constants.sizing,
                 required_diameter_times_length: required,
                 provided,
-                required_length: final_length(required / diameter, offset)? + rounded_ends,
+                required_length: final_length(required / diameter, offset)? + g.end().rounded(),
                 met: provided >= required,
             })
         };

@@ -135,8 +135,7 @@ impl Candidate {
             LengthRule::Exact => exact.final_length,
             LengthRule::Eccentric => eccentric_length.max(exact.final_length),
         };
-        let rounded_ends = geometry.roller.length - geometry.roller.straight();
-        let required_length = bears + rounded_ends;
+        let required_length = bears + geometry.roller.end.rounded();
         let rounded = || rounded_up(units, required_length);
         let length = request.length.unwrap_or_else(rounded);
         geometry.roller.length = length;

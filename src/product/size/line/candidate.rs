@@ -55,8 +55,7 @@ impl LineCandidate {
         let compliance = compliance(request.modulus.value, request.poissons_ratio.value)?;
         let most = LineContact::at_peak_pressure(limit, 0.5 * diameter, compliance)?.line_load;
         let bears = request.load * request.margin.value / (lines * most);
-        let rounded_ends = 2.0 * request.end.value.radius().unwrap_or(0.0);
-        let required_length = bears + rounded_ends;
+        let required_length = bears + request.end.value.rounded();
         let length = (request.length).unwrap_or_else(|| rounded_up(units, required_length));
         let spacing = match rollers {
             1 => 0.0,

@@ -54,7 +54,7 @@ pub fn checks(solved: &AnswerInputs, measured: &[Interface], load: f64) -> Check
     let some = |value: Option<f64>| value.filter(|_| !measured.is_empty());
     let penetration = || relative(largest(&|i| i.unexplained_penetration), descent?);
     Checks {
-        force_balance: some(relative(off, load)).filter(|_| !opposed),
+        force_balance: some(relative(off, load)).filter(|_| !opposed && !passing.is_empty()),
         max_penetration_relative: some(penetration()),
         coulomb_violation: some(Some(largest(&|i| i.coulomb_violation))),
         energy_imbalance: solved.state.energy.and_then(|energy| energy.imbalance()),

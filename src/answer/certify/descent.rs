@@ -4,11 +4,11 @@ use super::contacts::{Contacts, MOST_MISSING, overlap_of_strip, unseen_approach}
 use super::facets;
 use super::figure::{Errors, Figure, Quantity, figure_of};
 use super::flow_shares::FlowShares;
-use super::notes::UNKNOWN_STIFFNESS;
+use super::notes::{MEAN_OF_MOTIONS, UNKNOWN_STIFFNESS};
 use super::outside::Outside;
 use super::{energy, held_ends};
 use crate::answer::results::edges::SingularEdges;
-use crate::answer::results::load::{applied, copies, descent, forced_share};
+use crate::answer::results::load::{applied, copies, descent, forced_share, is_mean_of_motions};
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{PlaneMotion, Scene};
 use crate::model::state::State;
@@ -63,6 +63,8 @@ pub struct Travel {
     pub of_mesh: f64,
     /// What the mesh misses; `None` where it is prescribed and so known.
     missing: Option<MissedByMesh>,
+    /// Is it a mean over motions that are prescribed and differ?
+    is_mean: bool,
 }
 
 /// What a mesh misses of a travel.
@@ -141,7 +143,11 @@ impl Travel {
                 is_less: scene.temperatures.is_empty() && !scene.unloads(state.step),
             }
         });
-        Some(Self { of_mesh, missing })
+        Some(Self {
+            of_mesh,
+            missing,
+            is_mean: !by_force && is_mean_of_motions(scene, state),
+        })
     }
 
     /// After others, at the ends of earlier steps: of the error of what has flowed by then nothing goes back as loads do.
@@ -228,8 +234,9 @@ const PRESCRIBED: &str = "prescribed";
 
 /// The claim of the travel.
 pub(super) fn claim(travel: Travel) -> Figure {
-    let error = travel.error();
+    let error = travel.error().filter(|_| !travel.is_mean);
     let note = match travel.missing {
+        None if travel.is_mean => Some(MEAN_OF_MOTIONS),
         None => Some(PRESCRIBED),
         Some(_) => error.is_none().then_some(UNKNOWN_STIFFNESS),
     };
@@ -296,6 +303,7 @@ mod tests {
                 flow: FlowShares::default(),
                 stays: 0.0,
             }),
+            is_mean: false,
         };
         let loaded = travel(0.1, true);
         assert_eq!(loaded.value(), 1.0 + LIKELY * 0.1);
@@ -318,6 +326,7 @@ mod tests {
         let prescribed = Travel {
             of_mesh: 1.0,
             missing: None,
+            is_mean: false,
         };
         assert_eq!((prescribed.value(), prescribed.error()), (1.0, Some(0.0)));
     }

@@ -10,4 +10,5 @@ pub(super) const POKES: &str = "a corner or an edge of one side lies deeper in t
                      to the mesh";
 pub(super) const LONG_FACES: &str = "beside a singular edge whose faces are longer than its stress reaches: how much of it is left there belongs \
                           to the mesh";
+pub(super) const MEAN_OF_MOTIONS: &str = "a mean of the travels that are prescribed, weighted by the forces with which they are resisted";
 pub(super) const UNKNOWN_STIFFNESS: &str = "the mesh is too coarse to tell how far too stiff it is";

@@ -5,9 +5,12 @@
 
 use super::interface::Interface;
 use super::load::{along, cutting_pair, times};
-use crate::model::scene::{Partner, PlaneMotion, Scene, Support, joined};
+use crate::model::scene::{Partner, PlaneMotion, RigidPlane, Scene, Support, joined};
 use crate::model::state::State;
 use std::collections::BTreeMap;
+
+/// Of the load, a part along an axis which is none: what holds a body along it takes nothing that counts.
+const LEAST_PART: f64 = 1e-4;
 
 /// The forces along the load that balance says are the whole load: of every level that all of it passes. A pair that no
 /// support is reached from stands for itself.
@@ -101,13 +104,18 @@ fn main_axis(along: [f64; 3]) -> usize {
     })
 }
 
-/// Bodies that a support or a plane holds along the load, where it is.
+/// Bodies that a support or a plane holds, where they are, along an axis that the load has a part along.
 fn held_bodies(scene: &Scene, along: [f64; 3]) -> Vec<usize> {
-    let axis = main_axis(along);
+    let takes = |axis: usize| along[axis].abs() > LEAST_PART;
+    let axes: Vec<usize> = (0..3).filter(|axis| takes(*axis)).collect();
     let supports = scene.supports.iter();
-    let supports = supports.filter(|support| stays(support, axis));
+    let supports = supports.filter(|support| axes.iter().any(|axis| stays(support, *axis)));
     let planes = scene.rigid_planes.iter();
-    let planes = planes.filter(|plane| plane.motion[axis] == PlaneMotion::Held(0.0));
+    let holds = |plane: &&RigidPlane| {
+        axes.iter()
+            .any(|axis| plane.motion[*axis] == PlaneMotion::Held(0.0))
+    };
+    let planes = planes.filter(holds);
     let surfaces = supports
         .map(|s| &s.surface)
         .chain(planes.map(|p| &p.surface));

@@ -333,6 +333,22 @@ pub fn descent(scene: &Scene, state: &State) -> Option<f64> {
     })
 }
 
+/// Is the [`descent`] of what is moved, and not loaded, a mean over motions that differ, which the forces weigh with which they are resisted? Along a
+/// single axis it is what is prescribed.
+pub fn is_mean_of_motions(scene: &Scene, state: &State) -> bool {
+    let planes = scene.rigid_planes.iter();
+    let mut moved = planes.flat_map(|plane| {
+        let share = scene.factor(&plane.name, state.step, state.time);
+        let motions = plane.motion.iter().enumerate();
+        motions.filter_map(move |(axis, motion)| match motion {
+            PlaneMotion::Held(u) if *u != 0.0 => Some((axis, u * share)),
+            _ => None,
+        })
+    });
+    let first = moved.next();
+    moved.any(|other| Some(other) != first)
+}
+
 /// Of the work on the [`descent`], the share that prescribed forces do, and not prescribed motions.
 pub fn forced_share(scene: &Scene, state: &State) -> f64 {
     let [forced, moved] = work(scene, state).map(f64::abs);

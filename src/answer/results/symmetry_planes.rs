@@ -12,6 +12,8 @@ pub struct SymmetryPlanes {
     at: Vec<f64>,
     /// Does the scene name one?
     named: bool,
+    /// Where both bodies end together, and on no plane.
+    free_ends: Vec<f64>,
     /// Coordinates that differ by no more are the same.
     same: f64,
 }
@@ -35,8 +37,14 @@ impl SymmetryPlanes {
         let same = SAME * scene.mesh.extent(axis);
         let named = scene.mirrors.contains(&axis);
         let mut at: Vec<f64> = named.then_some(0.0).into_iter().collect();
-        at.extend(held_ends(scene, pair, axis, same));
-        Self { at, named, same }
+        let (held, free_ends) = common_ends(scene, pair, axis, same);
+        at.extend(held);
+        Self {
+            at,
+            named,
+            free_ends,
+            same,
+        }
     }
 
     /// Those square to a direction: none but where that is an axis.
@@ -44,6 +52,7 @@ impl SymmetryPlanes {
         let none = || Self {
             at: Vec::new(),
             named: false,
+            free_ends: Vec::new(),
             same: 0.0,
         };
         axis_of(direction).map_or_else(none, |axis| Self::of(scene, pair, axis))
@@ -56,24 +65,24 @@ impl SymmetryPlanes {
     }
 
     /// At which end one of them cuts what reaches from `low` to `high`, and its coordinate. What goes from one plane to
-    /// another has no end of its own, and is cut where the scene says so.
+    /// another, or to where both bodies end, has no end of its own, and is cut where the scene says so: a block that presses with all of its
+    /// face is held there so that it does not float away, and not as the half of another one.
     pub fn cut(&self, low: f64, high: f64) -> Option<(End, f64)> {
-        let plane = |x: f64| {
-            self.at
-                .iter()
-                .copied()
-                .find(|at| (at - x).abs() <= self.same)
-        };
-        match [low, high].map(plane) {
+        let is_at =
+            |all: &[f64], x: f64| all.iter().copied().find(|at| (at - x).abs() <= self.same);
+        let ends = [low, high];
+        let goes_through = || ends.iter().any(|x| is_at(&self.free_ends, *x).is_some());
+        match ends.map(|x| is_at(&self.at, x)) {
             [Some(_), Some(_)] if !self.named => None,
+            [Some(_), _] | [_, Some(_)] if !self.named && goes_through() => None,
             [Some(at), _] => Some((End::Low, at)),
             [None, high] => high.map(|at| (End::High, at)),
         }
     }
 }
 
-/// Where the bodies of a pair end together along `axis` and supports let all that is there slide.
-fn held_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> Vec<f64> {
+/// Where the bodies of a pair end together along `axis`: where supports let all that is there slide, and elsewhere.
+fn common_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> (Vec<f64>, Vec<f64>) {
     let slides = |support: &&Support| {
         let only = (0..3).all(|i| support.components[i].is_some() == (i == axis));
         only && !support.moves()
@@ -92,7 +101,7 @@ fn held_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> Vec<f64> {
         .flat_map(|surface| scene.mesh.nodes_of_surface(surface))
         .collect();
     if held.is_empty() {
-        return Vec::new();
+        return Default::default();
     }
     let contact = &scene.contacts[pair];
     let mesh = &scene.mesh;
@@ -102,13 +111,15 @@ fn held_ends(scene: &Scene, pair: usize, axis: usize, same: f64) -> Vec<f64> {
     let bodies: Vec<(&[u32], [f64; 2])> = corners
         .map(|corners| (corners, range(corners.iter().map(at))))
         .collect();
-    let is_plane = |end: usize| {
+    let common = |end: usize| {
         let place = bodies.first()?.1[end];
-        let is_there = |x: f64| (x - place).abs() <= same;
-        let common = bodies.iter().all(|(_, ends)| is_there(ends[end]));
-        let nodes = bodies.iter().flat_map(|(corners, _)| *corners);
-        let mut there = nodes.filter(|node| is_there(at(node)));
-        (common && there.all(|node| held.contains(node))).then_some(place)
+        let together = |(_, ends): &(_, [f64; 2])| (ends[end] - place).abs() <= same;
+        bodies.iter().all(together).then_some(place)
     };
-    [0, 1].into_iter().filter_map(is_plane).collect()
+    let is_held = |place: &f64| {
+        let nodes = bodies.iter().flat_map(|(corners, _)| *corners);
+        let mut there = nodes.filter(|node| (at(node) - place).abs() <= same);
+        there.all(|node| held.contains(node))
+    };
+    [0, 1].into_iter().filter_map(common).partition(is_held)
 }

@@ -20,6 +20,12 @@ impl Course<'_> {
         is.abs() <= UNLOADED_SHARE * was.abs() || (is * was >= 0.0 && is.abs() <= was.abs())
     }
 
+    /// Is next to nothing of what it is in step `loaded` left in the end?
+    fn is_off(&self, loaded: usize) -> bool {
+        let last = self.factors.last().copied().unwrap_or_default();
+        last.abs() <= UNLOADED_SHARE * self.factors[loaded].abs()
+    }
+
     fn stays(&self, step: usize) -> bool {
         self.factors[step - 1] == self.factors[step]
     }
@@ -42,11 +48,18 @@ impl Scene {
         while loaded < last && all(&|course| course.stays(loaded + 1)) {
             loaded += 1;
         }
-        let off = |course: &Course| {
-            let [was, is] = [loaded, last].map(|step| course.factors[step].abs());
-            !course.forces || is <= UNLOADED_SHARE * was
-        };
+        let off = |course: &Course| !course.forces || course.is_off(loaded);
         (loaded < last && all(&off)).then_some(loaded)
+    }
+
+    /// As [`Self::before_unloading`], where what is prescribed says so by itself: forces are taken off, or motions go back all the way.
+    /// Of motions that go back a little only the solution tells whether as little presses then.
+    pub fn before_certain_unloading(&self) -> Option<usize> {
+        let loaded = self.before_unloading()?;
+        let courses = self.courses();
+        let by_forces = courses.iter().any(|course| course.forces);
+        let certain = by_forces || courses.iter().all(|course| course.is_off(loaded));
+        certain.then_some(loaded)
     }
 
     /// Do a step and all that follow take the loads off?

@@ -34,6 +34,8 @@ impl Run<'_, '_> {
             self.counters.effort.before_step = self.counters.iterations;
         }
         let unloads = self.model.scene.unloads(step);
+        let full = self.model.scene.before_certain_unloading();
+        let may_stay = full.is_some_and(|full| step > full);
         if unloads && time == 0.0 && !self.history.is_virgin() {
             self.settle()?;
         }
@@ -42,7 +44,7 @@ impl Run<'_, '_> {
         }
         while time < 1.0 {
             let spent = self.counters.iterations - self.counters.effort.before_step;
-            if unloads && spent > UNLOADING_ITERATIONS {
+            if may_stay && spent > UNLOADING_ITERATIONS {
                 return Err(SolveError::Crawls {
                     step: self.model.scene.steps[step].name.clone(),
                     percent: 100.0 * time,

@@ -26,7 +26,7 @@ impl Run<'_, '_> {
     /// no load was left, it counts as taken off.
     pub(super) fn stuck(&mut self, error: &SolveError) -> Option<String> {
         let scene = self.model.scene;
-        let full = scene.before_unloading()?;
+        let full = scene.before_certain_unloading()?;
         let unloads = self.states.len() > full && self.last.step > full;
         if !unloads || !error.is_of_balance() {
             return None;

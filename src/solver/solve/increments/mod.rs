@@ -11,6 +11,7 @@ pub mod elastic_end;
 pub mod enlarge;
 pub mod first_guess;
 pub mod flow_plan;
+pub mod flowing;
 pub mod measure;
 pub mod no_balance;
 pub mod place;

@@ -99,7 +99,8 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
-                    if self.divide_turning_flow((&trial, &u), &evaluation) {
+                    let flowing = self.flowing_again((&trial, &u), &evaluation);
+                    if self.divide_turning_flow(&trial, &flowing, &evaluation) {
                         self.counters.effort.unforeseen += iterations;
                         self.size = target - time;
                         continue;
@@ -107,7 +108,7 @@ impl Run<'_, '_> {
                     self.accept((trial, u), &evaluation, target >= 1.0)?;
                     (self.asked, self.held_back) = (false, false);
                     time = target;
-                    self.accompany();
+                    self.accompany(&flowing);
                     // What only the next increment needs is prepared after this one was accepted.
                     if !unforeseen.is_empty() {
                         self.prepare_for(unforeseen, None)?;

@@ -1,0 +1,159 @@
+//! The elements that flow in an increment, and by how far the direction of their flow turns in it.
+
+use crate::model::material::j2::PlasticPoint;
+use crate::model::material::mises;
+use crate::model::mesh::hexahedron::volume;
+use crate::solver::solve::checkpoint::companion::Lacking;
+use crate::solver::solve::checkpoint::point::Point;
+use crate::solver::solve::equilibrium::evaluation::{Evaluation, PlasticAnswer};
+use crate::solver::solve::equilibrium::history::History;
+use crate::solver::solve::model::system::Model;
+use rayon::prelude::*;
+use std::array::from_fn;
+
+/// An element that flows in an increment.
+pub struct Flowing {
+    element: u32,
+    volume: f64,
+    /// Stresses at its integration points before the increment,
+    before: [[f64; 6]; 8],
+    /// at its end if they did not flow in it, as strain is given,
+    pub elastic: [[f64; 6]; 8],
+    /// and as they are, as stress is given.
+    pub after: [[f64; 6]; 8],
+    /// What they flow at.
+    flow_stress: [f64; 8],
+    /// Plastic strain that they gain.
+    gains: [f64; 8],
+}
+
+impl Flowing {
+    /// By how much the stress on its straight way to one of these ends exceeds yield at a share of the increment, times the volume.
+    pub fn excess(&self, end: &[[f64; 6]; 8], share: f64) -> f64 {
+        let shares =
+            (0..8).map(|k| mises(&between(&self.before[k], &end[k], share)) / self.flow_stress[k]);
+        self.volume * (shares.fold(0.0, f64::max) - 1.0).max(0.0)
+    }
+
+    /// Plastic strain in a direction that the increment does not have from where it begins to flow, but at its end, times the volume: half of what it
+    /// gains, by how far the direction of stress turns meanwhile.
+    pub fn turned(&self) -> f64 {
+        let of_point = |k: usize| {
+            let turn = self.turn(k);
+            let apart: f64 = (0..6)
+                .map(|i| turn[i].powi(2) * if i < 3 { 1.0 } else { 2.0 })
+                .sum();
+            0.5 * self.gains[k] * apart.sqrt()
+        };
+        self.volume / 8.0 * (0..8).map(of_point).sum::<f64>()
+    }
+
+    /// The plastic strain at each integration point, with engineering shears, that it lacks for that: flow whose direction turns evenly has, in the mean, one midway between
+    /// the first and the last.
+    fn lacks(&self) -> [[f64; 6]; 8] {
+        from_fn(|k| {
+            let turn = self.turn(k);
+            from_fn(|i| {
+                let engineering = if i < 3 { 1.0 } else { 2.0 };
+                -0.5 * 1.5f64.sqrt() * self.gains[k] * engineering * turn[i]
+            })
+        })
+    }
+
+    /// From the direction of stress where an integration point begins to flow to that at the end of the increment.
+    fn turn(&self, k: usize) -> [f64; 6] {
+        let begins = onset(&self.before[k], &self.elastic[k], self.flow_stress[k]);
+        let from = direction(&between(&self.before[k], &self.elastic[k], begins));
+        let to = direction(&self.after[k]);
+        from_fn(|i| to[i] - from[i])
+    }
+}
+
+/// Deviator of a stress over its size.
+fn direction(stress: &[f64; 6]) -> [f64; 6] {
+    let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+    let deviator: [f64; 6] = from_fn(|i| stress[i] - if i < 3 { mean } else { 0.0 });
+    let size = mises(stress) * (2.0f64 / 3.0).sqrt();
+    deviator.map(|s| if size > 0.0 { s / size } else { 0.0 })
+}
+
+/// A stress on the straight way from one to another.
+fn between(before: &[f64; 6], after: &[f64; 6], share: f64) -> [f64; 6] {
+    from_fn(|k| before[k] + share * (after[k] - before[k]))
+}
+
+/// Share of the way between two stresses at which it leaves the yield surface.
+fn onset(before: &[f64; 6], after: &[f64; 6], flow_stress: f64) -> f64 {
+    const HALVINGS: i32 = 30;
+    (1..=HALVINGS).fold(0.0, |begins, k| {
+        let next = begins + 0.5f64.powi(k);
+        let inside = mises(&between(before, after, next)) < flow_stress;
+        if inside { next } else { begins }
+    })
+}
+
+/// Those of the increment from the point `start` to `trial`, of which `history` is that of the start and `u` are the displacements at the end.
+pub fn flowing(
+    (model, history): (&Model, &History),
+    start: &Point,
+    (trial, u): (&Point, &[[f64; 3]]),
+    evaluation: &Evaluation,
+) -> Vec<Flowing> {
+    let scene = model.scene;
+    let before = model.displacement(start, &history.settled);
+    let begins = if start.step == trial.step {
+        start.time
+    } else {
+        0.0
+    };
+    let moments = [begins, trial.time].map(|time| (trial.step, time));
+    let flows = evaluation
+        .plastic
+        .par_iter()
+        .filter(|answer| answer.flows());
+    let of_element = |answer: &PlasticAnswer| {
+        let element = model.yielding[answer.index];
+        let body = scene.mesh.body_of(element as usize);
+        let steel = &scene.materials[body];
+        let points = history.plastic[answer.index].as_deref();
+        let points: [PlasticPoint; 8] = points.copied().unwrap_or_default();
+        let stress = |u: &[[f64; 3]], points, moment| {
+            let local = scene.mesh.hexes[element as usize].map(|node| u[node as usize]);
+            let free = model.free_strains(element, points, moment);
+            model
+                .element(element)
+                .stress(&model.elastic[body], &local, &free)
+        };
+        Flowing {
+            element,
+            volume: volume(&scene.mesh.corners(element as usize)),
+            before: stress(&before, points, moments[0]),
+            elastic: stress(u, points, moments[1]),
+            after: stress(u, *answer.points, moments[1]),
+            flow_stress: points.map(|point| steel.flow_stress(point.peeq)),
+            gains: from_fn(|k| answer.points[k].peeq - points[k].peeq),
+        }
+    };
+    flows.map(of_element).collect()
+}
+
+/// Adds the plastic strain that elements lack.
+pub fn add_lacking(sum: &mut Lacking, flowing: &[Flowing]) {
+    let lacking = flowing
+        .iter()
+        .map(|element| (element.element, element.lacks()));
+    add_to(sum, lacking, 1.0);
+}
+
+/// Adds `times` what others lack.
+pub fn add_to(
+    sum: &mut Lacking,
+    others: impl IntoIterator<Item = (u32, [[f64; 6]; 8])>,
+    times: f64,
+) {
+    for (element, others) in others {
+        let sum = sum.entry(element).or_insert([[0.0; 6]; 8]);
+        let both = sum.as_flattened_mut().iter_mut().zip(others.as_flattened());
+        both.for_each(|(sum, other)| *sum += times * other);
+    }
+}

@@ -162,7 +162,7 @@ impl Answer {
             dents: &dents,
             elastic: solved.elastic,
             elastic_claims: solved.elastic_claims,
-            doubled: &doubled,
+            doubled: doubled.as_deref(),
         });
         let load = load::applied(scene, state);
         let descent = travel.map(|travel| travel.value());
@@ -246,27 +246,12 @@ impl Answer {
     }
 }
 
-/// What is said of each second solution, with larger errors of the increments: none where there is none.
-fn doubled(solved: &AnswerInputs) -> Vec<Vec<Figure>> {
-    let at = |step| {
-        solved
-            .doubled
-            .iter()
-            .filter(move |state| state.step == step)
-    };
-    let unloaded = |nth| {
-        let all = || at(solved.unloaded?.step).nth(nth);
-        all().or_else(|| at(solved.unloaded?.step).last())
-    };
-    let states = at(solved.state.step).enumerate();
-    states
-        .map(|(nth, state)| of_second(solved, state, unloaded(nth)))
-        .collect()
-}
-
-/// What is said of a second solution, and of its state when it was unloaded.
-fn of_second(solved: &AnswerInputs, state: &State, unloaded: Option<&State>) -> Vec<Figure> {
+/// What is said of the solution in increments twice as large, where there is one.
+fn doubled(solved: &AnswerInputs) -> Option<Vec<Figure>> {
+    let at = |step| solved.doubled.iter().find(|state| state.step == step);
+    let state = at(solved.state.step)?;
     let recovered = recover(solved.scene, state);
+    let unloaded = solved.unloaded.and_then(|state| at(state.step));
     let stays = solved.unloaded.zip(unloaded).and_then(|(one, other)| {
         // What is left of the load presses either solution alike.
         let moved = |(one, other): (&[f64; 3], &[f64; 3])| sub(*other, *one);
@@ -284,5 +269,5 @@ fn of_second(solved: &AnswerInputs, state: &State, unloaded: Option<&State>) -> 
         doubled: &[],
         ..*solved
     };
-    Answer::gather(&other).certificate
+    Some(Answer::gather(&other).certificate)
 }

@@ -16,8 +16,8 @@ pub(super) struct Memory<'a> {
     pub rubs: bool,
     /// Is the elastic solution of another mesh? Then its claims know their own errors.
     pub elastic_elsewhere: bool,
-    /// The claims of each solution in increments twice as large, or twice as wrong.
-    pub doubled: &'a [Vec<Figure>],
+    /// The claims of the solution in increments twice as large.
+    pub doubled: Option<&'a [Figure]>,
 }
 
 impl Memory<'_> {
@@ -37,9 +37,7 @@ impl Memory<'_> {
         if !self.rubs && (elastic || !self.flows) {
             return Some(0.0);
         }
-        let others = self.doubled.iter();
-        let others = others.filter_map(|others| figure(others, claim.what, &claim.place));
-        let off = others.map(|other| DOUBLING * (claim.value - other.value).abs());
-        off.reduce(f64::max)
+        let other = figure(self.doubled?, claim.what, &claim.place)?;
+        Some(DOUBLING * (claim.value - other.value).abs())
     }
 }

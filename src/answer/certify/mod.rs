@@ -82,8 +82,8 @@ pub struct Evidence<'a> {
     pub elastic: Option<&'a [BodyPeaks]>,
     /// The claims of that solution, where it is of another mesh; empty where it is of this one.
     pub elastic_claims: &'a [Figure],
-    /// The claims of each second solution, in increments twice as large, or twice as wrong.
-    pub doubled: &'a [Vec<Figure>],
+    /// The claims of the solution in increments twice as large.
+    pub doubled: Option<&'a [Figure]>,
 }
 
 /// The claims of a state: descent, bodies, interfaces.

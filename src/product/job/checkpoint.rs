@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 /// Its name in the folder of a run.
 pub const FILE: &str = "checkpoint.bin";
 
-const FORMAT: &[u8] = b"brinell checkpoint 5\n";
+const FORMAT: &[u8] = b"brinell checkpoint 4\n";
 
 /// The checkpoint file of one scene.
 #[derive(Debug, Clone)]

@@ -53,6 +53,8 @@ pub const NEGLIGIBLE_FLOW: f64 = 0.01;
 /// six cubes and eight tubes that yield, and again under other loads, travels were 0.1 to 34 % off beside bars of nothing; with it
 /// they are off by 0.4 to 1.2 bars.)
 pub const TURNED_FLOW: f64 = 3e-3;
+/// Of the same, what is let go: an increment of less is not solved once more.
+pub const LITTLE_TURNED: f64 = 1e-5;
 /// Share of a step below which an increment is not divided for that.
 pub const LEAST_TURN: f64 = 1.0 / 128.0;
 /// The most increments that a step is planned in.

@@ -3,10 +3,6 @@
 use crate::solver::solve::checkpoint::plastic::Plastic;
 use crate::solver::solve::checkpoint::point::Point;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-
-/// Plastic strain, with engineering shears, that the integration points of elements lack.
-pub type Lacking = BTreeMap<u32, [[f64; 6]; 8]>;
 
 /// It goes on only with a model of the same unknowns and contact rows.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -16,7 +12,6 @@ pub struct KeptCompanion {
     pub slip_origin: Vec<[f64; 2]>,
     pub slip: Vec<f64>,
     pub passed: Vec<Point>,
-    pub lacking: Lacking,
 }
 
 impl KeptCompanion {
@@ -24,8 +19,6 @@ impl KeptCompanion {
     pub fn contents(&self) -> impl Iterator<Item = (usize, u32)> {
         let points = self.passed.iter().chain([&self.point]);
         let steps = points.map(|p| (p.step, 0));
-        let lacking = self.lacking.keys().map(|element| (0, *element));
-        let plastic = self.plastic.iter().map(|(element, _)| (0, *element));
-        steps.chain(plastic).chain(lacking)
+        steps.chain(self.plastic.iter().map(|(element, _)| (0, *element)))
     }
 }

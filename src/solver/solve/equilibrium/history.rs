@@ -76,6 +76,20 @@ impl History {
         start_from(point, evaluation);
     }
 
+    /// Gives elements of [`Model::yielding`] `times` that much plastic strain, with engineering shears.
+    pub fn gain(&mut self, model: &Model, strains: &[(u32, [[f64; 6]; 8])], times: f64) {
+        for (element, strains) in strains {
+            let Ok(at) = model.yielding.binary_search(element) else {
+                continue;
+            };
+            let points = self.plastic[at].get_or_insert_default();
+            for (point, strain) in points.iter_mut().zip(strains) {
+                let both = point.strain.iter_mut().zip(strain);
+                both.for_each(|(sum, e)| *sum += times * e);
+            }
+        }
+    }
+
     /// All elements that have flowed.
     pub fn all_plastic(&self, model: &Model) -> Plastic {
         let watched = model.yielding.iter().zip(&self.plastic);

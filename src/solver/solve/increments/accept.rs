@@ -1,25 +1,31 @@
 //! What an accepted increment leaves.
 
-use crate::ground::geometry::Vec3;
 use crate::model::state::Energy;
 use crate::model::state::turn::{TOO_FAR, largest_turn};
 use crate::solver::solve::checkpoint::kept::Kept;
-use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::checkpoint::timers::Phase;
-use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::error::SolveError;
+use crate::solver::solve::increments::flowing::work_on;
 use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::increments::turning_flow::Balanced;
 use crate::solver::solve::recovery::state::recovered_state;
+use crate::solver::solve::working_set::unforeseen::Unforeseen;
 use std::sync::Arc;
 
 impl Run<'_, '_> {
-    /// Goes on to `trial`, which is in balance and moves the nodes by `u`; is it the `last` of its step?
+    /// Goes on to an increment; is it the `last` of its step? Returns what it did not foresee.
     pub(super) fn accept(
         &mut self,
-        (trial, u): (Point, Vec<Vec3>),
-        evaluation: &Evaluation,
+        balanced: Balanced,
         last: bool,
-    ) -> Result<(), SolveError> {
+    ) -> Result<Unforeseen, SolveError> {
+        let Balanced {
+            trial,
+            u,
+            ref evaluation,
+            ref lacking,
+            unforeseen,
+        } = balanced;
         let mut accepted = trial;
         self.history.advance(&mut accepted, evaluation);
         self.point = accepted;
@@ -33,7 +39,11 @@ impl Run<'_, '_> {
             } else {
                 self.last.energy
             };
-            state.energy = before.and_then(|energy| energy.after(model, &self.last, &state));
+            let energy = before.and_then(|energy| energy.after(model, &self.last, &state));
+            state.energy = energy.map(|energy| Energy {
+                plastic: energy.plastic + work_on(lacking, model.scene, [&self.last, &state]),
+                ..energy
+            });
             state
         });
         self.counters.timers = timers;
@@ -46,12 +56,12 @@ impl Run<'_, '_> {
             self.states.push(state.clone());
         }
         self.last = state;
-        Ok(())
+        Ok(unforeseen)
     }
 
     /// Contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror planes leave
     /// also turns where the whole only bends.
-    pub(super) fn turns_far(&self, step: usize, displacement: &[Vec3]) -> Option<SolveError> {
+    pub(super) fn turns_far(&self, step: usize, displacement: &[[f64; 3]]) -> Option<SolveError> {
         let scene = self.model.scene;
         if scene.contacts.is_empty() || !scene.mirrors.is_empty() {
             return None;

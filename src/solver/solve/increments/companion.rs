@@ -6,7 +6,7 @@
 //! active set of its own. It starts every increment from what the first solution found there, so
 //! that a few iterations do.
 
-use crate::solver::solve::checkpoint::companion::{KeptCompanion, Lacking};
+use crate::solver::solve::checkpoint::companion::KeptCompanion;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::model::system::Model;
@@ -18,8 +18,6 @@ pub struct Companion {
     pub history: History,
     /// Where the first one has been since.
     pub passed: Vec<Point>,
-    /// What it lacks on that way, as its flow turns within increments.
-    pub lacking: Lacking,
 }
 
 impl Companion {
@@ -29,24 +27,7 @@ impl Companion {
             point: point.clone(),
             history: history.clone(),
             passed: Vec::new(),
-            lacking: Lacking::new(),
         }
-    }
-
-    /// Gives its elements that much plastic strain more.
-    pub fn gains(&mut self, model: &Model, strains: &Lacking) {
-        let mut all = self.history.all_plastic(model);
-        for (element, points) in &mut all {
-            let gains = strains.get(element).into_iter().flatten();
-            for (point, gain) in points.iter_mut().zip(gains) {
-                point
-                    .strain
-                    .iter_mut()
-                    .zip(gain)
-                    .for_each(|(e, gain)| *e += gain);
-            }
-        }
-        self.history.place_plastic(model, all);
     }
 
     pub fn keep(&self, model: &Model) -> KeptCompanion {
@@ -56,7 +37,6 @@ impl Companion {
             slip_origin: self.history.slip_origin.clone(),
             slip: self.history.slip.clone(),
             passed: self.passed.clone(),
-            lacking: self.lacking.clone(),
         }
     }
 }
@@ -80,7 +60,6 @@ impl KeptCompanion {
                 point: self.point.clone(),
                 history: History::new(model, self.plastic.clone(), slip),
                 passed: self.passed.clone(),
-                lacking: self.lacking.clone(),
             }
         })
     }

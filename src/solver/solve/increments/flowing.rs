@@ -3,13 +3,17 @@
 use crate::model::material::j2::PlasticPoint;
 use crate::model::material::mises;
 use crate::model::mesh::hexahedron::volume;
-use crate::solver::solve::checkpoint::companion::Lacking;
+use crate::model::scene::Scene;
+use crate::model::state::State;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::{Evaluation, PlasticAnswer};
 use crate::solver::solve::equilibrium::history::History;
 use crate::solver::solve::model::system::Model;
 use rayon::prelude::*;
 use std::array::from_fn;
+
+/// Plastic strain, with engineering shears, that the integration points of elements lack.
+pub type Lacking = Vec<(u32, [[f64; 6]; 8])>;
 
 /// An element that flows in an increment.
 pub struct Flowing {
@@ -137,23 +141,25 @@ pub fn flowing(
     flows.map(of_element).collect()
 }
 
-/// Adds the plastic strain that elements lack.
-pub fn add_lacking(sum: &mut Lacking, flowing: &[Flowing]) {
-    let lacking = flowing
-        .iter()
-        .map(|element| (element.element, element.lacks()));
-    add_to(sum, lacking, 1.0);
+/// The plastic strain that each lacks at its integration points.
+pub fn lacking(flowing: &[Flowing]) -> Lacking {
+    let of_element = |element: &Flowing| (element.element, element.lacks());
+    flowing.iter().map(of_element).collect()
 }
 
-/// Adds `times` what others lack.
-pub fn add_to(
-    sum: &mut Lacking,
-    others: impl IntoIterator<Item = (u32, [[f64; 6]; 8])>,
-    times: f64,
-) {
-    for (element, others) in others {
-        let sum = sum.entry(element).or_insert([[0.0; 6]; 8]);
-        let both = sum.as_flattened_mut().iter_mut().zip(others.as_flattened());
-        both.for_each(|(sum, other)| *sum += times * other);
-    }
+/// What stresses do, from one state to the next, on plastic strain that elements are given.
+pub fn work_on(strains: &Lacking, scene: &Scene, states: [&State; 2]) -> f64 {
+    let of_element = |(element, strains): &(u32, [[f64; 6]; 8])| {
+        let element = *element as usize;
+        let of_state = |state: &State| -> f64 {
+            let stresses = state.stress.get(element).into_iter().flatten();
+            let works = stresses.zip(strains);
+            works
+                .map(|(stress, strain)| stress.iter().zip(strain).map(|(s, e)| s * e).sum::<f64>())
+                .sum()
+        };
+        let volume = volume(&scene.mesh.corners(element));
+        volume / 8.0 * 0.5 * states.map(of_state).iter().sum::<f64>()
+    };
+    strains.iter().map(of_element).sum()
 }

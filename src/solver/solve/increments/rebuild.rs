@@ -39,7 +39,7 @@ impl Run<'_, '_> {
             let passed: Vec<_> = c.passed.into_iter().map(of).collect();
             let place = (all(&c.point, &c.history.settled), c.point);
             let plastic = c.history.all_plastic(&self.model);
-            (place, (c.history, plastic), (passed, c.lacking))
+            (place, (c.history, plastic), passed)
         });
         let rows = self.model.rows.iter().enumerate();
         let old: BTreeMap<_, usize> = rows.map(|(i, r)| (key(r), i)).collect();
@@ -90,13 +90,12 @@ impl Run<'_, '_> {
         self.point = point(&self.point, &accepted);
         self.guess = guess.map(|(p, u)| point(&p, &u));
         self.end = end.map(carried);
-        self.companion = companion.map(|((u, p), (mut h, plastic), (passed, lacking))| {
+        self.companion = companion.map(|((u, p), (mut h, plastic), passed)| {
             history(&mut h, plastic, &u);
             Companion {
                 point: point(&p, &u),
                 history: h,
                 passed: passed.into_iter().map(carried).collect(),
-                lacking,
             }
         });
         history(&mut self.history, plastic, &accepted);

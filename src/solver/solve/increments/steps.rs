@@ -3,6 +3,7 @@
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::diagnosis::At;
 use crate::solver::solve::increments::run::Run;
+use crate::solver::solve::increments::turning_flow::Balanced;
 use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
 use crate::solver::solve::newton::goal::Goal;
@@ -105,10 +106,20 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
-                    self.accept((trial, u), &evaluation, target >= 1.0)?;
+                    let mut balanced = Balanced {
+                        trial,
+                        u,
+                        evaluation,
+                        unforeseen,
+                        lacking: Vec::new(),
+                    };
+                    if !self.turn_flow(&mut balanced, &flowing, self.size / target) {
+                        return Ok(false);
+                    }
+                    let unforeseen = self.accept(balanced, target >= 1.0)?;
                     (self.asked, self.held_back) = (false, false);
                     time = target;
-                    self.accompany(&flowing);
+                    self.accompany();
                     // What only the next increment needs is prepared after this one was accepted.
                     if !unforeseen.is_empty() {
                         self.prepare_for(unforeseen, None)?;

@@ -4,6 +4,7 @@
 //! which may take all of it in one piece as well, tells of no error. A look ahead knows nothing of it, as it is of bodies that have not
 //! flowed yet. But the increment itself tells, once it is solved, by how far stress turns from where it meets the yield surface.
 
+use crate::ground::geometry::Vec3;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::mesh::hexahedron::volume;
 use crate::model::state::State;
@@ -11,9 +12,26 @@ use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::increments::flow_plan::equal_shares;
-use crate::solver::solve::increments::flowing::{Flowing, flowing};
+use crate::solver::solve::increments::flowing::{Flowing, Lacking, flowing, lacking};
 use crate::solver::solve::increments::run::Run;
-use crate::solver::solve::params::{EQUAL_STEP_SHARES, INCREMENT_GROWTH, LEAST_TURN, TURNED_FLOW};
+use crate::solver::solve::newton::balance::balance_increment;
+use crate::solver::solve::newton::failure::{Failure, Stopped};
+use crate::solver::solve::newton::goal::Goal;
+use crate::solver::solve::params::{
+    EQUAL_STEP_SHARES, INCREMENT_GROWTH, LEAST_TURN, LITTLE_TURNED, TURNED_FLOW,
+};
+use crate::solver::solve::working_set::unforeseen::Unforeseen;
+
+/// An increment that is in balance.
+pub struct Balanced {
+    pub trial: Point,
+    pub u: Vec<Vec3>,
+    pub evaluation: Evaluation,
+    /// What the model was not prepared for.
+    pub unforeseen: Unforeseen,
+    /// Plastic strain that it was given as its flow turns.
+    pub lacking: Lacking,
+}
 
 impl Run<'_, '_> {
     /// The elements that flow in an increment, `trial` with the displacements `u`, where steel flowed in a step before; none elsewhere.
@@ -40,8 +58,7 @@ impl Run<'_, '_> {
         if flowing.is_empty() || trial.time - from < LEAST_TURN {
             return false;
         }
-        let turned: f64 = flowing.iter().map(Flowing::turned).sum();
-        if turned <= TURNED_FLOW * self.plastic_strain(evaluation) {
+        if self.turned_share(flowing, evaluation) <= TURNED_FLOW {
             return false;
         }
         let mut ends = self.shares_of_flow(flowing, [from, trial.time]);
@@ -61,6 +78,65 @@ impl Run<'_, '_> {
             ends,
         });
         true
+    }
+
+    /// Solves an increment once more with the plastic strain that it [lacks](Flowing::lacks) as its flow turns, so that its flow has the mean direction of its
+    /// course. What does not come to balance so, or asks for more to be prepared, stays as it was. Returns false where the observer cancelled.
+    pub(super) fn turn_flow(
+        &mut self,
+        balanced: &mut Balanced,
+        flowing: &[Flowing],
+        next: f64,
+    ) -> bool {
+        if self.turned_share(flowing, &balanced.evaluation) <= LITTLE_TURNED {
+            return true;
+        }
+        let lacking = lacking(flowing);
+        self.history.gain(&self.model, &lacking, 1.0);
+        let mut trial = balanced.trial.clone();
+        let before = self.counters.iterations;
+        let ahead = self.ahead(trial.step, next);
+        let result = balance_increment(
+            &self.model,
+            &self.history,
+            (&mut trial, Goal::Foreseen(ahead)),
+            &mut self.solver,
+            self.observer,
+            &mut self.counters,
+        );
+        self.counters.effort.unforeseen += self.counters.iterations - before;
+        let cancelled = matches!(
+            result,
+            Err(Stopped {
+                why: Failure::Cancelled,
+                ..
+            })
+        );
+        if let Ok(evaluation) = result {
+            let (unforeseen, u) = self.look(&trial, next);
+            if !unforeseen.missed {
+                *balanced = Balanced {
+                    trial,
+                    u,
+                    evaluation,
+                    unforeseen,
+                    lacking,
+                };
+                return true;
+            }
+        }
+        self.history.gain(&self.model, &lacking, -1.0);
+        !cancelled
+    }
+
+    /// Of all plastic strain, what has the direction of the end of an increment and not of its course.
+    fn turned_share(&self, flowing: &[Flowing], evaluation: &Evaluation) -> f64 {
+        let turned: f64 = flowing.iter().map(Flowing::turned).sum();
+        if turned > 0.0 {
+            turned / self.plastic_strain(evaluation)
+        } else {
+            0.0
+        }
     }
 
     /// All plastic strain, times the volume.

@@ -133,8 +133,8 @@ fn contact_patch_test_is_uniform() {
 }
 
 /// A cube pulled beyond yield and then sheared while it is held: its flow turns, and the stress depends
-/// on the increments. Source: the same with increments of a hundredth. The estimate is of first order
-/// and from double increments: within a factor of three.
+/// on the increments. Source: the same with increments of a thousandth. With the mean direction of the flow it is off by a quarter of a
+/// percent at most; the estimate, from increments twice as large that do without, is of first order and covers it.
 #[test]
 fn the_error_of_increments_is_known_where_flow_turns() {
     let solved = |first_increment: f64| {
@@ -169,20 +169,20 @@ fn the_error_of_increments_is_known_where_flow_turns() {
         s.controls.first_increment = first_increment;
         solve(&mut s, &mut Silent).unwrap()
     };
-    let (coarse, fine) = (solved(0.3), solved(0.01));
+    let [coarse, fine, exact] = [0.3, 0.01, 0.001].map(solved);
     let between = |one: &State, other: &State| {
         let off: [f64; 6] = std::array::from_fn(|i| one.stress[0][0][i] - other.stress[0][0][i]);
         brinell::answer::results::tensor::mises(&off)
     };
     let estimate = |solution: &Solution| between(&solution.last, solution.doubled.last().unwrap());
-    let error = between(&coarse.last, &fine.last);
-    let ratio = estimate(&coarse) / error;
-    assert!(
-        error > 0.5 && (1.0 / 3.0..3.0).contains(&ratio),
-        "{ratio} of {error}"
-    );
-    let both = [&fine, &coarse].map(estimate);
-    assert!(both[0] < 0.25 * both[1], "{both:?}");
+    let size = brinell::answer::results::tensor::mises(&exact.last.stress[0][0]);
+    for solution in [&coarse, &fine] {
+        let error = between(&solution.last, &exact.last);
+        assert!(
+            error < 2.5e-3 * size && error < estimate(solution),
+            "{error}"
+        );
+    }
 }
 
 /// A block that sticks to a rigid plane everywhere is one that is fixed there. Only its nodes in contact are left of it where

@@ -40,8 +40,8 @@ impl Run<'_, '_> {
         with: (&Point, &[[f64; 3]]),
         evaluation: &Evaluation,
     ) -> Vec<Flowing> {
-        let has_flowed = |state: &State| state.energy.is_some_and(|energy| energy.plastic > 0.0);
-        if !self.states.iter().any(has_flowed) {
+        let has_flowed = |state: &State| state.peeq.iter().flatten().any(|peeq| *peeq > 0.0);
+        if !self.states.last().is_some_and(has_flowed) {
             return Vec::new();
         }
         flowing((&self.model, &self.history), &self.point, with, evaluation)

@@ -38,10 +38,11 @@ impl VGroove {
     ) -> Result<Self, DomainError> {
         let steep = 0.5 * PI;
         let allowed = slope > 0.0 && slope < steep;
+        let between = "above 0 and below 1.5708 rad, 90 degrees";
         Ok(Self {
             line_load: error::positive("load per length", line_load)?,
             radius: error::positive("radius", radius)?,
-            slope: error::require("slope", slope, allowed, "above 0 and below 90 degrees")?,
+            slope: error::require("slope, in rad,", slope, allowed, between)?,
             compliance: error::positive("compliance of the contact", compliance)?,
         })
     }

@@ -208,17 +208,18 @@ impl Answer {
     }
 
     /// What the yield stress of a body is asked about: the elastic peak where it has yielded and that is known, away from
-    /// loaded edges where the peak lies at one. Flow only lowers a peak while loads grow; where the body bears more than that, it
-    /// is left from larger loads before, and counts.
+    /// loaded edges where the peak lies at one. Flow only lowers a peak while loads grow; where the body bears more than that after other
+    /// steps, it is left from larger loads before, and counts.
     pub fn elastic_mises(&self, body: &str) -> Option<&Figure> {
         let of = |what| self.figure(what, body);
+        let later = self.steps.iter().position(|step| step.reported) > Some(0);
         // A peak at a loaded edge is a figure of the mesh.
         let (elastic, borne) = match of(Quantity::ElasticMisesAway) {
             Some(away) => (Some(away), of(Quantity::MisesAway)),
             None => (of(Quantity::ElasticPeakMises), of(Quantity::PeakMises)),
         };
         match (elastic, borne) {
-            (Some(elastic), Some(borne)) if borne.value > elastic.value => Some(borne),
+            (Some(elastic), Some(borne)) if later && borne.value > elastic.value => Some(borne),
             (Some(elastic), _) => Some(elastic),
             (None, _) => of(Quantity::MisesAway).or(borne),
         }

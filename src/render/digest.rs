@@ -7,6 +7,9 @@ use super::text::{list, percent, significant};
 use super::utilisation::{Utilisation, first_largest, largest, utilisations};
 use super::verdict::verdict;
 use crate::answer::certify::{Figure, Quantity};
+use crate::answer::checks::NOTABLE_SHARE;
+use crate::answer::InterfaceFigures;
+use crate::ground::geometry::norm;
 use std::fmt::Write;
 
 /// Two pressures of one line load differ by less.
@@ -246,7 +249,14 @@ fn forces(summary: &Summary) -> Option<String> {
         (least.min(force), most.max(force))
     });
     let [least, most] = [least, most].map(|force| significant(force, DIGITS));
-    let unit = &summary.units.force;
+    // Of what stands across the load, or carries friction, that is not all.
+    let interfaces = &summary.answer.interfaces.0;
+    let is_part = |i: &InterfaceFigures| norm(i.force) > (1.0 + NOTABLE_SHARE) * i.normal_force;
+    let along = match interfaces.iter().any(|(_, i)| is_part(i)) {
+        true => " along the load",
+        false => "",
+    };
+    let unit = format!("{}{along}", summary.units.force);
     match all().count() {
         0 => None,
         1 => Some(format!("{most} {unit} through the one interface")),

@@ -76,9 +76,10 @@ pub fn verdict(summary: &Summary, missed: &[String]) -> Verdict {
     rest.push("The solution has converged, and every check of it is within its limit.".to_string());
     let unsure = summary.answer.unresolved().len();
     if unsure > 0 {
+        let (standing, _) = summary.answer.standing();
         rest.push(format!(
             "This mesh does not resolve {unsure} of {} certified figures: they are named below.",
-            summary.answer.certificate.len()
+            standing.len()
         ));
     }
     let fails = fails(summary);

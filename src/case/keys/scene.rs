@@ -194,7 +194,7 @@ pub const LOAD: Keys = Keys {
             "value",
             "stress of a pressure, list of three stresses of a traction",
             "required",
-            "a pressure is positive in compression",
+            "a pressure is positive in compression, a traction along the axes",
         ),
     ],
 };

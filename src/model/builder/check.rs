@@ -5,7 +5,10 @@ use super::error::BuildError;
 use super::load::{Load, LoadKind};
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
-use crate::model::scene::{OFF_PLANE, Step, Support, Tie, faces_in_plane, reaches_into_plane};
+use crate::model::scene::{
+    Controls, OFF_PLANE, Step, Support, Tie, faces_in_plane, reaches_into_plane,
+};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The steel of every body, in the order of the mesh; of several for one body the last.
 pub(super) fn check_steels(
@@ -69,7 +72,92 @@ pub(super) fn check_surface(mesh: &Mesh, user: &str, name: &str) -> Result<(), B
     }
 }
 
+/// Has everything of a kind a name of its own?
+pub(super) fn check_names<'n>(
+    kind: &'static str,
+    names: impl Iterator<Item = &'n String>,
+) -> Result<(), BuildError> {
+    let mut seen = BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            let name = name.clone();
+            return Err(BuildError::Twice { kind, name });
+        }
+    }
+    Ok(())
+}
+
+/// Does each of these, by its name, join two surfaces that no other one does?
+pub(super) fn check_sides<'n>(
+    all: impl Iterator<Item = (&'n String, [&'n String; 2])>,
+) -> Result<(), BuildError> {
+    let mut seen = BTreeMap::new();
+    for (name, mut sides) in all {
+        sides.sort();
+        let surfaces = sides.map(String::clone);
+        if sides[0] == sides[1] {
+            let [surface, _] = surfaces;
+            let name = name.clone();
+            return Err(BuildError::WithItself { name, surface });
+        }
+        if let Some(other) = seen.insert(sides, name) {
+            return Err(BuildError::SameSides {
+                name: name.clone(),
+                other: other.clone(),
+                surfaces,
+            });
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn check_supports(mesh: &Mesh, supports: &[Support]) -> Result<(), BuildError> {
+    for support in supports {
+        check_surface(mesh, "a support", &support.surface)?;
+        let gradient = support.gradient.iter().flatten();
+        let mut numbers = support.components.iter().flatten().chain(gradient);
+        if let Some(value) = numbers.find(|x| !x.is_finite()) {
+            return Err(BuildError::Number {
+                what: "a displacement",
+                of: support.name.clone(),
+                value: *value,
+                allowed: "finite",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// As of a case file.
+pub(super) fn check_controls(controls: &Controls, scene: &str) -> Result<(), BuildError> {
+    let shares = [
+        ("residual", controls.residual),
+        ("penetration", controls.penetration),
+        ("first_increment", controls.first_increment),
+        ("smallest_increment", controls.smallest_increment),
+    ];
+    let is_share = |x: f64| x > 0.0 && x <= 1.0;
+    let wrong = |what, value, allowed| BuildError::Number {
+        what,
+        of: scene.to_owned(),
+        value,
+        allowed,
+    };
+    if let Some((what, value)) = shares.into_iter().find(|(_, x)| !is_share(*x)) {
+        return Err(wrong(what, value, "more than 0 and at most 1"));
+    }
+    let reach = controls.contact_reach;
+    if !(reach > 0.0 && reach.is_finite()) {
+        return Err(wrong("contact_reach", reach, "positive"));
+    }
+    match controls.iterations {
+        0 => Err(wrong("iterations", 0.0, "1 or more")),
+        _ => Ok(()),
+    }
+}
+
 pub(super) fn check_loads(mesh: &Mesh, loads: &[Load]) -> Result<(), BuildError> {
+    check_names("load", loads.iter().map(|load| &load.name))?;
     for load in loads {
         check_surface(mesh, &format!("the load `{}`", load.name), &load.surface)?;
         if let Some(value) = load.numbers().into_iter().find(|x| !x.is_finite()) {
@@ -103,6 +191,8 @@ pub(super) fn check_loads_in_mirror(
 }
 
 pub(super) fn check_ties(mesh: &Mesh, ties: &[Tie]) -> Result<(), BuildError> {
+    check_names("tie", ties.iter().map(|tie| &tie.name))?;
+    check_sides(ties.iter().map(|tie| (&tie.name, tie.surfaces.each_ref())))?;
     for tie in ties {
         for surface in &tie.surfaces {
             check_surface(mesh, &format!("the tie `{}`", tie.name), surface)?;
@@ -131,7 +221,19 @@ pub(super) fn check_steps(
             .map(|l| &l.name)
             .chain(supports.iter().map(|s| &s.name))
     };
+    check_names("step", steps.iter().map(|step| &step.name))?;
     for step in steps {
+        check_names("factor", step.factors.iter().map(|(name, _)| name))?;
+        let is_load = |name: &String| loads.iter().any(|load| load.name == *name);
+        let moves = |name: &String| supports.iter().any(|s| s.name == *name && s.moves());
+        let both = step
+            .factors
+            .iter()
+            .find(|(name, _)| is_load(name) && moves(name));
+        if let Some((name, _)) = both {
+            let (kind, name) = ("load or prescribed motion", name.clone());
+            return Err(BuildError::Twice { kind, name });
+        }
         let user = format!("the step `{}`", step.name);
         for (name, _) in &step.factors {
             if !names().any(|known| known == name) {

@@ -54,6 +54,53 @@ pub enum BuildError {
         /// All names of that kind.
         known: String,
     },
+    /// Two of a kind have one name.
+    #[error("there are two {kind}s called `{name}`")]
+    #[diagnostic(
+        code(brinell::build::twice),
+        help("steps and answers call them by their names: give each its own")
+    )]
+    Twice {
+        /// "contact", "load", "tie", "step" or "factor".
+        kind: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A contact or a tie joins what another one does, or a surface with itself.
+    #[error("`{name}` joins the surfaces `{}` and `{}`, as `{other}` does", surfaces[0], surfaces[1])]
+    #[diagnostic(
+        code(brinell::build::same_sides),
+        help("leave one of them out: both would carry half of the load")
+    )]
+    SameSides {
+        /// The second one.
+        name: String,
+        /// The first one.
+        other: String,
+        /// Their surfaces.
+        surfaces: [String; 2],
+    },
+    /// A contact or a tie of a surface with itself.
+    #[error("`{name}` joins the surface `{surface}` with itself")]
+    #[diagnostic(code(brinell::build::itself), help("name the surfaces of both sides"))]
+    WithItself {
+        /// The contact or tie.
+        name: String,
+        /// The surface.
+        surface: String,
+    },
+    /// A mesh that was made or changed in code is not whole.
+    #[error("the mesh {mesh} is not whole: {why}")]
+    #[diagnostic(
+        code(brinell::build::broken),
+        help("look at what was changed; nodes and elements count from 0")
+    )]
+    Broken {
+        /// Where the mesh came from.
+        mesh: String,
+        /// What is wrong.
+        why: String,
+    },
     /// A surface without faces.
     #[error("the surface `{name}` has no faces")]
     #[diagnostic(

@@ -2,8 +2,8 @@
 
 use super::axis::Axis;
 use super::check::{
-    check_loads, check_loads_in_mirror, check_mirror, check_steels, check_steps, check_surface,
-    check_ties,
+    check_controls, check_loads, check_loads_in_mirror, check_mirror, check_names, check_sides,
+    check_steels, check_steps, check_supports, check_surface, check_ties,
 };
 use super::contact::Contact;
 use super::error::BuildError;
@@ -48,7 +48,7 @@ pub struct SceneBuilder {
     loads: Vec<Load>,
     steps: Vec<Step>,
     mirrors: Vec<Axis>,
-    plane_strain: Option<Axis>,
+    plane_strain: Vec<Axis>,
     controls: Controls,
 }
 
@@ -153,7 +153,9 @@ impl SceneBuilder {
 
     /// Holds along `axis` all outer faces whose nodes have the smallest or the largest coordinate along it.
     pub fn plane_strain(mut self, axis: Axis) -> Self {
-        self.plane_strain = Some(axis);
+        if !self.plane_strain.contains(&axis) {
+            self.plane_strain.push(axis);
+        }
         self
     }
 
@@ -180,14 +182,13 @@ impl SceneBuilder {
         for axis in &self.mirrors {
             check_mirror(&mesh, *axis, &self.name)?;
         }
-        if let Some(axis) = self.plane_strain {
+        for axis in std::mem::take(&mut self.plane_strain) {
             for surface in ends(&mut mesh, axis) {
                 self = self.hold(&surface, axis);
             }
         }
-        for support in &self.supports {
-            check_surface(&mesh, "a support", &support.surface)?;
-        }
+        check_supports(&mesh, &self.supports)?;
+        check_controls(&self.controls, &self.name)?;
         check_loads(&mesh, &self.loads)?;
         for axis in &self.mirrors {
             check_loads_in_mirror(&mesh, &self.loads, *axis)?;
@@ -196,7 +197,17 @@ impl SceneBuilder {
         check_steps(&self.steps, &self.loads, &self.supports)?;
         let contacts = self.contacts.into_iter();
         let contacts = contacts.map(|contact| pair(contact, &mesh, &materials));
-        let contacts = contacts.collect::<Result<_, _>>()?;
+        let contacts: Vec<ContactPair> = contacts.collect::<Result<_, _>>()?;
+        check_names("contact", contacts.iter().map(|pair| &pair.name))?;
+        let joined = contacts
+            .iter()
+            .filter_map(|pair| match (&pair.upper, &pair.lower) {
+                (Partner::Surface(upper), Partner::Surface(lower)) => {
+                    Some((&pair.name, [upper, lower]))
+                }
+                _ => None,
+            });
+        check_sides(joined)?;
         let (mut rigid_planes, mut tractions) = (Vec::new(), Vec::new());
         for load in self.loads {
             match load.placed(&mesh) {
@@ -230,7 +241,13 @@ impl SceneBuilder {
 /// Marks the two ends of the model along `axis`, each as a surface of its own: what looks for edges takes the faces of a
 /// support for one plane.
 fn ends(mesh: &mut Mesh, axis: Axis) -> [String; 2] {
-    let names = ["low", "high"].map(|end| format!("{}_{end}_end", axis.letter()));
+    let names = ["low", "high"].map(|end| {
+        let mut name = format!("{}_{end}_end", axis.letter());
+        while mesh.surface(&name).is_some() {
+            name.push('_');
+        }
+        name
+    });
     let [low, high] = mesh.range_along(axis.index());
     let near = 1e-6 * (high - low);
     mesh.mark_all(&names[0], |p| p[axis.index()] < low + near);

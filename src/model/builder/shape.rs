@@ -20,7 +20,13 @@ pub trait Shape {
 
 impl Shape for Mesh {
     fn mesh(self) -> Result<Mesh, BuildError> {
-        Ok(self)
+        match self.fault() {
+            Some(why) => Err(BuildError::Broken {
+                mesh: self.source,
+                why,
+            }),
+            None => Ok(self),
+        }
     }
 }
 

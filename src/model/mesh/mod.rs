@@ -21,6 +21,7 @@ pub mod split;
 pub mod surface;
 #[doc(hidden)]
 pub mod unfold;
+mod whole;
 
 use self::hexahedron::FACES;
 use crate::ground::geometry::{Vec3, add, range};

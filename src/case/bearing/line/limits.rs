@@ -40,7 +40,7 @@ impl LineGeometry {
             self.rollers == 1 || self.spacing >= least,
             "spacing",
             self.spacing,
-            || format!("must be at least {least} (1.01 diameters)"),
+            || "must be at least 1.01 diameters".to_owned(),
             "nearer rollers overlap, or touch each other",
         )
     }

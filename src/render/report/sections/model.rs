@@ -49,7 +49,9 @@ fn idealised(inputs: &Inputs) -> Vec<String> {
     );
     let mirrors: Vec<&str> = scene.mirrors.iter().map(|axis| AXES[*axis % 3]).collect();
     said.push(match mirrors.is_empty() {
-        true => "The whole is modelled: nothing about it is mirrored.".to_owned(),
+        true => "No plane of symmetry is named: forces and areas are those of what is modelled, loads per length those of whole strips, \
+                 also where supports hold both bodies in a plane that cuts one."
+            .to_owned(),
         false => format!(
             "Bodies, supports and loads are mirrored at {} = 0: one side of each plane is modelled, held across it, and \
              forces and areas are told of the whole.",

@@ -6,9 +6,9 @@ use super::terminal::headline;
 use super::text::{list, percent, significant};
 use super::utilisation::{Utilisation, first_largest, largest, utilisations};
 use super::verdict::verdict;
+use crate::answer::InterfaceFigures;
 use crate::answer::certify::{Figure, Quantity};
 use crate::answer::checks::NOTABLE_SHARE;
-use crate::answer::InterfaceFigures;
 use crate::ground::geometry::norm;
 use std::fmt::Write;
 

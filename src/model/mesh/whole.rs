@@ -1,6 +1,6 @@
 //! Is a mesh whole? For meshes that are made or changed in code; files are asked when they are read.
 
-use super::hexahedron::scaled_jacobians;
+use super::hexahedron::{Orientation, orientation};
 use super::surface::{FaceFinder, FaceMatch, sorted};
 use super::{Face, Mesh, Surface};
 use std::collections::BTreeSet;
@@ -41,12 +41,8 @@ impl Mesh {
                 ));
             }
             next = elements.end;
-            let is_sound = |element: &usize| {
-                let corners = self.corners(*element);
-                scaled_jacobians(&corners)
-                    .into_iter()
-                    .all(|jacobian| jacobian > 0.0)
-            };
+            let is_sound =
+                |element: &usize| orientation(&self.corners(*element)) == Orientation::Sound;
             if let Some(element) = elements.into_iter().find(|element| !is_sound(element)) {
                 return Some(format!(
                     "element {element} of body `{name}` is flat or inside out"
@@ -94,7 +90,7 @@ mod tests {
             let mut mesh = mesh.clone();
             change(&mut mesh);
             let fault = mesh.fault().unwrap_or_default();
-            assert!(fault.contains(words), "{fault}");
+            assert!(fault.contains(words), "{words}: {fault}");
         };
         told(|m| m.points[3][1] = f64::NAN, "node 3 is at");
         told(|m| m.hexes[0][0] = 9999, "element 0 has a node");

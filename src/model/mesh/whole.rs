@@ -100,11 +100,11 @@ mod tests {
         );
         told(|m| m.bodies[0].elements = 0..4, "the elements from 4 on");
         told(|m| m.hexes[5].rotate_left(4), "element 5 of body `a`");
-        told(|m| m.surfaces[0].faces[0].element = 7, "surface `x_min`");
-        told(|m| m.surfaces[0].faces[0].element = 999, "surface `x_min`");
+        told(|m| m.surfaces[0].faces[0].element = 7, "surface `z_min`");
+        told(|m| m.surfaces[0].faces[0].element = 999, "surface `z_min`");
         told(
             |m| m.surfaces[0].faces[0].nodes[0] = 9999,
-            "surface `x_min`",
+            "surface `z_min`",
         );
         told(
             |m| {

@@ -63,11 +63,12 @@ fn displacements(kind: ElementKind, radial: usize, around: usize) -> Vec<[f64; 2
         .collect()
 }
 
+/// The elements of 28 layers miss 0.17 %; what increments make of it is 1e-5.
 #[test]
 fn tube_expands_as_it_should_up_to_95_percent_of_its_limit() {
     for kind in [ElementKind::Bbar, ElementKind::Enhanced] {
         for ([outer, inner], (pressure, exact_outer, exact_inner)) in
-            displacements(kind, 24, 24).iter().zip(EXACT)
+            displacements(kind, 28, 28).iter().zip(EXACT)
         {
             let what = |place: &str| format!("{kind:?}, {pressure} GPa, {place}");
             kit::close(&what("outer"), *outer, exact_outer, 0.002);

@@ -1,4 +1,4 @@
-//! Flow that turns, in a step before which steel flowed.
+//! Flow that turns, in a step after the first: in that all loads grow together.
 //!
 //! Within one increment flow has one direction, whatever loads do meanwhile. Where it turns much, a solution in increments twice as large,
 //! which may take all of it in one piece as well, tells of no error. A look ahead knows nothing of it, as it is of bodies that have not
@@ -7,7 +7,6 @@
 use crate::ground::geometry::Vec3;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::mesh::hexahedron::volume;
-use crate::model::state::State;
 use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
@@ -34,14 +33,13 @@ pub struct Balanced {
 }
 
 impl Run<'_, '_> {
-    /// The elements that flow in an increment, `trial` with the displacements `u`, where steel flowed in a step before; none elsewhere.
+    /// The elements that flow in an increment, `trial` with the displacements `u`, in a step after the first; none elsewhere.
     pub(super) fn flowing_again(
         &self,
         with: (&Point, &[[f64; 3]]),
         evaluation: &Evaluation,
     ) -> Vec<Flowing> {
-        let has_flowed = |state: &State| state.peeq.iter().flatten().any(|peeq| *peeq > 0.0);
-        if !self.states.last().is_some_and(has_flowed) {
+        if self.states.is_empty() {
             return Vec::new();
         }
         flowing((&self.model, &self.history), &self.point, with, evaluation)

@@ -34,8 +34,10 @@ pub fn run(args: &MeshArgs) -> CommandResult {
 fn make(args: &MeshArgs) -> Result<String, JobError> {
     let case = read_case(&args.case, args.mesh.as_deref(), args.full, false)?;
     let mesh = job::make_mesh(&case, &args.out)?;
+    let in_file = mesh.points.clone();
     // Ends and curved faces get their shape here, which the file does not have.
     let scene = case.scene(mesh)?;
+    let is_shaped = in_file != scene.mesh.points;
     let mut lines = vec![format!(
         "{}: {} nodes, {} hexahedra, {} unknowns",
         args.out.display(),
@@ -48,6 +50,13 @@ fn make(args: &MeshArgs) -> Result<String, JobError> {
             "  {:20} {:7} hexahedra, scaled Jacobian >= {:.3}, aspect ratio <= {:.1}",
             quality.name, quality.elements, quality.min_scaled_jacobian, quality.max_aspect_ratio
         ));
+    }
+    if is_shaped {
+        lines.push(
+            "The file has rollers with straight ends and flat plates: crowns, fillets and curved faces get their shape when this case is \
+             run. A scene of your own on this file would be another bearing; `brinell export` writes the shape, too."
+                .to_owned(),
+        );
     }
     Ok(lines.join("\n"))
 }

@@ -80,10 +80,14 @@ fn load(summary: &Summary) -> String {
         );
     }
     if let Some(descent) = answer.descent {
-        let error = answer
-            .figure(Quantity::Descent, "overall")
-            .and_then(Figure::bar);
-        let _ = write!(text, "; descent {} {length}", with_error(descent, error));
+        let figure = answer.figure(Quantity::Descent, "overall");
+        let error = figure.and_then(Figure::bar);
+        let open = match figure.is_some_and(|figure| !figure.is_resolved()) {
+            true => ", NOT RESOLVED",
+            false => "",
+        };
+        let descent = with_error(descent, error);
+        let _ = write!(text, "; descent {descent} {length}{open}");
     }
     text
 }

@@ -2,6 +2,7 @@
 
 use super::deck::Deck;
 use super::format::{number, one_line};
+use crate::model::scene::ElementKind;
 use std::io::{self, Write};
 
 impl Deck<'_> {
@@ -10,6 +11,13 @@ impl Deck<'_> {
         writeln!(out, "*HEADING\n{}", one_line(&self.settings.title))?;
         writeln!(out, "** Written by Brinell {}.", env!("CARGO_PKG_VERSION"))?;
         writeln!(out, "** Units: {length}, {force}, {stress}.")?;
+        if self.scene.controls.element == ElementKind::Bbar && self.element() == "C3D8" {
+            writeln!(
+                out,
+                "** The case is solved with B-bar hexahedra; C3D8 is stiffer in bending. To compare the same\n\
+                 ** element, set `element = \"full\"` in [controls] of the case."
+            )?;
+        }
         let axes = self.scene.mirrors.iter().filter_map(|a| "xyz".get(*a..=*a));
         let axes: Vec<&str> = axes.collect();
         if !axes.is_empty() {

@@ -6,10 +6,12 @@ use super::outcome::{reported, unloaded};
 use super::second::{ElasticPeaks, Twin};
 use super::{compare, hand_checks, left_out, rules, sizing, strips, welds};
 use crate::answer::results::bore::Bore;
+use crate::answer::results::load;
 use crate::answer::results::recovery::Recovered;
 use crate::answer::{Answer, AnswerInputs, Named};
 use crate::case::bearing::RollerPlace;
 use crate::case::{Case, Kind};
+use crate::ground::geometry::{dot, norm};
 use crate::ground::memory;
 use crate::ground::units::UnitLabels;
 use crate::model::scene::Scene;
@@ -19,7 +21,7 @@ use crate::render::summary::{Counters, Timing};
 use crate::render::text::significant;
 use crate::render::warnings::{Warning, warnings};
 use crate::render::{OutputError, Summary};
-use crate::solver::solve::{self, Phase, Solution, Timers};
+use crate::solver::solve::{self, Closing, Phase, Solution, Timers};
 
 /// What was solved beside the case itself: peaks without plasticity, and what stays without load.
 #[derive(Debug, Clone, Copy)]
@@ -75,6 +77,7 @@ pub fn summarise(
         )
     });
     let all = told.chain(found).chain(welds).chain(overlaps);
+    let all = all.chain(moved_out(case, scene, &solution.closings));
     warnings.extend(all.map(Warning));
     let sizing = sizing::sizing(case, scene, &answer)?;
     Ok(Summary {
@@ -95,6 +98,28 @@ pub fn summarise(
         left_out: left_out::list(case, scene, solution, options),
         warnings,
     })
+}
+
+/// Of the size of the scene, how far a body is moved out of another before that is worth a word: facets overlap a little.
+const MOVED_OUT: f64 = 0.01;
+
+/// Which floating bodies overlapped others and were moved against the load until they did no longer.
+fn moved_out(case: &Case, scene: &Scene, closings: &[Closing]) -> Vec<String> {
+    let along = load::direction(scene);
+    let size = norm([0, 1, 2].map(|axis| scene.mesh.extent(axis)));
+    let out = |closing: &Closing| -dot(closing.shift, along);
+    let far = closings
+        .iter()
+        .filter(|closing| out(closing) > MOVED_OUT * size);
+    far.map(|closing| {
+        let (body, way) = (&closing.body, significant(out(closing), 3));
+        let unit = case.units.length();
+        format!(
+            "{body}: it overlapped what carries it and was moved out by {way} {unit} before the load, as nothing else holds it; what shall press as an \
+             interference fit has to be held"
+        )
+    })
+    .collect()
 }
 
 fn title_block(case: &Case) -> Named<Option<String>> {

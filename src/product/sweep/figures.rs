@@ -52,6 +52,8 @@ pub fn figures(summary: &Summary) -> Vec<(String, Value)> {
     }
     for (name, roller) in &summary.answer.rollers.0 {
         out.add(format!("{name}.bore_mises"), roller.bore_mises);
+        let bar = error(summary, Quantity::BoreMises, name);
+        out.add(format!("{name}.bore_mises_error"), bar);
         out.add(format!("{name}.bore_mises_nodal"), roller.bore_mises_nodal);
     }
     out.0
@@ -135,6 +137,10 @@ fn add_interface(summary: &Summary, name: &str, contact: &InterfaceFigures, out:
     add("p0_error", error(summary, Quantity::HertzPressure, name));
     let loads = contact.lines.iter().map(|line| line.peak);
     add("largest_line_load", loads.reduce(f64::max));
+    add(
+        "largest_line_load_error",
+        error(summary, Quantity::LineLoad, name),
+    );
     let lines = summary.sizing.iter().flat_map(|s| &s.lines);
     let own = lines.filter(|line| line.interface == name);
     add(

@@ -17,6 +17,7 @@ mod local;
 mod misaligned;
 mod orientation;
 mod press_fit;
+mod pressed_blocks;
 mod reaction;
 mod receding;
 mod refined;

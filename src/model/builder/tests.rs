@@ -79,6 +79,71 @@ fn a_force_is_spread_over_its_surface() {
     assert!((t[2] + 2.0).abs() < 1e-12);
 }
 
+/// What a case file refuses a builder does, too.
+#[test]
+fn what_is_there_twice_or_no_number_is_told() {
+    let new = || {
+        let scene = SceneBuilder::new("test").body(cube("a"), steel());
+        scene.body(cube("b"), steel())
+    };
+    let pair = || Contact::between("b_z_min", "a_z_max");
+    let told = |scene: SceneBuilder, words: &str| {
+        let text = text(scene.build());
+        assert!(text.contains(words), "{words}: {text}");
+    };
+    told(new().contact(pair()).contact(pair()), "two contacts");
+    let swapped = Contact::between("a_z_max", "b_z_min");
+    told(new().contact(pair()).contact(swapped), "joins the surfaces");
+    let itself = Contact::between("a_z_max", "a_z_max");
+    told(new().contact(itself), "with itself");
+    let press = || Load::pressure("b_z_max", 1.0);
+    told(new().load(press()).load(press()), "two loads");
+    told(new().step("s", 1.0).step("s", 2.0), "two steps");
+    let twice = [("b_z_max", 1.0), ("b_z_max", 2.0)];
+    told(
+        new().load(press()).step_but("s", 1.0, &twice),
+        "two factors",
+    );
+    let moved = new()
+        .load(press())
+        .displace("b_z_max", [Some(0.1), None, None]);
+    told(moved.step_but("s", 1.0, &twice[..1]), "prescribed motion");
+    told(new().displace("a_z_min", [Some(f64::NAN); 3]), "NaN");
+    told(new().controls(|c| c.residual = 1e9), "residual");
+    told(
+        new().controls(|c| c.first_increment = f64::NAN),
+        "first_increment",
+    );
+    told(new().controls(|c| c.iterations = 0), "iterations");
+    told(
+        new().controls(|c| c.contact_reach = f64::NAN),
+        "contact_reach",
+    );
+}
+
+/// Ends are surfaces of their own, whatever others are called, along every axis that is named.
+#[test]
+fn plane_strain_leaves_other_surfaces_alone() {
+    let mut mesh = cube("a").mesh().unwrap();
+    let named = mesh.surfaces.iter_mut().find(|s| s.name == "a_x_max");
+    named.unwrap().name = "z_low_end".into();
+    let scene = SceneBuilder::new("test").body(mesh, steel());
+    let scene = scene.plane_strain(Axis::Z).plane_strain(Axis::Y);
+    let scene = scene.build().unwrap();
+    let own = scene.mesh.surface("z_low_end").unwrap();
+    assert_eq!(own.faces.len(), 4);
+    assert!(scene.supports.iter().all(|s| s.surface != "z_low_end"));
+    assert_eq!(scene.supports.len(), 4);
+}
+
+#[test]
+fn a_mesh_that_is_not_whole_is_told() {
+    let mut mesh = cube("a").mesh().unwrap();
+    mesh.hexes[0][0] = 9999;
+    let broken = text(SceneBuilder::new("test").body(mesh, steel()).build());
+    assert!(broken.contains("not whole: element 0"), "{broken}");
+}
+
 #[test]
 fn what_presses_a_plane_of_symmetry_is_refused() {
     let scene = |surface: &str| {

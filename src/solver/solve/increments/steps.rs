@@ -100,7 +100,7 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
-                    let flowing = self.flowing_again((&trial, &u), &evaluation);
+                    let flowing = self.flowing_after_first_step((&trial, &u), &evaluation);
                     if self.divide_turning_flow(&trial, &flowing, &evaluation) {
                         self.counters.effort.unforeseen += iterations;
                         self.size = target - time;

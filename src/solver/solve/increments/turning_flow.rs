@@ -34,7 +34,7 @@ pub struct Balanced {
 
 impl Run<'_, '_> {
     /// The elements that flow in an increment, `trial` with the displacements `u`, in a step after the first; none elsewhere.
-    pub(super) fn flowing_again(
+    pub(super) fn flowing_after_first_step(
         &self,
         with: (&Point, &[[f64; 3]]),
         evaluation: &Evaluation,

@@ -10,7 +10,7 @@ pub struct Effort {
     pub before_step: usize,
     /// In increments that were given up.
     pub given_up: usize,
-    /// In increments that were solved once more, since contact or flow was not foreseen.
+    /// In increments that were solved once more, since contact or flow was not foreseen, or flow turned.
     pub unforeseen: usize,
     /// With springs that hold bodies back.
     pub held_back: usize,
@@ -26,7 +26,7 @@ impl Effort {
             (self.given_up, given_up.as_str()),
             (
                 self.unforeseen,
-                "in increments solved once more, since contact or flow was not foreseen",
+                "in increments solved once more, since contact or flow was not foreseen, or flow turned",
             ),
             (
                 self.held_back,

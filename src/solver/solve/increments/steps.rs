@@ -1,5 +1,7 @@
 //! Steps and increments: automatic size, and what follows an increment that was solved or was not.
 
+use crate::solver::solve::checkpoint::point::Point;
+use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::error::SolveError;
 use crate::solver::solve::increments::diagnosis::At;
 use crate::solver::solve::increments::run::Run;
@@ -8,6 +10,7 @@ use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
 use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::params::{INCREMENT_GROWTH, LARGEST_INCREMENT, UNLOADING_ITERATIONS};
+use crate::solver::solve::working_set::flow::Ahead;
 use crate::solver::solve::working_set::unforeseen::Unforeseen;
 
 impl Run<'_, '_> {
@@ -20,6 +23,22 @@ impl Run<'_, '_> {
             }
         }
         Ok(true)
+    }
+
+    /// Balance at `trial`, if no element flows that is neither watched nor foreseen `ahead`.
+    pub(super) fn balance(
+        &mut self,
+        trial: &mut Point,
+        ahead: Ahead,
+    ) -> Result<Evaluation, Stopped> {
+        balance_increment(
+            &self.model,
+            &self.history,
+            (trial, Goal::Foreseen(ahead)),
+            &mut self.solver,
+            self.observer,
+            &mut self.counters,
+        )
     }
 
     /// Solves one step, increment by increment, from where it stands. Returns false where the observer cancelled.
@@ -64,14 +83,7 @@ impl Run<'_, '_> {
             self.touch(&mut trial);
             let before = self.counters.iterations;
             let ahead = self.ahead(step, self.size / target);
-            let result = balance_increment(
-                &self.model,
-                &self.history,
-                (&mut trial, Goal::Foreseen(ahead)),
-                &mut self.solver,
-                self.observer,
-                &mut self.counters,
-            );
+            let result = self.balance(&mut trial, ahead);
             let iterations = self.counters.iterations - before;
             match result {
                 Ok(evaluation) => {

@@ -13,9 +13,7 @@ use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::increments::flow_plan::equal_shares;
 use crate::solver::solve::increments::flowing::{Flowing, Lacking, flowing, lacking};
 use crate::solver::solve::increments::run::Run;
-use crate::solver::solve::newton::balance::balance_increment;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
-use crate::solver::solve::newton::goal::Goal;
 use crate::solver::solve::params::{
     EQUAL_STEP_SHARES, INCREMENT_GROWTH, LEAST_TURN, LITTLE_TURNED, TURNED_FLOW,
 };
@@ -94,14 +92,7 @@ impl Run<'_, '_> {
         let mut trial = balanced.trial.clone();
         let before = self.counters.iterations;
         let ahead = self.ahead(trial.step, next);
-        let result = balance_increment(
-            &self.model,
-            &self.history,
-            (&mut trial, Goal::Foreseen(ahead)),
-            &mut self.solver,
-            self.observer,
-            &mut self.counters,
-        );
+        let result = self.balance(&mut trial, ahead);
         self.counters.effort.unforeseen += self.counters.iterations - before;
         let cancelled = matches!(
             result,

@@ -25,6 +25,15 @@ fn two(steel: Steel) -> SceneBuilder {
         .hold("up_y_min", Axis::Y)
 }
 
+/// One on the other, held by friction.
+fn rough() -> SceneBuilder {
+    SceneBuilder::new("rough")
+        .body(block("lo", -SIDE), Steel::elastic(210e3, 0.3))
+        .body(block("up", 0.0), Steel::elastic(210e3, 0.3))
+        .contact(Contact::between("up_z_min", "lo_z_max").friction(0.5))
+        .fix("lo_z_min")
+}
+
 fn solved(scene: Scene) -> Solved {
     Solved::of(scene).expect("converges")
 }
@@ -45,12 +54,8 @@ fn a_block_that_is_held_is_not_the_half_of_another() {
 #[test]
 fn a_mean_of_prescribed_travels_has_no_bar_of_nothing() {
     let bar = |sideways: f64| {
-        let moved = [
-            PlaneMotion::Held(sideways),
-            PlaneMotion::Free,
-            PlaneMotion::Held(-0.01),
-        ];
-        let scene = two(Steel::elastic(210e3, 0.3)).load(Load::plane("up_z_max", moved));
+        let moved = [sideways, 0.0, -0.01].map(PlaneMotion::Held);
+        let scene = rough().load(Load::plane("up_z_max", moved));
         let solved = solved(scene.build().expect("a scene"));
         let travel = solved.figure(Quantity::Descent, "overall");
         travel.expect("travels").bar()
@@ -89,11 +94,7 @@ fn a_load_that_a_held_top_shares_is_missed_by_no_interface() {
         PlaneMotion::Driven(-5000.0),
     ];
     let balance = |push: f64| {
-        let scene = SceneBuilder::new("leaning")
-            .body(block("lo", -SIDE), Steel::elastic(210e3, 0.3))
-            .body(block("up", 0.0), Steel::elastic(210e3, 0.3))
-            .contact(Contact::between("up_z_min", "lo_z_max").friction(0.5))
-            .fix("lo_z_min")
+        let scene = rough()
             .load(Load::plane("up_z_max", top))
             .load(Load::traction("up_x_max", [push, 0.0, 0.0]))
             .build();

@@ -2,7 +2,7 @@
 
 use crate::model::material::j2::PlasticPoint;
 use crate::model::material::mises;
-use crate::model::mesh::hexahedron::volume;
+use crate::model::mesh::hexahedron::{gauss_volumes, volume};
 use crate::model::scene::Scene;
 use crate::model::state::State;
 use crate::solver::solve::checkpoint::point::Point;
@@ -151,15 +151,17 @@ pub fn lacking(flowing: &[Flowing]) -> Lacking {
 pub fn work_on(strains: &Lacking, scene: &Scene, states: [&State; 2]) -> f64 {
     let of_element = |(element, strains): &(u32, [[f64; 6]; 8])| {
         let element = *element as usize;
+        let volumes = gauss_volumes(&scene.mesh.corners(element));
         let of_state = |state: &State| -> f64 {
             let stresses = state.stress.get(element).into_iter().flatten();
-            let works = stresses.zip(strains);
+            let works = stresses.zip(strains).zip(volumes);
             works
-                .map(|(stress, strain)| stress.iter().zip(strain).map(|(s, e)| s * e).sum::<f64>())
+                .map(|((stress, strain), volume)| {
+                    volume * stress.iter().zip(strain).map(|(s, e)| s * e).sum::<f64>()
+                })
                 .sum()
         };
-        let volume = volume(&scene.mesh.corners(element));
-        volume / 8.0 * 0.5 * states.map(of_state).iter().sum::<f64>()
+        0.5 * states.map(of_state).iter().sum::<f64>()
     };
     strains.iter().map(of_element).sum()
 }

@@ -14,8 +14,8 @@ pub(super) fn read(root: &Table) -> Result<Controls, CaseError> {
     };
     let table = field.table()?.only(&keys::CONTROLS)?;
     let share = |key: &str| -> Result<Option<Located<f64>>, CaseError> {
-        let within = |v: &f64| *v > 0.0 && *v <= 1.0;
-        let why = "must be more than 0 and at most 1";
+        let within = |v: &f64| Controls::is_share(*v);
+        let why = format!("must be {}", Controls::SHARE);
         table.maybe(key, |field| field.ratio()?.require(within, why))
     };
     let value = |share: Option<Located<f64>>, default| share.map_or(default, |s| s.value);

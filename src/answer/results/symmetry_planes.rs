@@ -68,13 +68,13 @@ impl SymmetryPlanes {
     /// another, or to where both bodies end, has no end of its own, and is cut where the scene says so: a block that presses with all of its
     /// face is held there so that it does not float away, and not as the half of another one.
     pub fn cut(&self, low: f64, high: f64) -> Option<(End, f64)> {
-        let is_at =
+        let found =
             |all: &[f64], x: f64| all.iter().copied().find(|at| (at - x).abs() <= self.same);
         let ends = [low, high];
-        let goes_through = || ends.iter().any(|x| is_at(&self.free_ends, *x).is_some());
-        match ends.map(|x| is_at(&self.at, x)) {
+        let goes_through = || ends.iter().any(|x| found(&self.free_ends, *x).is_some());
+        match ends.map(|x| found(&self.at, x)) {
             [Some(_), Some(_)] if !self.named => None,
-            [Some(_), _] | [_, Some(_)] if !self.named && goes_through() => None,
+            _ if !self.named && goes_through() => None,
             [Some(at), _] => Some((End::Low, at)),
             [None, high] => high.map(|at| (End::High, at)),
         }

@@ -136,15 +136,14 @@ pub(super) fn check_controls(controls: &Controls, scene: &str) -> Result<(), Bui
         ("first_increment", controls.first_increment),
         ("smallest_increment", controls.smallest_increment),
     ];
-    let is_share = |x: f64| x > 0.0 && x <= 1.0;
     let wrong = |what, value, allowed| BuildError::Number {
         what,
         of: scene.to_owned(),
         value,
         allowed,
     };
-    if let Some((what, value)) = shares.into_iter().find(|(_, x)| !is_share(*x)) {
-        return Err(wrong(what, value, "more than 0 and at most 1"));
+    if let Some((what, value)) = shares.into_iter().find(|(_, x)| !Controls::is_share(*x)) {
+        return Err(wrong(what, value, Controls::SHARE));
     }
     let reach = controls.contact_reach;
     if !(reach > 0.0 && reach.is_finite()) {
@@ -231,7 +230,7 @@ pub(super) fn check_steps(
             .iter()
             .find(|(name, _)| is_load(name) && moves(name));
         if let Some((name, _)) = both {
-            let (kind, name) = ("load or prescribed motion", name.clone());
+            let (kind, name) = ("loads or prescribed motion", name.clone());
             return Err(BuildError::Twice { kind, name });
         }
         let user = format!("the step `{}`", step.name);

@@ -61,7 +61,7 @@ pub enum BuildError {
         help("steps and answers call them by their names: give each its own")
     )]
     Twice {
-        /// "contact", "load", "tie", "step" or "factor".
+        /// Such as "contact", "load", "tie", "step" or "factor".
         kind: &'static str,
         /// The name.
         name: String,

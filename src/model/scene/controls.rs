@@ -56,6 +56,16 @@ pub enum ElementKind {
     Enhanced,
 }
 
+impl Controls {
+    /// What residuals, penetrations and increments have to be, in words.
+    pub const SHARE: &str = "more than 0 and at most 1";
+
+    /// Is a number such a share? Nothing that is no number is.
+    pub fn is_share(value: f64) -> bool {
+        value > 0.0 && value <= 1.0
+    }
+}
+
 impl Default for Controls {
     fn default() -> Self {
         Self {

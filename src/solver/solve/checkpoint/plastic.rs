@@ -8,6 +8,9 @@ pub type PlasticElement = Option<Box<[PlasticPoint; 8]>>;
 /// Plastic elements, ascending, with their integration points.
 pub type Plastic = Vec<(u32, [PlasticPoint; 8])>;
 
+/// Plastic strains of elements at their integration points, with engineering shears.
+pub type PlasticStrains = Vec<(u32, [[f64; 6]; 8])>;
+
 /// The integration points of an element; virgin ones where it is none of the `plastic` ones.
 pub fn points(plastic: &Plastic, element: u32) -> [PlasticPoint; 8] {
     let at = plastic.binary_search_by_key(&element, |(e, _)| *e);

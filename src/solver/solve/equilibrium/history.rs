@@ -2,7 +2,7 @@
 
 use crate::solver::contact::law::Status;
 use crate::solver::fem::loads::at_nodes;
-use crate::solver::solve::checkpoint::plastic::{Plastic, PlasticElement};
+use crate::solver::solve::checkpoint::plastic::{Plastic, PlasticElement, PlasticStrains};
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::model::settled::Settled;
@@ -76,8 +76,8 @@ impl History {
         start_from(point, evaluation);
     }
 
-    /// Gives elements of [`Model::yielding`] `times` that much plastic strain, with engineering shears.
-    pub fn gain(&mut self, model: &Model, strains: &[(u32, [[f64; 6]; 8])], times: f64) {
+    /// Gives elements of [`Model::yielding`] `times` that much plastic strain.
+    pub fn gain(&mut self, model: &Model, strains: &PlasticStrains, times: f64) {
         for (element, strains) in strains {
             let Ok(at) = model.yielding.binary_search(element) else {
                 continue;

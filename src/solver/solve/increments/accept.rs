@@ -1,5 +1,6 @@
 //! What an accepted increment leaves.
 
+use crate::ground::geometry::Vec3;
 use crate::model::state::Energy;
 use crate::model::state::turn::{TOO_FAR, largest_turn};
 use crate::solver::solve::checkpoint::kept::Kept;
@@ -61,7 +62,7 @@ impl Run<'_, '_> {
 
     /// Contact that has gone elsewhere: small rotations do not describe it. The part of a body that mirror planes leave
     /// also turns where the whole only bends.
-    pub(super) fn turns_far(&self, step: usize, displacement: &[[f64; 3]]) -> Option<SolveError> {
+    pub(super) fn turns_far(&self, step: usize, displacement: &[Vec3]) -> Option<SolveError> {
         let scene = self.model.scene;
         if scene.contacts.is_empty() || !scene.mirrors.is_empty() {
             return None;

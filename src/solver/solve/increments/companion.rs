@@ -2,7 +2,8 @@
 //!
 //! Plastic flow and friction are integrated along the path, and an increment is off by the
 //! square of its size: all of them by a sum that halves when they do. So what the two solutions
-//! differ by is what the increments of the first are worth (Richardson's estimate). The companion has a history and an
+//! differ by is what the increments of the first are worth (Richardson's estimate). Flow that turns has no mean direction here, so that both
+//! differ also where they take the same increment. The companion has a history and an
 //! active set of its own. It starts every increment from what the first solution found there, so
 //! that a few iterations do.
 

@@ -1,19 +1,17 @@
 //! The elements that flow in an increment, and by how far the direction of their flow turns in it.
 
+use crate::ground::geometry::Vec3;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::material::mises;
 use crate::model::mesh::hexahedron::{gauss_volumes, volume};
 use crate::model::scene::Scene;
 use crate::model::state::State;
+use crate::solver::solve::checkpoint::plastic::PlasticStrains;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::{Evaluation, PlasticAnswer};
-use crate::solver::solve::equilibrium::history::History;
-use crate::solver::solve::model::system::Model;
+use crate::solver::solve::increments::run::Run;
 use rayon::prelude::*;
 use std::array::from_fn;
-
-/// Plastic strain, with engineering shears, that the integration points of elements lack.
-pub type Lacking = Vec<(u32, [[f64; 6]; 8])>;
 
 /// An element that flows in an increment.
 pub struct Flowing {
@@ -27,8 +25,10 @@ pub struct Flowing {
     pub after: [[f64; 6]; 8],
     /// What they flow at.
     flow_stress: [f64; 8],
-    /// Plastic strain that they gain.
+    /// Plastic strain that they gain,
     gains: [f64; 8],
+    /// and by how far the direction of stress turns from where they begin to flow to the end.
+    turns: [[f64; 6]; 8],
 }
 
 impl Flowing {
@@ -43,7 +43,7 @@ impl Flowing {
     /// gains, by how far the direction of stress turns meanwhile.
     pub fn turned(&self) -> f64 {
         let of_point = |k: usize| {
-            let turn = self.turn(k);
+            let turn = self.turns[k];
             let apart: f64 = (0..6)
                 .map(|i| turn[i].powi(2) * if i < 3 { 1.0 } else { 2.0 })
                 .sum();
@@ -56,21 +56,20 @@ impl Flowing {
     /// the first and the last.
     fn lacks(&self) -> [[f64; 6]; 8] {
         from_fn(|k| {
-            let turn = self.turn(k);
             from_fn(|i| {
                 let engineering = if i < 3 { 1.0 } else { 2.0 };
-                -0.5 * 1.5f64.sqrt() * self.gains[k] * engineering * turn[i]
+                -0.5 * 1.5f64.sqrt() * self.gains[k] * engineering * self.turns[k][i]
             })
         })
     }
+}
 
-    /// From the direction of stress where an integration point begins to flow to that at the end of the increment.
-    fn turn(&self, k: usize) -> [f64; 6] {
-        let begins = onset(&self.before[k], &self.elastic[k], self.flow_stress[k]);
-        let from = direction(&between(&self.before[k], &self.elastic[k], begins));
-        let to = direction(&self.after[k]);
-        from_fn(|i| to[i] - from[i])
-    }
+/// From the direction of stress where it leaves the yield surface, on the straight way from `before` to `elastic`, to that of `after`.
+fn turn(before: &[f64; 6], [elastic, after]: [&[f64; 6]; 2], flow_stress: f64) -> [f64; 6] {
+    let begins = onset(before, elastic, flow_stress);
+    let from = direction(&between(before, elastic, begins));
+    let to = direction(after);
+    from_fn(|i| to[i] - from[i])
 }
 
 /// Deviator of a stress over its size.
@@ -96,59 +95,61 @@ fn onset(before: &[f64; 6], after: &[f64; 6], flow_stress: f64) -> f64 {
     })
 }
 
-/// Those of the increment from the point `start` to `trial`, of which `history` is that of the start and `u` are the displacements at the end.
-pub fn flowing(
-    (model, history): (&Model, &History),
-    start: &Point,
-    (trial, u): (&Point, &[[f64; 3]]),
-    evaluation: &Evaluation,
-) -> Vec<Flowing> {
-    let scene = model.scene;
-    let before = model.displacement(start, &history.settled);
-    let begins = if start.step == trial.step {
-        start.time
-    } else {
-        0.0
-    };
-    let moments = [begins, trial.time].map(|time| (trial.step, time));
-    let flows = evaluation
-        .plastic
-        .par_iter()
-        .filter(|answer| answer.flows());
-    let of_element = |answer: &PlasticAnswer| {
-        let element = model.yielding[answer.index];
-        let body = scene.mesh.body_of(element as usize);
-        let steel = &scene.materials[body];
-        let points = history.plastic[answer.index].as_deref();
-        let points: [PlasticPoint; 8] = points.copied().unwrap_or_default();
-        let stress = |u: &[[f64; 3]], points, moment| {
-            let local = scene.mesh.hexes[element as usize].map(|node| u[node as usize]);
-            let free = model.free_strains(element, points, moment);
-            model
-                .element(element)
-                .stress(&model.elastic[body], &local, &free)
+impl Run<'_, '_> {
+    /// The elements that flow in the increment to `trial`, with the displacements `u`.
+    pub(super) fn flowing(
+        &self,
+        (trial, u): (&Point, &[Vec3]),
+        evaluation: &Evaluation,
+    ) -> Vec<Flowing> {
+        let (model, history) = (&self.model, &self.history);
+        let scene = model.scene;
+        let start = model.displacement(&self.point, &history.settled);
+        let moments = [self.stands(trial.step), trial.time].map(|time| (trial.step, time));
+        let flows = evaluation
+            .plastic
+            .par_iter()
+            .filter(|answer| answer.flows());
+        let of_element = |answer: &PlasticAnswer| {
+            let element = model.yielding[answer.index];
+            let body = scene.mesh.body_of(element as usize);
+            let steel = &scene.materials[body];
+            let points = history.plastic[answer.index].as_deref();
+            let points: [PlasticPoint; 8] = points.copied().unwrap_or_default();
+            let stress = |u: &[Vec3], points, moment| {
+                let local = scene.mesh.hexes[element as usize].map(|node| u[node as usize]);
+                let free = model.free_strains(element, points, moment);
+                model
+                    .element(element)
+                    .stress(&model.elastic[body], &local, &free)
+            };
+            let before = stress(&start, points, moments[0]);
+            let elastic = stress(u, points, moments[1]);
+            let after = stress(u, *answer.points, moments[1]);
+            let flow_stress = points.map(|point| steel.flow_stress(point.peeq));
+            Flowing {
+                element,
+                volume: volume(&scene.mesh.corners(element as usize)),
+                gains: from_fn(|k| answer.points[k].peeq - points[k].peeq),
+                turns: from_fn(|k| turn(&before[k], [&elastic[k], &after[k]], flow_stress[k])),
+                before,
+                elastic,
+                after,
+                flow_stress,
+            }
         };
-        Flowing {
-            element,
-            volume: volume(&scene.mesh.corners(element as usize)),
-            before: stress(&before, points, moments[0]),
-            elastic: stress(u, points, moments[1]),
-            after: stress(u, *answer.points, moments[1]),
-            flow_stress: points.map(|point| steel.flow_stress(point.peeq)),
-            gains: from_fn(|k| answer.points[k].peeq - points[k].peeq),
-        }
-    };
-    flows.map(of_element).collect()
+        flows.map(of_element).collect()
+    }
 }
 
 /// The plastic strain that each lacks at its integration points.
-pub fn lacking(flowing: &[Flowing]) -> Lacking {
+pub fn lacking(flowing: &[Flowing]) -> PlasticStrains {
     let of_element = |element: &Flowing| (element.element, element.lacks());
     flowing.iter().map(of_element).collect()
 }
 
 /// What stresses do, from one state to the next, on plastic strain that elements are given.
-pub fn work_on(strains: &Lacking, scene: &Scene, states: [&State; 2]) -> f64 {
+pub fn work_on(strains: &PlasticStrains, scene: &Scene, states: [&State; 2]) -> f64 {
     let of_element = |(element, strains): &(u32, [[f64; 6]; 8])| {
         let element = *element as usize;
         let volumes = gauss_volumes(&scene.mesh.corners(element));

@@ -112,8 +112,8 @@ impl Run<'_, '_> {
                         self.size = target - time;
                         continue;
                     }
-                    let flowing = self.flowing_after_first_step((&trial, &u), &evaluation);
-                    if self.divide_turning_flow(&trial, &flowing, &evaluation) {
+                    let turning = self.turning((&trial, &u), &evaluation);
+                    if self.divide_turning_flow(&trial, &turning) {
                         self.counters.effort.unforeseen += iterations;
                         self.size = target - time;
                         continue;
@@ -125,7 +125,7 @@ impl Run<'_, '_> {
                         unforeseen,
                         lacking: Vec::new(),
                     };
-                    if !self.turn_flow(&mut balanced, &flowing, self.size / target) {
+                    if !self.turn_flow(&mut balanced, &turning, self.size / target) {
                         return Ok(false);
                     }
                     let unforeseen = self.accept(balanced, target >= 1.0)?;

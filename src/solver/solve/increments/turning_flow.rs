@@ -8,10 +8,11 @@ use crate::ground::geometry::Vec3;
 use crate::model::material::j2::PlasticPoint;
 use crate::model::mesh::hexahedron::volume;
 use crate::solver::solve::checkpoint::increment_plan::IncrementPlan;
+use crate::solver::solve::checkpoint::plastic::PlasticStrains;
 use crate::solver::solve::checkpoint::point::Point;
 use crate::solver::solve::equilibrium::evaluation::Evaluation;
 use crate::solver::solve::increments::flow_plan::equal_shares;
-use crate::solver::solve::increments::flowing::{Flowing, Lacking, flowing, lacking};
+use crate::solver::solve::increments::flowing::{Flowing, lacking};
 use crate::solver::solve::increments::run::Run;
 use crate::solver::solve::newton::failure::{Failure, Stopped};
 use crate::solver::solve::params::{
@@ -27,37 +28,40 @@ pub struct Balanced {
     /// What the model was not prepared for.
     pub unforeseen: Unforeseen,
     /// Plastic strain that it was given as its flow turns.
-    pub lacking: Lacking,
+    pub lacking: PlasticStrains,
+}
+
+/// The elements that flow in an increment.
+#[derive(Default)]
+pub struct Turning {
+    flowing: Vec<Flowing>,
+    /// Of all plastic strain, what has the direction of the end of the increment and not of its course.
+    share: f64,
 }
 
 impl Run<'_, '_> {
-    /// The elements that flow in an increment, `trial` with the displacements `u`, in a step after the first; none elsewhere.
-    pub(super) fn flowing_after_first_step(
-        &self,
-        with: (&Point, &[[f64; 3]]),
-        evaluation: &Evaluation,
-    ) -> Vec<Flowing> {
+    /// How flow turns in an increment, `trial` with the displacements `u`, in a step after the first.
+    pub(super) fn turning(&self, with: (&Point, &[Vec3]), evaluation: &Evaluation) -> Turning {
         if self.states.is_empty() {
-            return Vec::new();
+            return Turning::default();
         }
-        flowing((&self.model, &self.history), &self.point, with, evaluation)
+        let flowing = self.flowing(with, evaluation);
+        let turned: f64 = flowing.iter().map(Flowing::turned).sum();
+        let share = if turned > 0.0 {
+            turned / self.plastic_strain(evaluation)
+        } else {
+            0.0
+        };
+        Turning { flowing, share }
     }
 
     /// Divides an increment, `trial`, where its flow turns by more than [`TURNED_FLOW`]. Returns whether it did.
-    pub(super) fn divide_turning_flow(
-        &mut self,
-        trial: &Point,
-        flowing: &[Flowing],
-        evaluation: &Evaluation,
-    ) -> bool {
+    pub(super) fn divide_turning_flow(&mut self, trial: &Point, turning: &Turning) -> bool {
         let from = self.stands(trial.step);
-        if flowing.is_empty() || trial.time - from < LEAST_TURN {
+        if turning.share <= TURNED_FLOW || trial.time - from < LEAST_TURN {
             return false;
         }
-        if self.turned_share(flowing, evaluation) <= TURNED_FLOW {
-            return false;
-        }
-        let mut ends = self.shares_of_flow(flowing, [from, trial.time]);
+        let mut ends = self.shares_of_flow(&turning.flowing, [from, trial.time]);
         if ends.is_empty() {
             return false;
         }
@@ -81,13 +85,13 @@ impl Run<'_, '_> {
     pub(super) fn turn_flow(
         &mut self,
         balanced: &mut Balanced,
-        flowing: &[Flowing],
+        turning: &Turning,
         next: f64,
     ) -> bool {
-        if self.turned_share(flowing, &balanced.evaluation) <= LITTLE_TURNED {
+        if turning.share <= LITTLE_TURNED {
             return true;
         }
-        let lacking = lacking(flowing);
+        let lacking = lacking(&turning.flowing);
         self.history.gain(&self.model, &lacking, 1.0);
         let mut trial = balanced.trial.clone();
         let before = self.counters.iterations;
@@ -116,16 +120,6 @@ impl Run<'_, '_> {
         }
         self.history.gain(&self.model, &lacking, -1.0);
         !cancelled
-    }
-
-    /// Of all plastic strain, what has the direction of the end of an increment and not of its course.
-    fn turned_share(&self, flowing: &[Flowing], evaluation: &Evaluation) -> f64 {
-        let turned: f64 = flowing.iter().map(Flowing::turned).sum();
-        if turned > 0.0 {
-            turned / self.plastic_strain(evaluation)
-        } else {
-            0.0
-        }
     }
 
     /// All plastic strain, times the volume.

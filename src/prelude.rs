@@ -13,7 +13,7 @@ pub use crate::model::mesh::Mesh;
 pub use crate::model::mesh::block::{Block, cylindrical, graded, uniform};
 pub use crate::model::mesh::family::grading::Grading;
 pub use crate::model::scene::{
-    Controls, ElementKind, PlaneMotion, Scene, Side, SolverKind, Step, Support, Tie,
+    Controls, ElementKind, PlaneMotion, Scene, Side, SolverKind, Step, Support, Temperature, Tie,
 };
 pub use crate::model::state::{ContactField, State};
 pub use crate::solver::solve::{Observer, Silent, SolveError, solve};

@@ -224,7 +224,7 @@ fn theirs(ours: &Outcome, fields: &Fields) -> Result<[f64; 4], String> {
     let mut recovered = recover(scene, state);
     read_stress(scene, fields, &mut recovered);
     let edges = SingularEdges::find(scene, state);
-    let bodies = peaks(scene, state, &recovered, &edges);
+    let bodies = peaks((scene, state), &recovered, &edges, &[]);
     let body = |name: &str| bodies.iter().find(|b| b.name == name);
     let plate = body(SHOWN[1].2).and_then(|b| b.away.map(|(_, away)| away.nodal).or(b.nodal));
     let pair = scene.contacts.iter().find(|pair| pair.name == SHOWN[0].2);

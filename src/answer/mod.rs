@@ -121,9 +121,9 @@ impl Answer {
     fn gather(solved: &AnswerInputs) -> Self {
         let (scene, state) = (solved.scene, solved.state);
         let edges = SingularEdges::find(scene, state);
-        let peaks = peaks(scene, state, solved.recovered, &edges);
         let measured = interfaces(scene, state);
         let lines = HeaviestLine::of_pairs(scene, state, &edges.loaded);
+        let peaks = peaks((scene, state), solved.recovered, &edges, &lines);
         let bores: Vec<(String, BoreStress)> = (solved.bores.iter())
             .map(|bore| {
                 let stress = bore_stress(scene, state, solved.recovered, bore);

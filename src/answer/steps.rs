@@ -112,8 +112,8 @@ fn step(
         None => {
             let recovered = recover(scene, state);
             let edges = SingularEdges::find(scene, state);
-            let peaks = peaks(scene, state, &recovered, &edges);
             let lines = HeaviestLine::of_pairs(scene, state, &edges.loaded);
+            let peaks = peaks((scene, state), &recovered, &edges, &lines);
             let contacts = Contacts {
                 interfaces: &measured,
                 lines: &lines,

@@ -136,7 +136,7 @@ fn averages_at_nodes_overshoot_a_parabola_by_a_twelfth_of_its_curvature() {
             [0.0, 0.0, stress(p[0]), 0.0, 0.0, shear]
         });
         let recovered = recover(&scene, &state);
-        let found = peaks(&scene, &state, &recovered, &SingularEdges::default());
+        let found = peaks((&scene, &state), &recovered, &SingularEdges::default(), &[]);
         let (peak, around) = (found[0].nodal.unwrap(), found[0].around);
         assert_eq!(peak.at[0], 0.0);
         close(around.curvature.overshoot, fall * size * size / 6.0);
@@ -155,7 +155,7 @@ fn peaks_are_found_per_body_and_ties_go_to_the_lowest_index() {
     state.peeq[third][5] = 1e-3;
     state.peeq[third][6] = 2e-3;
     let recovered = recover(&scene, &state);
-    let [block, plate] = peaks(&scene, &state, &recovered, &SingularEdges::default())
+    let [block, plate] = peaks((&scene, &state), &recovered, &SingularEdges::default(), &[])
         .try_into()
         .unwrap();
     assert_eq!(block.name, "block");
@@ -222,7 +222,7 @@ fn a_peak_beside_a_loaded_edge_is_known_on_both_bodies() {
             });
             let recovered = recover(scene, &stress);
             let edges = SingularEdges::find(scene, state);
-            let peak = peaks(scene, &stress, &recovered, &edges)[body]
+            let peak = peaks((scene, &stress), &recovered, &edges, &[])[body]
                 .nodal
                 .unwrap();
             edges.are_near(&peak.at)
@@ -298,7 +298,7 @@ fn a_peak_elsewhere_is_not_the_largest_where_an_edge_presses() {
     });
     let by_edge = |state: &State| {
         let edges = SingularEdges::find(&scene, state);
-        let bodies = peaks(&scene, state, &recover(&scene, state), &edges);
+        let bodies = peaks((&scene, state), &recover(&scene, state), &edges, &[]);
         let by_edge = bodies.iter().map(|body| body.away.map(|(by, _)| by));
         by_edge.collect::<Vec<_>>()
     };
@@ -322,7 +322,7 @@ fn a_peak_at_the_border_of_what_is_beside_an_edge_is_doubted() {
     let (scene, mut state) = bar(0.0, 100);
     let peak = |state: &State| {
         let edges = SingularEdges::find(&scene, state);
-        let block = peaks(&scene, state, &recover(&scene, state), &edges).swap_remove(0);
+        let block = peaks((&scene, state), &recover(&scene, state), &edges, &[]).swap_remove(0);
         let (by, away) = block.away.unwrap();
         assert_eq!(by, ByEdge::Here);
         away

@@ -15,7 +15,12 @@ use serde_json::Value;
 
 pub fn summarise(scene: &Scene, state: &State) -> Summary {
     let recovered = recover(scene, state);
-    let elastic = peaks(scene, state, &recovered, &SingularEdges::find(scene, state));
+    let elastic = peaks(
+        (scene, state),
+        &recovered,
+        &SingularEdges::find(scene, state),
+        &[],
+    );
     let comparison = [Comparison {
         what: "Mises, centroid, ksi".to_string(),
         place: "overall".to_string(),

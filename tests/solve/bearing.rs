@@ -42,7 +42,7 @@ pub fn figures((scene, state): &(Scene, State)) -> Vec<(String, f64)> {
         all.push((name, value.expect("a figure")));
     };
     let edges = SingularEdges::find(scene, state);
-    for body in peaks(scene, state, &recover(scene, state), &edges) {
+    for body in peaks((scene, state), &recover(scene, state), &edges, &[]) {
         let peaks = [
             ("centroid", body.centroid),
             ("integration point", body.integration_point),

@@ -6,6 +6,7 @@ mod blocks;
 mod centre;
 mod clamped;
 mod coarse_point;
+mod coarse_strips;
 mod dents;
 mod divided;
 mod half_turn;

@@ -16,6 +16,7 @@ pub struct LineField {
     peak_pressure: f64,
     poissons_ratio: f64,
     friction: f64,
+    along: f64,
 }
 
 impl LineField {
@@ -34,6 +35,7 @@ impl LineField {
             peak_pressure: error::positive("peak pressure", peak_pressure)?,
             poissons_ratio: error::poissons_ratio(poissons_ratio)?,
             friction: 0.0,
+            along: 0.0,
         })
     }
 
@@ -52,6 +54,26 @@ impl LineField {
     pub fn sliding(self, friction: f64) -> Result<Self, DomainError> {
         Ok(Self {
             friction: error::friction(friction)?,
+            ..self
+        })
+    }
+
+    /// The same with a traction along the strip, too: `share` times the pressure, on the body in +y.
+    ///
+    /// It makes shears alone: with u as in [`stress`](Self::stress), τ_yz − i τ_xy = −share p0 u, which is harmonic, has the
+    /// traction on the surface and vanishes far below (antiplane shear of a half space).
+    ///
+    /// # Errors
+    /// [`DomainError::OutOfRange`] for a share that is not finite.
+    pub fn sheared_along(self, share: f64) -> Result<Self, DomainError> {
+        error::require(
+            "traction along the strip",
+            share,
+            share.is_finite(),
+            "finite",
+        )?;
+        Ok(Self {
+            along: share,
             ..self
         })
     }
@@ -84,7 +106,8 @@ impl LineField {
     fn scaled(&self, x: f64, z: f64) -> Stress {
         let [sx, sz, shear] = pressure_field(x, z);
         let (p0, mu) = (self.peak_pressure, self.friction);
-        let xx = p0 * (sx + mu * (2.0 * remainder(x, z).im - shear));
+        let u = remainder(x, z);
+        let xx = p0 * (sx + mu * (2.0 * u.im - shear));
         let zz = p0 * (sz + mu * shear);
         let yy = self.poissons_ratio * (xx + zz);
         Stress {
@@ -92,7 +115,8 @@ impl LineField {
             yy,
             zz,
             zx: p0 * (shear + mu * sx),
-            ..Stress::default()
+            xy: p0 * self.along * u.im,
+            yz: -p0 * self.along * u.re,
         }
     }
 
@@ -109,7 +133,7 @@ impl LineField {
             x: x * self.half_width,
             depth: z * self.half_width,
         };
-        if self.friction == 0.0 {
+        if self.friction == 0.0 && self.along == 0.0 {
             let (z, value) = maximum(|z| mises(0.0, z), 0.0, 2.0, 100);
             return peak(value, 0.0, z);
         }
@@ -214,6 +238,25 @@ mod tests {
                     assert!((a - b).abs() < 1e-13, "{x} {z}: {a} {b}");
                 }
             }
+        }
+    }
+
+    /// The traction along the strip is there on its surface and nowhere beside it, and shears balance: ∂τ_xy/∂x + ∂τ_yz/∂z = 0.
+    #[test]
+    fn a_traction_along_the_strip_is_in_balance() {
+        let field = LineField::new(2.0, 3.0, 0.3).unwrap();
+        let field = field.sheared_along(0.2).unwrap();
+        let at = |x: f64, z: f64| field.stress(x, z).unwrap();
+        for x in [-1.9f64, 0.0, 1.2] {
+            let pressure = 3.0 * (1.0 - 0.25 * x * x).sqrt();
+            assert!((at(x, 0.0).yz + 0.2 * pressure).abs() < 1e-14);
+        }
+        assert!(at(2.5, 0.0).yz.abs() < 1e-14);
+        let d = 1e-5;
+        for [x, z] in [[0.3, 0.5], [-1.7, 1.1], [3.0, 2.0]] {
+            let of_xy = at(x + d, z).xy - at(x - d, z).xy;
+            let of_yz = at(x, z + d).yz - at(x, z - d).yz;
+            assert!((of_xy + of_yz).abs() < 1e-9, "{x} {z}");
         }
     }
 

@@ -1,9 +1,12 @@
 //! Peak stress and strain of bodies.
 
+use super::at_bore::AtBore;
 use super::below_patches::BelowPatches;
 use super::earlier::Earlier;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
+use super::half_spaces::HalfSpaces;
 use super::notes::LONG_FACES;
+use super::plastic_strain::plastic_strain;
 use super::strip_below::StripBelow;
 use crate::answer::results::curvature::Curvature;
 use crate::answer::results::edges::ByEdge;
@@ -20,13 +23,11 @@ const SINGULAR: &str = "at a singular edge (loaded or held, an inner corner, the
 
 const EXCEEDED: &str = "a finer mesh may show a larger one at a loaded edge";
 
-const UNCERTAIN_FLOW: &str =
-    "the elastic peak is as uncertain as its excess over yield: it may be zero";
-
-const NO_ELASTIC_PEAK: &str = "no elastic solution beside it says by how much the stress exceeds yield, and with it how well the strain is known";
-
 const AS_LARGE: &str = "the error may be as large as the stress itself";
 const COARSE: &str = "below a strip or patch of contact that the nodes are too far apart for: there is no peak to be read";
+
+const BY_HALF_SPACES: &str = "as the half spaces below the strips make it under their loads per length, with what else acts in the body a \
+                              few half-widths away; the nodes there are too far apart to show it";
 
 const STEEP: &str = "the stress falls by more than half within one element: the elements are too large for the hole, fillet \
                      or wall that makes the peak";
@@ -98,6 +99,7 @@ pub(super) fn claims(
     (own, earlier): (&[BodyPeaks], &[Earlier]),
     (elastic, of_finer): (Option<&[BodyPeaks]>, &[Figure]),
     (strips, below, facets, travel_off): (&[StripBelow<'_>], &BelowPatches, &[f64], f64),
+    (pressures_off, bores): (&[Option<f64>], &[AtBore]),
 ) -> Vec<Figure> {
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
@@ -109,6 +111,8 @@ pub(super) fn claims(
                 (index, peaks),
                 names,
                 (&strips, below, facets[index], travel_off),
+                HalfSpaces::below(peaks, pressures_off),
+                bores.iter().find(|bore| bore.body == body.name),
             )
         };
         let names = [Quantity::PeakMises, Quantity::MisesAway];
@@ -118,7 +122,7 @@ pub(super) fn claims(
         }
         // The half space is elastic.
         let nothing = (&[][..], &BelowPatches::default(), facets[index], 0.0);
-        let mut peaks = self::mises((index, body), names, nothing);
+        let mut peaks = self::mises((index, body), names, nothing, None, None);
         let left = earlier.iter().map(|end| left_of(end, (index, body)));
         let left = left.fold(0.0, f64::max);
         for claim in &mut peaks {
@@ -170,38 +174,13 @@ fn as_elastic(claims: &[Figure], body: &str) -> Vec<Figure> {
     names.into_iter().filter_map(renamed).collect()
 }
 
-/// The peak plastic strain. Near its beginning it is what the elastic stress exceeds the yield limit
-/// by, over the stiffness: it is known as well as that excess is.
-fn plastic_strain(body: &BodyPeaks, elastic: Option<&Figure>) -> Figure {
-    let value = body.peeq_max;
-    let spread = (value - body.peeq_mean) / value;
-    let excess = elastic.map(|peak| {
-        // What has yielded stands at its limit, or a little above.
-        let limit = body
-            .centroid
-            .map_or(0.0, |p| p.value)
-            .max(body.nodal.map_or(0.0, |p| p.value));
-        let excess = (peak.value - limit).max(0.0);
-        peak.error.of_mesh().map(|error| error / excess)
-    });
-    let note = excess.map_or(NO_ELASTIC_PEAK, |_| UNCERTAIN_FLOW);
-    let share = excess.flatten().map(|share| share.max(spread));
-    let share = share.filter(|share| *share <= 1.0);
-    Figure {
-        error: Errors {
-            discretisation: share.map(|share| share * value),
-            ..Errors::default()
-        },
-        note: share.is_none().then_some(note),
-        ..figure_of(Quantity::PeakPlasticStrain, &body.name, value)
-    }
-}
-
 /// The nodal peak of a body, and that away from loaded edges where it lies at one.
 fn mises(
     (index, body): (usize, &BodyPeaks),
     [peak, away]: [Quantity; 2],
     (strips, below, facets, travel_off): (&[&StripBelow<'_>], &BelowPatches, f64, f64),
+    half_spaces: Option<HalfSpaces>,
+    bore: Option<&AtBore>,
 ) -> Vec<Figure> {
     let Some((nodal, centroid)) = body.nodal.zip(body.centroid) else {
         return Vec::new();
@@ -279,6 +258,27 @@ fn mises(
             }
         };
         let error = error.map(|error| error + facets * value);
+        // Under the load line the bore is known from its strain: better than from nodes, or no better than that.
+        let (value, error) = match bore {
+            Some(bore) if bore.at == nodal.at => (bore.mises, bore.error),
+            _ => (value, error),
+        };
+        let known = half_spaces.filter(|known| what == away || !known.at_edge);
+        // Of a peak elsewhere they say nothing where nodes show the stress below strips, too.
+        let counts = above_it.is_some() || strips.iter().any(|strip| !strip.shows());
+        let known = known.filter(|_| counts && !is_next_to_edge);
+        if let Some((value, error)) = known.and_then(|known| {
+            let known = known.with_facets(facets);
+            known.beside((value, error), above_it.is_some())
+        }) {
+            return Figure {
+                error: Errors::only_of_mesh(Some(error)),
+                note: known
+                    .filter(|known| known.mises == value)
+                    .map(|_| BY_HALF_SPACES),
+                ..figure_of(what, &body.name, value)
+            };
+        }
         // A peak elsewhere, as on a bore, is the largest only if it is above what the mesh does not show.
         let may_hide = |most: f64| {
             let larger = |strip: &&StripBelow| strip.mises.is_some_and(|mises| mises > most);

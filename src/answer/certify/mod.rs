@@ -5,6 +5,7 @@
 //! ([`energy`]), from readings that tend to the same value (`mises`), and from how well the nodes
 //! resolve the pressure (`pressure`). A bar is meant to hold in 95 of 100 cases.
 
+mod at_bore;
 mod below_patches;
 mod contact;
 mod contacts;
@@ -15,6 +16,7 @@ mod facets;
 mod fall;
 mod figure;
 mod flow_shares;
+mod half_spaces;
 mod held_ends;
 mod increments;
 mod line;
@@ -23,6 +25,7 @@ mod mises;
 mod notes;
 mod other;
 mod outside;
+mod plastic_strain;
 mod pressure;
 mod rim;
 mod scatter;
@@ -39,6 +42,7 @@ use crate::answer::results::peaks::BodyPeaks;
 use crate::answer::results::recovery::Recovered;
 use crate::model::scene::{RigidPlane, Scene};
 use crate::model::state::State;
+use at_bore::AtBore;
 use below_patches::BelowPatches;
 use contact::{Contact, Touch};
 use increments::Memory;
@@ -174,7 +178,13 @@ pub fn certify(evidence: &Evidence) -> Vec<Figure> {
     let elastic = (evidence.elastic, evidence.elastic_claims);
     let facets = facets::off(scene, contacts, evidence.outside);
     let below = (strips.as_slice(), &patches, &facets[..], travel_off);
-    let flowing = mises::claims((peaks, evidence.earlier), elastic, below);
+    let pressures_off = interfaces.iter().zip(evidence.lines);
+    let pressures_off: Vec<Option<f64>> = pressures_off
+        .map(|(interface, line)| line::strip_off(line.as_ref()?, &claims, &interface.name))
+        .collect();
+    let bores = AtBore::all(evidence.bores, &claims);
+    let beside = (pressures_off.as_slice(), bores.as_slice());
+    let flowing = mises::claims((peaks, evidence.earlier), elastic, below, beside);
     claims.extend(other::dents(evidence.dents, &flowing));
     claims.extend(flowing);
     let memory = Memory {

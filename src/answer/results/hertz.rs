@@ -37,6 +37,10 @@ pub struct HeaviestLine {
     pub contact: Option<LineContact>,
     /// Why the strip is not Hertz's, if it is not.
     pub departs: Option<Departure>,
+    /// The lines of the pair beside it.
+    pub others: Vec<ContactLine>,
+    /// Does a plane of symmetry mirror them all across?
+    pub is_mirrored: bool,
     /// See [`Self::away`].
     away: Option<Box<Self>>,
 }
@@ -147,6 +151,12 @@ impl HeaviestLine {
             frame: *frame,
             alternates: (line.heaviest_load() / line_load - 1.0).abs(),
             line: line.clone(),
+            others: lines
+                .iter()
+                .filter(|other| other.across != line.across)
+                .cloned()
+                .collect(),
+            is_mirrored: mirrored,
             away: None,
         })
     }

@@ -6,6 +6,7 @@
 pub mod around;
 pub mod balance;
 pub mod below;
+pub mod below_strips;
 pub mod bore;
 mod circle;
 pub mod contact_line;

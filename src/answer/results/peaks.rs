@@ -1,7 +1,9 @@
 //! Per body: the three Mises peaks and where they are, plastic strain and yielded volume.
 
 use super::around::{Around, around};
+use super::below_strips::{BelowStrips, below_strips};
 use super::edges::{ByEdge, SingularEdges};
+use super::hertz::HeaviestLine;
 use super::hex::{GaussRule, centre};
 use super::load::{cutting, times};
 use super::recovery::{Recovered, recover};
@@ -67,6 +69,8 @@ pub struct BodyPeaks {
     /// Where the nodal peak lies beside a singular edge, or a finer mesh may show a larger one there: the peaks of what
     /// does not.
     pub away: Option<(ByEdge, MisesPeaks)>,
+    /// The peak below its strips, as half spaces have it.
+    pub below_strips: Option<BelowStrips>,
     /// Largest equivalent plastic strain at an integration point.
     pub peeq_max: f64,
     /// Mean of the equivalent plastic strain in the element that holds the largest.
@@ -80,7 +84,8 @@ pub struct BodyPeaks {
 /// The peaks of every body in `state`, where its fields are not at hand.
 pub fn peaks_in(scene: &Scene, state: &State) -> Vec<BodyPeaks> {
     let edges = SingularEdges::find(scene, state);
-    peaks(scene, state, &recover(scene, state), &edges)
+    let lines = HeaviestLine::of_pairs(scene, state, &edges.loaded);
+    peaks((scene, state), &recover(scene, state), &edges, &lines)
 }
 
 /// The index of the largest value; of equal values the first. Passes over what is not a number.
@@ -94,13 +99,14 @@ fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f
     best
 }
 
-/// Finds the peaks of every body, in the order of the mesh.
+/// Finds the peaks of every body, in the order of the mesh; `lines` are the heaviest ones of the pairs.
 pub fn peaks(
-    scene: &Scene,
-    state: &State,
+    (scene, state): (&Scene, &State),
     recovered: &Recovered,
     edges: &SingularEdges,
+    lines: &[Option<HeaviestLine>],
 ) -> Vec<BodyPeaks> {
+    let below = below_strips((scene, state), recovered, lines, edges);
     let mesh = &scene.mesh;
     let rule = GaussRule::new();
     let nodal = nodal_peaks(scene, recovered, |_| true);
@@ -185,6 +191,7 @@ pub fn peaks(
                 .map(|peak| around(peak, false))
                 .unwrap_or_default(),
             away,
+            below_strips: below[index],
             peeq_max: peeq.map_or(0.0, |(_, largest)| largest),
             peeq_mean: peeq.map_or(0.0, |(e, _)| state.peeq_of(e).iter().sum::<f64>() / 8.0),
             yielded_volume: copies * yielded,

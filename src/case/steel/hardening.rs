@@ -86,14 +86,20 @@ impl Hardening {
         })
     }
 
-    /// H of a steel of Young's modulus `e` and yield stress `yields`.
-    pub fn modulus(&self, e: f64, yields: f64, units: UnitSystem) -> Result<f64, CaseError> {
+    /// H of the steel of `body`, of Young's modulus `e` and yield stress `yields`; either may stand in another table than the
+    /// hardening does.
+    pub fn modulus(
+        &self,
+        body: &str,
+        [e, yields]: [f64; 2],
+        units: UnitSystem,
+    ) -> Result<f64, CaseError> {
         let show = |stress: f64| units.show(stress, Dimension::STRESS);
         match self {
             Self::Modulus(modulus) => Ok(modulus.value),
             Self::Tangent(modulus) if modulus.value < e => Ok(series(e, modulus.value)),
             Self::Tangent(modulus) => {
-                let why = format!("must be less than Young's modulus, {}", show(e));
+                let why = format!("must be less than Young's modulus of `{body}`, {}", show(e));
                 Err(modulus.place.error(ErrorKind::Value, why))
             }
             Self::Point {
@@ -102,7 +108,7 @@ impl Hardening {
                 strain_is,
             } => {
                 if stress.value <= yields {
-                    let why = format!("lies below the yield stress, {}", show(yields));
+                    let why = format!("lies below the yield stress of `{body}`, {}", show(yields));
                     let help = "the second point of the hardening line lies beyond yield";
                     return Err(stress.place.error(ErrorKind::Value, why).help(help));
                 }
@@ -113,7 +119,7 @@ impl Hardening {
                 };
                 if plastic <= 0.0 {
                     let why = format!(
-                        "is no more than the elastic strain at that stress, {:.6}",
+                        "is no more than the elastic strain of `{body}` at that stress, {:.6}",
                         stress.value / e
                     );
                     return Err(strain.place.error(ErrorKind::Value, why));

@@ -266,7 +266,8 @@ impl SteelTable {
             None => return Err(missing("yield_stress` or `elastic = true")),
             Some(stress) => {
                 let hardening = self.hardening.as_ref();
-                let modulus = hardening.map(|h| h.modulus(youngs_modulus, stress.value, units));
+                let modulus =
+                    hardening.map(|h| h.modulus(body, [youngs_modulus, stress.value], units));
                 (stress.value, modulus.transpose()?.unwrap_or(0.0))
             }
         };

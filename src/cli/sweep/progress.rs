@@ -55,8 +55,14 @@ impl SweepProgress {
     /// Says what came of a row.
     pub fn line(&mut self, record: &RowRecord) {
         let figure = |name: &str| {
-            let number = record.number(name);
-            number.map_or_else(|| "-".to_owned(), |value| significant(value, 4))
+            let [value, bar] = [name, &format!("{name}_error")].map(|name| record.number(name));
+            match (value, bar) {
+                (None, _) => "-".to_owned(),
+                (Some(value), Some(bar)) => {
+                    format!("{} ± {}", significant(value, 4), significant(bar, 2))
+                }
+                (Some(value), None) => format!("{} not resolved", significant(value, 4)),
+            }
         };
         let word = |(key, value): &(String, Value)| {
             let value = value
@@ -69,7 +75,7 @@ impl SweepProgress {
             record.message.clone()
         } else {
             format!(
-                "Mises {:>7}  utilisation {:>6}",
+                "Mises {:18}  utilisation {:19}",
                 figure("mises_nodal"),
                 figure("utilisation")
             )

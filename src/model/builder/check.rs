@@ -6,7 +6,7 @@ use super::load::{Load, LoadKind};
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::scene::{
-    Controls, OFF_PLANE, Step, Support, Tie, faces_in_plane, reaches_into_plane,
+    Controls, OFF_PLANE, Step, Support, Temperature, Tie, faces_in_plane, reaches_into_plane,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -156,7 +156,6 @@ pub(super) fn check_controls(controls: &Controls, scene: &str) -> Result<(), Bui
 }
 
 pub(super) fn check_loads(mesh: &Mesh, loads: &[Load]) -> Result<(), BuildError> {
-    check_names("load", loads.iter().map(|load| &load.name))?;
     for load in loads {
         check_surface(mesh, &format!("the load `{}`", load.name), &load.surface)?;
         if let Some(value) = load.numbers().into_iter().find(|x| !x.is_finite()) {
@@ -208,22 +207,56 @@ pub(super) fn check_ties(mesh: &Mesh, ties: &[Tie]) -> Result<(), BuildError> {
     Ok(())
 }
 
-/// Steps call loads and supports by name.
+/// Differences of temperature of bodies that the mesh has, none across a plane of symmetry.
+pub(super) fn check_temperatures(
+    mesh: &Mesh,
+    temperatures: &[Temperature],
+    mirrors: &[Axis],
+) -> Result<(), BuildError> {
+    for temperature in temperatures {
+        let Temperature { name, body, .. } = temperature;
+        if mesh.body(body).is_none() {
+            let user = format!("the temperature `{name}`");
+            let known = mesh.bodies.iter().map(|body| &body.name);
+            return Err(unknown(&user, "body", body, known));
+        }
+        let wrong = |what, value, allowed| BuildError::Number {
+            what,
+            of: name.clone(),
+            value,
+            allowed,
+        };
+        let numbers = [temperature.expansion, temperature.value];
+        let mut numbers = numbers.into_iter().chain(temperature.gradient);
+        if let Some(value) = numbers.find(|x| !x.is_finite()) {
+            return Err(wrong("a number", value, "finite"));
+        }
+        let across = mirrors
+            .iter()
+            .map(|axis| temperature.gradient[axis.index()]);
+        if let Some(value) = across.into_iter().find(|along| *along != 0.0) {
+            let allowed = "zero along an axis that the scene is mirrored along";
+            return Err(wrong("the gradient", value, allowed));
+        }
+    }
+    Ok(())
+}
+
+/// Steps call loads and temperatures, by their names, and supports.
 pub(super) fn check_steps(
     steps: &[Step],
-    loads: &[Load],
+    loads: &[&String],
     supports: &[Support],
 ) -> Result<(), BuildError> {
     let names = || {
-        loads
-            .iter()
-            .map(|l| &l.name)
-            .chain(supports.iter().map(|s| &s.name))
+        let supports = supports.iter().map(|support| &support.name);
+        loads.iter().copied().chain(supports)
     };
+    check_names("load", loads.iter().copied())?;
     check_names("step", steps.iter().map(|step| &step.name))?;
     for step in steps {
         check_names("factor", step.factors.iter().map(|(name, _)| name))?;
-        let is_load = |name: &String| loads.iter().any(|load| load.name == *name);
+        let is_load = |name: &String| loads.contains(&name);
         let moves = |name: &String| supports.iter().any(|s| s.name == *name && s.moves());
         let both = step
             .factors

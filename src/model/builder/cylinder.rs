@@ -151,12 +151,13 @@ impl Cylinder {
                 "less than the wall and half the radius",
             ));
         }
-        match self.size <= self.reach && self.layers > 0 {
+        let cells = self.reach / self.size;
+        match (1.0..=Grading::MOST_CELLS as f64).contains(&cells) && self.layers > 0 {
             true => Ok(()),
             false => Err(wrong(
                 "the element size",
                 self.size,
-                "at most their reach, with a layer or more",
+                "at most the reach of small elements and at least a 10000th of it, with a layer or more",
             )),
         }
     }

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::check::{
     check_controls, check_loads, check_loads_in_mirror, check_mirror, check_names, check_sides,
-    check_steels, check_steps, check_supports, check_surface, check_ties,
+    check_steels, check_steps, check_supports, check_surface, check_temperatures, check_ties,
 };
 use super::contact::Contact;
 use super::error::BuildError;
@@ -12,7 +12,7 @@ use super::shape::Shape;
 use crate::model::material::Steel;
 use crate::model::mesh::Mesh;
 use crate::model::scene::{
-    ContactPair, Controls, Partner, Scene, Side, Step, Support, Tie, carrier,
+    ContactPair, Controls, Partner, Scene, Side, Step, Support, Temperature, Tie, carrier,
 };
 
 /// Says a scene piece by piece, and checks it in [`build`](Self::build).
@@ -46,6 +46,7 @@ pub struct SceneBuilder {
     ties: Vec<Tie>,
     supports: Vec<Support>,
     loads: Vec<Load>,
+    temperatures: Vec<Temperature>,
     steps: Vec<Step>,
     mirrors: Vec<Axis>,
     plane_strain: Vec<Axis>,
@@ -126,6 +127,24 @@ impl SceneBuilder {
         self
     }
 
+    /// Makes a body warmer by `kelvin` than where it is free of stress; `expansion` is the coefficient of its steel, per
+    /// kelvin. Steps call it by the name of the body.
+    pub fn warm(self, body: &str, kelvin: f64, expansion: f64) -> Self {
+        self.temperature(Temperature {
+            name: body.into(),
+            body: body.into(),
+            expansion,
+            value: kelvin,
+            gradient: [0.0; 3],
+        })
+    }
+
+    /// Adds a difference of temperature as the scene knows it: with a name of its own, or linear across the body.
+    pub fn temperature(mut self, temperature: Temperature) -> Self {
+        self.temperatures.push(temperature);
+        self
+    }
+
     /// Adds a step at whose end every load and displacement has the factor `factor`.
     pub fn step(self, name: &str, factor: f64) -> Self {
         self.step_but(name, factor, &[])
@@ -194,7 +213,10 @@ impl SceneBuilder {
             check_loads_in_mirror(&mesh, &self.loads, *axis)?;
         }
         check_ties(&mesh, &self.ties)?;
-        check_steps(&self.steps, &self.loads, &self.supports)?;
+        check_temperatures(&mesh, &self.temperatures, &self.mirrors)?;
+        let names = self.loads.iter().map(|load| &load.name);
+        let names = names.chain(self.temperatures.iter().map(|warm| &warm.name));
+        check_steps(&self.steps, &names.collect::<Vec<_>>(), &self.supports)?;
         let contacts = self.contacts.into_iter();
         let contacts = contacts.map(|contact| pair(contact, &mesh, &materials));
         let contacts: Vec<ContactPair> = contacts.collect::<Result<_, _>>()?;
@@ -227,7 +249,7 @@ impl SceneBuilder {
             tractions,
             steps: self.steps,
             mirrors: self.mirrors.iter().map(|axis| axis.index()).collect(),
-            temperatures: Vec::new(),
+            temperatures: self.temperatures,
             ties: self.ties,
             half_turn: Vec::new(),
             controls: self.controls,

@@ -1,7 +1,7 @@
 use super::*;
 use crate::model::material::Steel;
 use crate::model::mesh::block::{Block, uniform};
-use crate::model::scene::Side;
+use crate::model::scene::{Side, Temperature};
 
 fn steel() -> Steel {
     Steel::elastic(210e3, 0.3)
@@ -29,6 +29,14 @@ fn wrong_names_and_numbers_are_told() {
     assert!(text(new().load(load).build()).contains("`a_z_max` is NaN"));
     let step = new().step_but("go", 1.0, &[("push", 2.0)]);
     assert!(text(step.build()).contains("the load `push`"));
+    let step = new()
+        .warm("a", 10.0, 12e-6)
+        .step_but("go", 1.0, &[("a", 2.0)]);
+    assert_eq!(step.build().unwrap().factor("a", 0, 1.0), 2.0);
+    assert!(text(new().warm("b", 10.0, 12e-6).build()).contains("the temperature `b`"));
+    assert!(text(new().warm("a", f64::NAN, 12e-6).build()).contains("`a` is NaN"));
+    let twice = new().warm("a", 10.0, 12e-6).warm("a", 20.0, 12e-6);
+    assert!(text(twice.build()).contains("two loads called `a`"));
     let contact = Contact::between("a_z_max", "b_z_min");
     assert!(text(new().contact(contact).build()).contains("contact `a_z_max-b_z_min`"));
     let rough = Contact::on_plane("a_z_min", [0.0; 3], [0.0, 0.0, 2.0]).friction(-0.1);
@@ -55,6 +63,16 @@ fn a_mirrored_model_lies_on_one_side_and_is_held_there() {
         .body(away, steel())
         .mirror(Axis::X);
     assert!(text(both.build()).contains("cannot be mirrored along x"));
+    let across = Temperature {
+        name: "a".into(),
+        body: "a".into(),
+        expansion: 12e-6,
+        value: 0.0,
+        gradient: [0.0, 1.0, 0.0],
+    };
+    let warm = SceneBuilder::new("test").body(cube("a"), steel());
+    let warm = warm.mirror(Axis::Y).temperature(across);
+    assert!(text(warm.build()).contains("zero along an axis that the scene is mirrored along"));
 }
 
 #[test]

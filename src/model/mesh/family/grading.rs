@@ -14,9 +14,27 @@ pub struct Grading {
 }
 
 impl Grading {
+    /// Cells of equal length, at most: a section of so many squared has no room in memory.
+    pub const MOST_CELLS: usize = 10_000;
+
     /// Cells of length `size` over at least `fine` (a length), growing by about `growth` a cell
     /// up to `total`; `fine` < `total`, `growth` > 1.
+    ///
+    /// Other numbers, and more than [`MOST_CELLS`](Self::MOST_CELLS) of equal length, give no cell; a
+    /// [`Block`](crate::model::mesh::block::Block) of one node says that its coordinates are none.
     pub fn new(size: f64, fine: f64, total: f64, growth: f64) -> Self {
+        let is_whole = [size, fine, total, growth.ln()]
+            .iter()
+            .all(|x| *x > 0.0 && x.is_finite());
+        if !is_whole || fine / size > Self::MOST_CELLS as f64 {
+            let [fine, growing] = [0; 2];
+            return Self {
+                size,
+                fine,
+                growing,
+                growth,
+            };
+        }
         let cells = (fine / size - 1e-9).ceil().max(1.0);
         let rest = (total / size - cells).max(1.0);
         let growing = (rest * growth.ln()).ln_1p() / growth.ln();
@@ -90,5 +108,21 @@ mod tests {
         }
         assert!(fine.windows(2).all(|w| w[0] < w[1]));
         assert!((fine[1] - 0.05).abs() < 1e-15);
+    }
+
+    #[test]
+    fn numbers_that_make_no_grading_give_no_cell() {
+        let nan = f64::NAN;
+        let wrong = [
+            [0.0, 1.0, 3.0, 1.4],
+            [-0.1, 1.0, 3.0, 1.4],
+            [0.1, nan, 3.0, 1.4],
+            [0.1, 1.0, f64::INFINITY, 1.4],
+            [0.1, 1.0, 3.0, 1.0],
+            [1e-9, 1.0, 3.0, 1.4],
+        ];
+        for [size, fine, total, growth] in wrong {
+            assert_eq!(Grading::new(size, fine, total, growth).cells(), 0);
+        }
     }
 }

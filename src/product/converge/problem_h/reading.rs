@@ -67,7 +67,12 @@ pub fn read(scene: &Scene, state: &State) -> Result<ProblemHReading, Missing> {
         |s| Ok::<_, Missing>(hertz(s.at[0])),
     )?;
     let recovered = recover(scene, state);
-    let bodies = peaks(scene, state, &recovered, &SingularEdges::find(scene, state));
+    let bodies = peaks(
+        (scene, state),
+        &recovered,
+        &SingularEdges::find(scene, state),
+        &[],
+    );
     let of = |name: &str| {
         bodies
             .iter()

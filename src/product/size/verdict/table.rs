@@ -230,7 +230,14 @@ fn conclusion(checked: &Checked) -> String {
         }
         [] => {
             let nearest = checks().max_by(by_share).map_or_else(String::new, named);
-            format!("VERDICT: no limit is missed; the nearest is that on {nearest} of it\n")
+            let is_apart = |(_, check): (&Placed, &LimitCheck)| {
+                check.kind == LimitKind::ContactPressure && check.along.is_none()
+            };
+            let apart = match checks().any(is_apart) {
+                true => " away from rounded ends, where p0 is not resolved",
+                false => "",
+            };
+            format!("VERDICT: no limit is missed{apart}; the nearest is that on {nearest} of it\n")
         }
         missed => {
             let words = format!("VERDICT: FAILED, limits missed: {}", missed.join("; "));
@@ -245,11 +252,11 @@ fn conclusion(checked: &Checked) -> String {
         ),
         (
             SizeStanding::Open,
-            "open: this mesh cannot tell; brinell run with --target mises=3% refines it",
+            "open: this mesh cannot tell; brinell run with --target 3% refines it",
         ),
         (
             SizeStanding::Unresolved,
-            "not resolved: the error is not known; brinell run with --target mises=3% refines the mesh",
+            "not resolved: the error is not known; brinell run with --target 3% refines the mesh",
         ),
         (
             SizeStanding::NotJudged,

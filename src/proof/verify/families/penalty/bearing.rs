@@ -48,7 +48,7 @@ fn centre_case() -> Result<Scene, JobError> {
 fn figures(run: &SolvedScene) -> Result<NamedFigures, VerifyError> {
     let (scene, state) = (&run.scene, run.state());
     let edges = SingularEdges::find(scene, state);
-    let bodies = peaks(scene, state, &recover(scene, state), &edges);
+    let bodies = peaks((scene, state), &recover(scene, state), &edges, &[]);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let mut pressures = interfaces(scene, state).into_iter().map(|i| i.max_pressure);
     let mut mises = bodies

@@ -35,8 +35,8 @@ impl HalfSpaces {
         })
     }
 
-    /// With what facets that are no true shapes make of it, a share of itself.
-    pub fn with_facets(self, share: f64) -> Self {
+    /// Where that share of it may be wrong besides.
+    pub fn with_share(self, share: f64) -> Self {
         Self {
             error: self.error + share * self.mises,
             ..self

@@ -27,7 +27,7 @@ const WELL: f64 = 0.67;
 /// Beside a loaded edge, and next to what belongs to it, in addition.
 const BESIDE_EDGE: f64 = 0.02;
 /// Share of the kink at the peak of a line load that is its error,
-const KINK: f64 = 0.35;
+const KINK: f64 = 0.2;
 /// and beside a loaded edge, where loads rise with a power of the distance and the last rows of the mesh cut that off.
 const KINK_AT_EDGE: f64 = 0.5;
 /// Share of what rows elsewhere on a line hide that the error of its largest load is at least. Where loads alternate from row

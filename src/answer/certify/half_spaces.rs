@@ -19,6 +19,17 @@ pub(super) struct HalfSpaces {
     pub at_edge: bool,
 }
 
+/// Where a peak that is read at nodes lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FromStrip {
+    /// In the middle of a strip, on the surface.
+    AtSurface,
+    /// Below one.
+    Below,
+    /// Below none.
+    Elsewhere,
+}
+
 impl HalfSpaces {
     /// Below the strips on a body; `pressures_off` say by pair how far their stress may be off, of itself. `None` where they say nothing,
     /// or the load of the strip is not known.
@@ -45,11 +56,18 @@ impl HalfSpaces {
 
     /// The peak and its error, beside the one that is read at nodes: of the strip, or elsewhere on the body. `None` where that stands
     /// as it is.
-    pub fn beside(self, (value, error): (f64, Option<f64>), of_strip: bool) -> Option<(f64, f64)> {
+    pub fn beside(
+        self,
+        (value, error): (f64, Option<f64>),
+        place: FromStrip,
+    ) -> Option<(f64, f64)> {
+        let of_strip = place != FromStrip::Elsewhere;
         match error {
             // Where both do not agree within their errors, neither is as well known as it says.
             Some(error) if of_strip => {
-                let error = error.max(self.by_turn);
+                // In the depth friction that turns has no part in what nodes show.
+                let at_surface = place == FromStrip::AtSurface;
+                let error = error.max(if at_surface { self.by_turn } else { 0.0 });
                 let apart = (self.mises - value).abs();
                 Some(match self.error < error {
                     true => (self.mises, self.error.max(apart - error)),

@@ -4,7 +4,7 @@ use super::at_bore::AtBore;
 use super::below_patches::BelowPatches;
 use super::earlier::Earlier;
 use super::figure::{Errors, Figure, Quantity, figure, figure_of};
-use super::half_spaces::HalfSpaces;
+use super::half_spaces::{FromStrip, HalfSpaces};
 use super::notes::LONG_FACES;
 use super::plastic_strain::plastic_strain;
 use super::strip_below::StripBelow;
@@ -267,13 +267,18 @@ fn mises(
             _ => (value, error),
         };
         let known = half_spaces.filter(|known| what == away || !known.at_edge);
+        let place = match above_it {
+            Some(strip) if strip.is_at(&nodal.at) => FromStrip::AtSurface,
+            Some(_) => FromStrip::Below,
+            None => FromStrip::Elsewhere,
+        };
         // Of a peak elsewhere they say nothing where nodes show the stress below strips, too.
         let counts = above_it.is_some() || strips.iter().any(|strip| !strip.shows());
         let beside_edge = if is_next_to_edge { NEXT_TO_EDGE } else { 0.0 };
         let known = known.filter(|_| counts);
         if let Some((value, error)) = known.and_then(|known| {
             let known = known.with_share(facets + beside_edge);
-            known.beside((value, error), above_it.is_some())
+            known.beside((value, error), place)
         }) {
             return Figure {
                 error: Errors::only_of_mesh(Some(error)),

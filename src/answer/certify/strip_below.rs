@@ -138,6 +138,16 @@ impl<'l> StripBelow<'l> {
         ((facets - from) / (to - from)).clamp(0.0, 1.0)
     }
 
+    /// Is that in its middle, on the surface?
+    pub fn is_at(&self, at: &[f64; 3]) -> bool {
+        const NEAR: f64 = 0.3;
+        let off = self
+            .line
+            .frame
+            .square(sub(*at, self.line.line.heaviest.centre));
+        norm(off) <= NEAR * self.half_width
+    }
+
     /// Is that below the strip?
     pub fn is_above(&self, at: &[f64; 3]) -> bool {
         let centre = self.line.line.heaviest.centre;

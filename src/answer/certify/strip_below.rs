@@ -119,16 +119,8 @@ impl<'l> StripBelow<'l> {
     /// Pressure, stress and width of the strip where it passes over that, over those of its heaviest row: roots of the loads
     /// per length.
     pub fn share(&self, at: &[f64; 3]) -> f64 {
-        let at = self.line.frame.along(at);
-        let rows = &self.line.line;
-        let next = rows.at.partition_point(|row| *row < at);
-        let row = |index: usize| Some((*rows.at.get(index)?, *rows.load.get(index)?));
-        let load = match (next.checked_sub(1).and_then(row), row(next)) {
-            (Some((a, below)), Some((b, above))) => below + (above - below) * (at - a) / (b - a),
-            (Some((_, end)), None) | (None, Some((_, end))) => end,
-            (None, None) => return 1.0,
-        };
-        (load / self.line.line_load).max(0.0).sqrt()
+        let load = self.line.line.load_at(self.line.frame.along(at));
+        load.map_or(1.0, |load| (load / self.line.line_load).max(0.0).sqrt())
     }
 
     /// Is the nodal peak below the strip corrected, where its load is that share of the largest? One where it is wholly.

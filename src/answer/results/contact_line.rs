@@ -35,6 +35,19 @@ impl ContactLine {
             .reduce(|most, row| if row.0 > most.0 { row } else { most })
     }
 
+    /// Load per length at the coordinate `along`, straight between rows, and beyond the last one as there; `None` where there are none.
+    pub fn load_at(&self, along: f64) -> Option<f64> {
+        let next = self.at.partition_point(|row| *row < along);
+        let row = |index: usize| Some((*self.at.get(index)?, *self.load.get(index)?));
+        match (next.checked_sub(1).and_then(row), row(next)) {
+            (Some((a, before)), Some((b, after))) => {
+                Some(before + (after - before) * (along - a) / (b - a))
+            }
+            (Some((_, end)), None) | (None, Some((_, end))) => Some(end),
+            (None, None) => None,
+        }
+    }
+
     /// The load per length of its heaviest row.
     pub fn heaviest_load(&self) -> f64 {
         self.load[self.heaviest.row]

@@ -31,7 +31,8 @@ pub fn below_strips(
         let Some(line) = line.as_ref().filter(|line| is_known(line)) else {
             continue;
         };
-        let Some((strips, field)) = Strips::of(scene, pair, line).zip(state.contacts.get(index))
+        let Some((strips, field)) =
+            Strips::of(scene, index, line, edges).zip(state.contacts.get(index))
         else {
             continue;
         };
@@ -41,11 +42,6 @@ pub fn below_strips(
         for (body, sign) in sides.filter_map(|(body, sign)| Some((body?, sign))) {
             let forces = |row: f64| scale(strips.force(scene, field, row), sign);
             let largest = strips.largest((scene, edges), recovered, body, (&forces, turns));
-            let largest = largest.map(|found| BelowStrips {
-                pair: index,
-                at_edge: edges.loaded.unseen_pressure(index) > 0.0 || found.at_edge,
-                ..found
-            });
             let known: &mut Option<BelowStrips> = &mut all[body];
             let is_larger = |new: &BelowStrips| known.is_none_or(|old| new.mises > old.mises);
             if let Some(new) = largest.filter(is_larger) {

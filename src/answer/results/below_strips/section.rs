@@ -3,8 +3,6 @@
 use super::reading::BelowStrips;
 use super::strips::{RING, Strip, Strips};
 use crate::analytic::subsurface::LineField;
-use crate::answer::results::contact_line::ContactLine;
-use crate::answer::results::hertz::Departure;
 use crate::answer::results::tensor::{mises, tensor_of, traction};
 use crate::ground::geometry::{Vec3, cross, dot, scale, sub};
 use nalgebra::{Matrix3, RowVector6, Vector3};
@@ -80,13 +78,13 @@ impl Strips<'_> {
             nu,
         );
         Some(BelowStrips {
-            pair: 0,
+            pair: self.pair,
             mises: most,
             uneven: rest.leaves(&samples),
             by_rest: most - largest(|x, z| mises(&alone.stress(x * a, z * a))),
             by_turn: (mises(&turned) - most).max(0.0),
             at,
-            at_edge: self.line.departs == Some(Departure::LoadedEdge),
+            at_edge: self.at_edge,
         })
     }
 
@@ -98,7 +96,7 @@ impl Strips<'_> {
         nu: f64,
         (frame, inwards): (&SectionFrame, f64),
     ) -> Option<Pressed> {
-        let load = load_at(strip.loads, along).filter(|load| *load > 0.0)?;
+        let load = strip.loads.load_at(along).filter(|load| *load > 0.0)?;
         let root = (load / self.line.line_load).sqrt();
         let half_width = root * self.half_width;
         let [x, _, z] = frame.turned(scale(strip.normal, inwards));
@@ -240,19 +238,6 @@ impl Even {
 
 fn sum_of(a: &[f64; 6], b: &[f64; 6]) -> [f64; 6] {
     std::array::from_fn(|k| a[k] + b[k])
-}
-
-/// Load per length of a line between its rows; that of the last one beyond them.
-fn load_at(line: &ContactLine, along: f64) -> Option<f64> {
-    let next = line.at.partition_point(|row| *row < along);
-    let row = |index: usize| Some((*line.at.get(index)?, *line.load.get(index)?));
-    match (next.checked_sub(1).and_then(row), row(next)) {
-        (Some((a, before)), Some((b, after))) => {
-            Some(before + (after - before) * (along - a) / (b - a))
-        }
-        (Some((_, end)), None) | (None, Some((_, end))) => Some(end),
-        (None, None) => None,
-    }
 }
 
 #[cfg(test)]

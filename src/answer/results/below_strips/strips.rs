@@ -3,10 +3,10 @@
 use super::reading::BelowStrips;
 use crate::answer::results::contact_line::ContactLine;
 use crate::answer::results::edges::SingularEdges;
-use crate::answer::results::hertz::HeaviestLine;
+use crate::answer::results::hertz::{Departure, HeaviestLine};
 use crate::answer::results::recovery::Recovered;
 use crate::ground::geometry::{Vec3, norm, scale, sub, unit};
-use crate::model::scene::{ContactPair, Scene};
+use crate::model::scene::Scene;
 
 /// Distances from a strip, in its half-widths, between which the rest of the stress is taken from nodes: farther in, elements do
 /// not follow the stress of the strip, farther out the rest changes.
@@ -17,6 +17,9 @@ pub(super) const SAME_SECTION: f64 = 1e-3;
 
 /// The strips of a pair.
 pub(super) struct Strips<'l> {
+    pub pair: usize,
+    /// Does it carry up to an edge, or to a fillet that is not resolved?
+    pub at_edge: bool,
     pub line: &'l HeaviestLine,
     /// Every strip, the heaviest first, with a place on it and the normal of its surfaces there.
     pub places: Vec<Strip<'l>>,
@@ -31,9 +34,15 @@ pub(super) struct Strip<'l> {
 }
 
 impl<'l> Strips<'l> {
-    pub fn of(scene: &Scene, pair: &ContactPair, line: &'l HeaviestLine) -> Option<Self> {
+    /// Those of the pair with that index.
+    pub fn of(
+        scene: &Scene,
+        pair: usize,
+        line: &'l HeaviestLine,
+        edges: &SingularEdges,
+    ) -> Option<Self> {
         let hertz = line.strip()?;
-        let [carrier, _] = pair.carrier_first();
+        let [carrier, _] = scene.contacts.get(pair)?.carrier_first();
         let surface = carrier.surface(&scene.mesh)?;
         let nodes = surface.nodes();
         let frame = &line.frame;
@@ -63,7 +72,10 @@ impl<'l> Strips<'l> {
                 });
             }
         }
+        let is_loaded = line.departs == Some(Departure::LoadedEdge);
         Some(Self {
+            pair,
+            at_edge: is_loaded || edges.loaded.unseen_pressure(pair) > 0.0,
             line,
             places,
             half_width: hertz.half_width,

@@ -107,17 +107,19 @@ pub(super) fn claims(
     let mut claims = Vec::new();
     for (index, body) in own.iter().enumerate() {
         let yielded = body.peeq_max > 0.0;
-        let mises = |peaks: &BodyPeaks, names| {
+        let read = |peaks: &BodyPeaks, names, half_spaces| {
             let strips = strips.iter().filter(|strip| strip.body == index);
             let strips = strips.collect::<Vec<_>>();
             mises(
                 (index, peaks),
                 names,
                 (&strips, below, facets[index], travel_off),
-                HalfSpaces::below(peaks, pressures_off),
+                half_spaces,
                 bores.iter().find(|bore| bore.body == body.name),
             )
         };
+        let mises =
+            |peaks: &BodyPeaks, names| read(peaks, names, HalfSpaces::below(peaks, pressures_off));
         let names = [Quantity::PeakMises, Quantity::MisesAway];
         if !yielded {
             claims.extend(mises(body, names));
@@ -139,14 +141,27 @@ pub(super) fn claims(
         }
         claims.extend(peaks);
         let names = [Quantity::ElasticPeakMises, Quantity::ElasticMisesAway];
+        let of_body = elastic.and_then(|bodies| bodies.get(index));
         let elastic = match of_finer {
-            [] => (elastic.and_then(|bodies| bodies.get(index)))
-                .map_or_else(Vec::new, |elastic| mises(elastic, names)),
+            [] => of_body.map_or_else(Vec::new, |elastic| mises(elastic, names)),
             claims => as_elastic(claims, &body.name),
         };
+        // Steel flows as nodes have it, whatever half spaces know.
+        let of_nodes = match of_finer {
+            [] => of_body.map_or_else(Vec::new, |elastic| read(elastic, names, None)),
+            _ => elastic.clone(),
+        };
+        let of_nodes = of_nodes
+            .iter()
+            .filter(|claim| claim.note != Some(BY_HALF_SPACES));
+        let of_nodes: Vec<&Figure> = of_nodes.collect();
         // Where an edge does not decide what this mesh shows, the strain is that away from it.
         let decides = |claim: &&Figure| claim.is_resolved() || claim.at_edge;
-        let peak = elastic.iter().find(decides).or(elastic.first());
+        let peak = of_nodes
+            .iter()
+            .copied()
+            .find(decides)
+            .or(of_nodes.first().copied());
         claims.push(plastic_strain(body, peak));
         claims.extend(elastic);
     }
